@@ -17,6 +17,7 @@ const words = {
     sure: 'a change, not chance', line: 'Line', systematic: 'Systematic deviation E', save: 'Download', which: 'Table', open: 'Open a result', name: 'Name',
     search: 'Search a control', along: 'Table over the positions of', moves: 'It moves', one_axis: /It corrects EXX\.[\s\S]*Range on the line[\s\S]*\d+\.\d → \d+\.\d µm/,
     cross: /3 of \d+ controls have cross tables/, both: 'It corrects EXY, C0Y.', refused: 'No table is made of this', first: 'First position / mm',
+    smoothness: 'Smoothness', smoothness_fault: '“auto”, or one or two numbers',
     at: /^Slice at/, slice_told: /Slice at Z −?\d+ mm/,
   },
   'de-DE': {
@@ -26,6 +27,7 @@ const words = {
     sure: 'eine Änderung, kein Zufall', line: 'Linie', systematic: 'Systematische Abweichung E', save: 'Herunterladen', which: 'Tabelle', open: 'Ergebnis öffnen', name: 'Name',
     search: 'Steuerung suchen', along: 'Tabelle über den Positionen von', moves: 'Sie bewegt', one_axis: /Sie korrigiert EXX\.[\s\S]*Spanne auf der Linie[\s\S]*\d+,\d → \d+,\d µm/,
     cross: /3 von \d+ Steuerungen haben Kreuztabellen/, both: 'Sie korrigiert EXY, C0Y.', refused: 'Daraus entsteht keine Tabelle', first: 'Erste Position / mm',
+    smoothness: 'Glattheit', smoothness_fault: 'Gesucht ist „auto“',
     at: /^Schnitt bei/, slice_told: /Schnitt bei Z −?\d+ mm/,
   },
 };
@@ -96,6 +98,18 @@ async function table_of_one_axis(page, w) {
   await shows(page.locator('.table-file'), /M852/);
 }
 
+/** Curves that are taken to be smooth say so, and a smoothness that is none is refused in its field. */
+async function smoothed(page, w) {
+  const panel = of_panel(page, 'volume-lengths');
+  const field = panel.getByLabel(w.smoothness, { exact: true });
+  await field.fill('0.01');
+  await shows(panel, w.smoothness_fault);
+  await field.fill('auto');
+  await shows(of_panel(page, 'volume-found'), /volumetric-smoothness/);
+  await field.fill('');
+  await of_panel(page, 'volume-found').getByText('volumetric-smoothness', { exact: true }).waitFor({ state: 'detached' });
+}
+
 async function whole_way(world, locale) {
   const w = words[locale];
   const page = await opened(world, { locale });
@@ -113,6 +127,7 @@ async function whole_way(world, locale) {
 
   await measured(page, w, await simulated(world, plan.bytes, 7));
   assert.equal(await page.locator('.curve .chart').count(), 18, 'a chart of each motion');
+  await smoothed(page, w);
   await page.getByText(w.table).click();
   assert.equal(await of_panel(page, 'volume-errors').locator('tbody tr').count(), 21);
   for (const [button, begin] of [[w.report, '%PDF-'], [w.result, '{'], [w.residuals, 'station,tool,']]) {

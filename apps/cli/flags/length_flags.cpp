@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <string_view>
 #include <vector>
 
@@ -17,45 +16,7 @@
 namespace axiometry::cli {
 namespace {
 
-using volumetric::CurveKind;
-using volumetric::DriftModel;
 using volumetric::IdentifyOptions;
-using volumetric::Reversal;
-
-Result<CurveKind> curve_kind_of(const std::string& word) {
-  for (const CurveKind kind : {CurveKind::spline, CurveKind::legendre, CurveKind::nodes})
-    if (word == volumetric::curve_kind_name(kind)) return kind;
-  return fail(fmt::format("found {}, expected b-spline, legendre or nodes", text::quoted(word)));
-}
-
-Result<Reversal> reversal_of(const std::string& word) {
-  if (word == "none") return Reversal::none;
-  if (word == "constant") return Reversal::constant;
-  if (word == "curves") return Reversal::curves;
-  return fail(fmt::format("found {}, expected none, constant or curves", text::quoted(word)));
-}
-
-Result<DriftModel> drift_of(const std::string& word) {
-  if (word == "auto") return DriftModel::automatic;
-  if (word == "none") return DriftModel::none;
-  if (word == "linear") return DriftModel::linear;
-  return fail(fmt::format("found {}, expected auto, none or linear", text::quoted(word)));
-}
-
-/// "8" for all axes, or "8,6,4" for X, Y, Z.
-Result<std::array<std::size_t, volumetric::axis_count>> sizes_of(const std::string& text) {
-  std::array<std::size_t, volumetric::axis_count> sizes{};
-  const std::vector<std::string_view> parts = text::split(text, ',');
-  if (parts.size() != 1 && parts.size() != 3)
-    return fail(fmt::format("found {}, expected one number, or three for X, Y, Z", text::quoted(text)));
-  for (std::size_t a = 0; a < sizes.size(); ++a) {
-    const auto number = parse_number(parts[parts.size() == 1 ? 0 : a]);
-    if (!number || !(*number >= 1.0 && *number <= 400.0) || *number != static_cast<double>(static_cast<int>(*number)))
-      return fail(fmt::format("found {}, expected whole numbers from 1 to 400", text::quoted(text)));
-    sizes[a] = static_cast<std::size_t>(*number);
-  }
-  return sizes;
-}
 
 void add_break_threshold(const Verb& verb, app::TrackingEvaluateOptions& options) {
   constexpr const char* group = "Input";
@@ -102,19 +63,19 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
   constexpr const char* group = "Model";
   add_read(verb, {"--curves", "KIND", "What error motions are made of: b-spline, legendre or nodes (b-spline)"},
            [&options](const std::string& word) -> Result<void> {
-             AXIOMETRY_TRY(options.curves, curve_kind_of(word));
+             AXIOMETRY_TRY(options.curves, app::parse_curves(word));
              return {};
            })
       ->group(group);
   add_read(verb, {"--spans", "N|X,Y,Z", "Spans of the curves, or their degree (as many as the lengths support)"},
            [&options](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(options.sizes, sizes_of(text));
+             AXIOMETRY_TRY(options.sizes, app::parse_spans(text));
              return {};
            })
       ->group(group);
   add_read(verb, {"--reversal", "MODEL", "How the directions of an axis differ: none, constant or curves (none)"},
            [&options](const std::string& word) -> Result<void> {
-             AXIOMETRY_TRY(options.reversal, reversal_of(word));
+             AXIOMETRY_TRY(options.reversal, app::parse_reversal(word));
              return {};
            })
       ->group(group);
@@ -131,7 +92,7 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
   add_read(verb,
            {"--drift", "MODEL", "Drift of the dead paths: auto (where residuals demand it), none or linear (auto)"},
            [&options](const std::string& word) -> Result<void> {
-             AXIOMETRY_TRY(options.drift, drift_of(word));
+             AXIOMETRY_TRY(options.drift, app::parse_drift(word));
              return {};
            })
       ->group(group);

@@ -22,7 +22,7 @@ std::string not_stated(const app::Evaluated& e, const iso230_2::Claim& claim, co
   for (const iso230_2::Finding& point : claim.against)
     if (point.severity == iso230_2::Severity::missing)
       text += fmt::format(
-          "{}{} ({})", text.empty() ? ": " : "; ",
+          "{}{} ({})", text.empty() ? report::colon(options) : report::semicolon(options),
           report::translated(report::shown_message(point, e.assessment, e.test.metadata.axis.kind, options), options),
           point.clause);
   return text;
@@ -41,7 +41,8 @@ std::string claims_text(const app::Evaluated& e, const iso230_2::Claims& claims,
     std::string line = report::translated(claim.title, options);
     if (claim.holds() && claim.kind == iso230_2::ClaimKind::tested)
       line += ", " + report::translated(iso230_2::on_the_word_of_the_tester, options);
-    if (!claim.holds()) line += ": " + report::translated(iso230_2::against_text(claim), options);
+    if (!claim.holds())
+      line += fmt::format("{}{}", report::colon(options), report::translated(iso230_2::against_text(claim), options));
     line += not_stated(e, claim, options);
     text += wrapped(report::printable(line), terminal.width(), answer_width) + "\n";
   }

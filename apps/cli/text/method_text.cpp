@@ -157,8 +157,9 @@ std::string input_list(const app::Evaluated& e, const report::Options& options, 
   std::string text;
   const auto add = [&](const std::string& symbol, const std::string& title, const std::string& distribution,
                        const std::string& unit, const std::string& note) {
-    const std::string words = fmt::format("{}: {} {}{}", said(title), distribution.empty() ? "–" : said(distribution),
-                                          unit, note.empty() ? "" : fmt::format(" ({})", said(note)));
+    const std::string words =
+        fmt::format("{}{}{} {}{}", said(title), report::colon(options), distribution.empty() ? "–" : said(distribution),
+                    unit, note.empty() ? "" : fmt::format(" ({})", said(note)));
     text += terminal.bold(left(symbol, 7)) + " " + wrapped(report::printable(words), terminal.width(), 8) + "\n";
   };
   if (e.assessment.monte_carlo) {
@@ -258,9 +259,9 @@ std::string resolved_inputs_text(const app::Evaluated& e, const report::Options&
   const auto said = [&](const std::string& english) { return report::printable(report::translated(english, options)); };
   std::string text;
   for (const auto& row : e.assessment.inputs.rows) {
-    const std::string words =
-        fmt::format("{}: {} ({}); {}", said(report::input_title(row)), said(report::input_value(row, options)),
-                    said(report::origin_text(row)), said(report::use_text(row)));
+    const std::string words = fmt::format("{}{}{} ({}){}{}", said(report::input_title(row)), report::colon(options),
+                                          said(report::input_value(row, options)), said(report::origin_text(row)),
+                                          report::semicolon(options), said(report::use_text(row)));
     text += terminal.bold(left(row.symbol, 14)) + " " + wrapped(words, terminal.width(), 15) + "\n";
   }
   return text.empty() ? text : terminal.faint(said("inputs as resolved")) + "\n" + text + "\n";

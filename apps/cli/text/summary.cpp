@@ -167,8 +167,8 @@ std::string tolerance_table(const app::Evaluated& e, const report::Options& opti
     text += terminal.yellow(wrapped(report::translated(withheld, options), terminal.width(), 0)) + "\n";
   if (e.tolerance_band)
     text += terminal.faint(
-                wrapped(fmt::format("{}: {}, {}, {} {}", report::translated("Tolerance table", options),
-                                    report::printable(e.tolerance_band->name),
+                wrapped(fmt::format("{}{}{}, {}, {} {}", report::translated("Tolerance table", options),
+                                    report::colon(options), report::printable(e.tolerance_band->name),
                                     report::translated(e.tolerance_band->travel, options),
                                     report::translated("from", options), report::printable(e.tolerance_band->file)),
                         terminal.width(), 0)) +
@@ -253,8 +253,8 @@ namespace {
 /// "does not conform: A, R↑", what the verdict rests on.
 std::string line_verdict(const app::Evaluated& e, Verdict verdict, const report::Options& options,
                          const Terminal& terminal) {
-  const std::string text =
-      fmt::format("{}: {}", report::translated(uncertainty::verdict_name(verdict), options), symbols_with(e, verdict));
+  const std::string text = fmt::format("{}{}{}", report::translated(uncertainty::verdict_name(verdict), options),
+                                       report::colon(options), symbols_with(e, verdict));
   if (verdict == Verdict::conforms) return terminal.green(text);
   return verdict == Verdict::does_not_conform ? terminal.red(text) : terminal.yellow(text);
 }

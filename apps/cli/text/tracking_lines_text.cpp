@@ -108,8 +108,8 @@ std::string diagonals(const app::EvaluatedLines& e, const report::Options& optio
   add("E", d.E);
   add("R", d.R);
   add("B", d.B);
-  return fmt::format("{} {}: {}\n", terminal.bold(std::string(iso230_6::edition)),
-                     report::translated("largest of the diagonals", options), text) +
+  return fmt::format("{} {}{}{}\n", terminal.bold(std::string(iso230_6::edition)),
+                     report::translated("largest of the diagonals", options), report::colon(options), text) +
          terminal.faint(
              wrapped(report::translated("Errors can cancel along a diagonal: a small E proves little alone.", options),
                      terminal.width(), 0)) +
@@ -144,8 +144,9 @@ std::string squareness(const app::EvaluatedLines& e, const report::Options& opti
   if (!text.empty())
     text = terminal.bold(report::translated("Scales and squareness from the slopes", options)) + "\n" + text;
   if (!untold.empty())
-    text +=
-        terminal.faint(fmt::format("{}: {}", report::translated("Not told by these lines", options), untold)) + "\n";
+    text += terminal.faint(fmt::format("{}{}{}", report::translated("Not told by these lines", options),
+                                       report::colon(options), untold)) +
+            "\n";
   for (const std::string& note : e.evaluation.squareness->notes)
     text += terminal.faint(wrapped(report::printable(report::translated(note, options)), terminal.width(), 0)) + "\n";
   return text.empty() ? "" : text + "\n";

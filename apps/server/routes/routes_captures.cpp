@@ -236,7 +236,7 @@ Result<Response> discard(CaptureService& captures, const Request& request) {
   AXIOMETRY_TRY(const CaptureState state, captures.state(id));
   if (!state.lengths)
     return fail(ErrorKind::conflict, fmt::format("found capture {} of a test, expected one of lengths", id));
-  AXIOMETRY_TRY_VOID(captures.discard(id));
+  AXIOMETRY_TRY_VOID(captures.discard(id, request.actor));
   return json_response(app::to_json(state, reader));
 }
 

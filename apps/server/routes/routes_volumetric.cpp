@@ -145,8 +145,8 @@ Result<Response> field(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const std::size_t nodes, app::given_nodes(body));
-  AXIOMETRY_TRY(volumetric::ErrorModel model, app::given_model(body));
-  const app::FieldVolume volume = app::field_volume(std::move(model), {"result", nodes});
+  AXIOMETRY_TRY(app::KeptModel kept, app::given_kept_model(body));
+  const app::FieldVolume volume = app::field_volume(std::move(kept), {"result", nodes});
   return json_response(app::localised_result(app::field_value(volume), reader));
 }
 
@@ -154,8 +154,8 @@ Result<Response> difference(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const std::size_t nodes, app::given_nodes(body));
-  AXIOMETRY_TRY(const volumetric::ErrorModel before, app::given_model(body, "before"));
-  AXIOMETRY_TRY(const volumetric::ErrorModel after, app::given_model(body, "after"));
+  AXIOMETRY_TRY(const app::KeptModel before, app::given_kept_model(body, "before", "findings_before"));
+  AXIOMETRY_TRY(const app::KeptModel after, app::given_kept_model(body, "after", "findings_after"));
   AXIOMETRY_TRY(const Value value, app::field_difference(before, after, nodes));
   return json_response(app::localised_result(value, reader));
 }
@@ -164,8 +164,8 @@ Result<Response> prediction(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const app::PredictRequest wish, app::line_request_from(body));
-  AXIOMETRY_TRY(volumetric::ErrorModel model, app::given_model(body));
-  AXIOMETRY_TRY(const app::PredictedTest predicted, app::predict_test(std::move(model), wish));
+  AXIOMETRY_TRY(app::KeptModel kept, app::given_kept_model(body));
+  AXIOMETRY_TRY(const app::PredictedTest predicted, app::predict_test(std::move(kept), wish));
   return json_response(app::localised_result(app::present(predicted, {}).json, reader));
 }
 
@@ -182,8 +182,8 @@ Result<Response> volume_table(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const app::VolumeCompensationRequest wish, app::volume_compensation_request_from(body));
-  AXIOMETRY_TRY(const volumetric::ErrorModel model, app::given_model(body));
-  AXIOMETRY_TRY(const app::VolumeCompensation made, app::compensate_volume(model, wish));
+  AXIOMETRY_TRY(const app::KeptModel kept, app::given_kept_model(body));
+  AXIOMETRY_TRY(const app::VolumeCompensation made, app::compensate_volume(kept, wish));
   return json_response(app::volume_compensation_value(made, reader));
 }
 

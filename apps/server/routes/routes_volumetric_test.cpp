@@ -161,6 +161,47 @@ TEST_F(VolumetricRoutes, tell_the_field_on_a_grid_with_every_tool) {
   EXPECT_THAT(refusal(send("field", R"({"model": {"machine": 3}})")), HasSubstr("machine"));
 }
 
+TEST_F(VolumetricRoutes, tell_what_speaks_against_the_result_in_everything_made_of_it) {
+  const Value found = result(7);
+  const std::string given =
+      R"([{"id": "volumetric-few-places", "severity": "serious", "message": "the stations are not told"},
+          {"id": "volumetric-unseen-errors", "severity": "serious", "message": "of errors"},
+          {"id": "volumetric-copies", "severity": "note", "message": "of rows"}])";
+  const auto told = [&](const Value* findings) {
+    std::vector<std::string> of_result;
+    for (const Value& finding : findings->items())
+      if (finding.find("message")->text().starts_with("The result from which") ||
+          finding.find("message")->text().starts_with("the result from which"))
+        of_result.push_back(finding.find("id")->text() + " " + finding.find("severity")->text());
+    return of_result;
+  };
+  const std::vector<std::string> expected = {"volumetric-few-places serious"};
+  const std::string with = R"(, "findings": )" + given;
+  EXPECT_EQ(told(value_of(send("field", of_model(found, with + R"(, "nodes": 3)"))).find("findings")), expected);
+  const std::string line = R"(, "axis": "X", "at_mm": [0, 250, -250], "tool": "T1")";
+  EXPECT_EQ(told(value_of(send("prediction", of_model(found, with + line))).find("findings")), expected);
+  const std::string table = R"(, "along": "X", "tool": "T1", "options": {"control": "linuxcnc"})";
+  EXPECT_EQ(told(value_of(send("compensation", of_model(found, with + table))).find("result")->find("findings")),
+            expected);
+  const std::string model = json::dump(*found.find("model"));
+  const Value difference = value_of(send(
+      "difference", fmt::format(R"({{"before": {}, "after": {}, "findings_after": {}, "nodes": 3}})", model, model, given)));
+  EXPECT_EQ(told(difference.find("after")->find("findings")), expected);
+  EXPECT_TRUE(told(difference.find("before")->find("findings")).empty());
+  EXPECT_THAT(refusal(send("field", of_model(found, R"(, "findings": [{"id": "x"}])"))), HasSubstr("severity"));
+  EXPECT_THAT(refusal(send("table", of_model(found, with + R"(, "table": "axis-csv", "tool": "T1")"))),
+              HasSubstr("findings"));
+}
+
+TEST_F(VolumetricRoutes, keep_a_finding_that_is_in_the_readers_language_already) {
+  const Value field = value_of(send("field", of_model(result(7), R"(, "nodes": 3, "findings":
+    [{"id": "volumetric-few-places", "severity": "serious", "message": "Z wurde nur an 3,5 Orten gelesen: Kurven"}])"),
+                                    {}, json_type, language::Language::german));
+  EXPECT_EQ(field.find("findings")->items().front().find("message")->text(),
+            "das Ergebnis, aus dem dies gemacht ist, sollte nicht so verwendet werden: Z wurde nur an 3,5 Orten gelesen: "
+            "Kurven");
+}
+
 TEST_F(VolumetricRoutes, tell_what_has_changed_between_two_results) {
   const Value before = result(7), after = result(8);
   const auto ask = [&](const Value& a, const Value& b) {

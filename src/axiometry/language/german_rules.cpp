@@ -51,6 +51,8 @@ constexpr Phrase rows[] = {
     {"No interval: {0}", "Kein Intervall: {0}"},
     {"No uncertainty is stated for figures of other rules",
      "Für Kennwerte anderer Regeln ist keine Unsicherheit angegeben"},
+    {"No uncertainty is stated for figures of other rules: each tells why not",
+     "Für Kennwerte anderer Regeln ist keine Unsicherheit angegeben: Bei jedem steht, warum nicht"},
     {"No uncertainty is stated for figures of other rules: no input of it is known",
      "Für Kennwerte anderer Regeln ist keine Unsicherheit angegeben: Keine ihrer Eingangsgrößen ist bekannt"},
     {"Of T", "Von T"},

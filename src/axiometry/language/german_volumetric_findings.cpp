@@ -81,6 +81,10 @@ constexpr Phrase rows[] = {
      "the safe radius or an obstacle hides the others",
      "von Station {0} sind nur {1} von {2} Punkten mit Werkzeug {3} sichtbar und erreichbar: Reichweite, Elevation, "
      "Einfall, der sichere Radius oder ein Hindernis verdecken die übrigen"},
+    {"how smooth the curves are was still changing when the search for it ended: curves and their uncertainties may "
+     "depend on where it ended, and another smoothness may be stated",
+     "wie glatt die Kurven sind, änderte sich noch, als die Suche danach endete: Kurven und ihre Unsicherheiten können "
+     "davon abhängen, wo sie endete; eine Glattheit kann stattdessen angegeben werden"},
     {"lengths from {0#} station leave ways in which the machine can bend without changing one of them; three stations "
      "are the least, four or more are better",
      "Längen von {0} Station lassen Verformungen der Maschine offen, die keine von ihnen ändern; drei Stationen sind "
@@ -125,12 +129,14 @@ constexpr Phrase rows[] = {
      "die Messwerte von {0} reichen von {1} bis {2} bei einem Verfahrweg von {3} bis {4}: Kurven sind dort angegeben, "
      "wo "
      "Messwerte sind; über den Rest ist nichts gesagt"},
+    {"slopes of displacements change by no more than {0#} from one end of an axis to the other (standard deviation)",
+     "Steigungen von Verschiebungen ändern sich von einem Ende einer Achse zum anderen um höchstens {0} "
+     "(Standardabweichung)"},
     {"slopes of displacements change by {0#} from one end of an axis to the other (standard deviation)",
      "Steigungen von Verschiebungen ändern sich von einem Ende einer Achse zum anderen um {0} (Standardabweichung)"},
-    {"slopes of displacements change by {0#} from one end of an axis to the other, those of rotations by {1#} "
-     "(standard deviations)",
-     "Steigungen von Verschiebungen ändern sich von einem Ende einer Achse zum anderen um {0}, die von Drehungen um "
-     "{1} (Standardabweichungen)"},
+    {"slopes of rotations change by no more than {0#} from one end of an axis to the other (standard deviation)",
+     "Steigungen von Drehungen ändern sich von einem Ende einer Achse zum anderen um höchstens {0} "
+     "(Standardabweichung)"},
     {"slopes of rotations change by {0#} from one end of an axis to the other (standard deviation)",
      "Steigungen von Drehungen ändern sich von einem Ende einer Achse zum anderen um {0} (Standardabweichung)"},
     {"smoothness: {0}", "Glattheit: {0}"},

@@ -157,6 +157,14 @@ FlatText flattened(const RichText& given) {
   return flat;
 }
 
+std::string_view colon(const Options& options) {
+  return options.language == language::Language::french ? "\u00A0: " : ": ";
+}
+
+std::string_view semicolon(const Options& options) {
+  return options.language == language::Language::french ? "\u00A0; " : "; ";
+}
+
 std::string translated(std::string_view text, const Options& options) {
   return language::translated(text, options.language, options.numbers);
 }

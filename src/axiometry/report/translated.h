@@ -13,6 +13,10 @@ namespace axiometry::report {
 
 std::string translated(std::string_view text, const Options& options);
 
+/// What stands between a title and what is said of it: ": ", with a no-break space before it in French.
+std::string_view colon(const Options& options);
+std::string_view semicolon(const Options& options);  ///< "; ", likewise
+
 /// Symbols and other runs of a style of their own keep it and go where the other language puts them; what the user
 /// wrote stays.
 RichText translated(const RichText& text, const Options& options);

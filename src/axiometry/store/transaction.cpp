@@ -109,6 +109,10 @@ Result<std::vector<CompensationRow>> Transaction::compensations(const Compensati
 
 Result<Content> Transaction::content(const std::string& sha256) const { return read_content(connection_, sha256); }
 
+Result<std::vector<std::string>> Transaction::contents(std::string_view format) const {
+  return list_contents(connection_, format);
+}
+
 Result<std::string> Transaction::keep(const Content& content, const By& by) {
   AXIOMETRY_TRY_VOID(keep_content(connection_, content, change_now(by)));
   return content.sha256;

@@ -56,6 +56,8 @@ class Transaction {
   Result<CalibrationPage> calibrations(const CalibrationFilter& filter) const;
   Result<std::vector<CompensationRow>> compensations(const CompensationFilter& filter) const;
   Result<Content> content(const std::string& sha256) const;
+  /// SHA-256 of those of one format, in the order in which they came.
+  Result<std::vector<std::string>> contents(std::string_view format) const;
 
   template <typename Asset>
   Result<Versioned<Asset>> add(const Asset& thing, const By& by);

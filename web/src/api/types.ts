@@ -2871,9 +2871,13 @@ export interface components {
                 without_rigid_motion: components["schemas"]["FieldSizes"] | null;
             }[];
         };
+        /** @description Those of the result that the model is of; what is serious in them is told of all that is made of it. */
+        FindingsOfResult: components["schemas"]["VolumetricFinding"][];
         VolumetricDifferenceRequest: {
             before: components["schemas"]["VolumetricModel"];
+            findings_before?: components["schemas"]["FindingsOfResult"];
             after: components["schemas"]["VolumetricModel"];
+            findings_after?: components["schemas"]["FindingsOfResult"];
             nodes?: number;
         };
         VolumetricDraft: {
@@ -2997,6 +3001,7 @@ export interface components {
         };
         VolumetricLineRequest: {
             model: components["schemas"]["VolumetricModel"];
+            findings?: components["schemas"]["FindingsOfResult"];
             /** @enum {unknown} */
             axis?: "X" | "Y" | "Z";
             /** @description Where the other axes stand; the axis' own does not count. */
@@ -3038,6 +3043,7 @@ export interface components {
         VolumetricModel: Record<string, never>;
         VolumetricModelGiven: {
             model: components["schemas"]["VolumetricModel"];
+            findings?: components["schemas"]["FindingsOfResult"];
             /** @description Along each axis, 11 when not given. */
             nodes?: number;
         };
@@ -3252,6 +3258,7 @@ export interface components {
         VolumetricSubject: {
             plan: components["schemas"]["VolumetricPlanFile"];
         };
+        /** @description The file says nothing of the findings of the result. */
         VolumetricTableRequest: {
             model: components["schemas"]["VolumetricModel"];
             /** @description One of Vocabulary.compensations. */
@@ -3261,6 +3268,7 @@ export interface components {
         };
         VolumetricCompensationRequest: {
             model: components["schemas"]["VolumetricModel"];
+            findings?: components["schemas"]["FindingsOfResult"];
             /**
              * @description The axis at whose positions the table stands.
              * @enum {unknown}
@@ -3503,6 +3511,7 @@ export type Unit = components['schemas']['Unit'];
 export type Verdict = components['schemas']['Verdict'];
 export type Vocabulary = components['schemas']['Vocabulary'];
 export type VolumetricDifference = components['schemas']['VolumetricDifference'];
+export type FindingsOfResult = components['schemas']['FindingsOfResult'];
 export type VolumetricDifferenceRequest = components['schemas']['VolumetricDifferenceRequest'];
 export type VolumetricDraft = components['schemas']['VolumetricDraft'];
 export type VolumetricErrors = components['schemas']['VolumetricErrors'];

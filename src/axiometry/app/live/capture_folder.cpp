@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 #include "axiometry/app/files/synced.h"
@@ -19,19 +20,15 @@
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/plan/plan_json.h"
 
 namespace axiometry::app {
 namespace {
-
-using json::Kind;
-using json::Value;
 
 constexpr std::string_view order_prefix = "capture-", order_suffix = ".json";
 constexpr std::string_view order_end = "\n}\n";  // what is within the outermost braces stands farther right
 constexpr std::string_view test_note = "becomes test ", kept_note = "kept", ended_note = "ended ";
 constexpr std::size_t sha256_digits = 64;
-constexpr const char* counter_name = "/last-number";
+constexpr const char *counter_name = "/last-number", *adopting_name = "/adopting";
 
 ErrorKind error_kind_of(int error) {
   if (error == ENOSPC || error == EDQUOT) return ErrorKind::full;
@@ -51,55 +48,6 @@ Result<void> put(int descriptor, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
   return synced(descriptor) ? Result<void>{} : fail_of_folder("keep the order of the capture");
-}
-
-std::string text_of(const CaptureOrder& order) {
-  Value options = Value::object();
-  for (const auto& [name, text] : order.options) options.add(name, text);
-  Value value = Value::object();
-  value.add("plan", static_cast<double>(order.plan));
-  value.add("part", order.part);
-  value.add("source", order.source);
-  value.add("layout", order.layout);
-  value.add("options", std::move(options));
-  value.add("actor", order.actor);
-  value.add("started", order.started);
-  if (order.lengths)
-    value.add("lengths", to_json(*order.lengths));
-  else
-    value.add("walked", formats::plan_value(order.walked));
-  return json::dump(value) + "\n";
-}
-
-std::optional<CaptureOrder> order_from(std::string_view bytes) {
-  const auto value = json::parse(bytes);
-  if (!value || !value->is(Kind::object)) return {};
-  const auto text = [&](std::string_view name) {
-    const Value* member = value->find(name);
-    return member != nullptr && member->is(Kind::text) ? member->text() : std::string();
-  };
-  const auto number = [&](std::string_view name) {
-    const Value* member = value->find(name);
-    return member != nullptr && member->is(Kind::number) ? member->number() : 0.0;
-  };
-  const Value* walked = value->find("walked");
-  const Value* noted_lengths = value->find("lengths");
-  auto plan = walked == nullptr ? Result<Plan>(Plan()) : formats::plan_from_value(*walked);
-  auto lengths = noted_lengths == nullptr ? std::nullopt : length_order_from(*noted_lengths);
-  if (!plan || (walked == nullptr && !lengths)) return {};
-  CaptureOrder order{.plan = static_cast<store::Id>(number("plan")),
-                     .part = static_cast<std::size_t>(number("part")),
-                     .walked = *std::move(plan),
-                     .lengths = std::move(lengths),
-                     .source = text("source"),
-                     .layout = text("layout"),
-                     .options = {},
-                     .actor = text("actor"),
-                     .started = text("started")};
-  if (const Value* options = value->find("options"); options != nullptr && options->is(Kind::object))
-    for (const auto& [name, option] : options->members())
-      if (option.is(Kind::text)) order.options.emplace_back(name, option.text());
-  return order;
 }
 
 /// Lines behind the order in its file, so that all of it goes together.
@@ -164,22 +112,23 @@ bool locked(int descriptor) {
   return true;
 }
 
-/// Held while captures are counted: two programs must not take the same number.
-class CountLock {
+/// Held while captures are counted, or taken from an archive: two programs must not take the same number, or capture.
+class FolderLock {
  public:
-  static Result<CountLock> take(const std::string& folder) {
-    CountLock lock(::open(folder.c_str(), O_RDONLY | O_CLOEXEC));
+  /// Of the folder, or of a file in it that is made for that.
+  static Result<FolderLock> take(const std::string& path, int flags = O_RDONLY) {
+    FolderLock lock(::open(path.c_str(), flags | O_CLOEXEC, 0600));
     if (lock.descriptor_ < 0 || !locked(lock.descriptor_)) return fail_of_folder("count the captures");
     return lock;
   }
-  ~CountLock() {
+  ~FolderLock() {
     if (descriptor_ >= 0) ::close(descriptor_);
   }
-  CountLock(CountLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  CountLock& operator=(CountLock&&) = delete;
+  FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderLock& operator=(FolderLock&&) = delete;
 
  private:
-  explicit CountLock(int descriptor) : descriptor_(descriptor) {}
+  explicit FolderLock(int descriptor) : descriptor_(descriptor) {}
   int descriptor_;
 };
 
@@ -257,7 +206,7 @@ Result<void> CaptureFolder::count(store::Id id) const {
 
 Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
   AXIOMETRY_TRY_VOID(make());
-  AXIOMETRY_TRY(const CountLock counting, CountLock::take(path_));
+  AXIOMETRY_TRY(const FolderLock counting, FolderLock::take(path_));
   const auto last = whole_file(path_ + counter_name);
   const auto all = ids();
   store::Id id = all.empty() ? 0 : all.back();
@@ -273,7 +222,7 @@ Result<HeldCapture> CaptureFolder::add(CaptureOrder order) {
   HeldCapture held(base(id), id, std::move(order), descriptor);
   // Another program that looks for captures that were left behind holds it for a moment, and finds no order in it yet.
   auto kept = locked(descriptor) ? count(id) : fail_of_folder("hold the capture");
-  if (kept) kept = put(descriptor, text_of(held.order()));
+  if (kept) kept = put(descriptor, json::dump(to_json(held.order())) + "\n");
   if (kept && !folder_synced(path_ + counter_name)) kept = fail_of_folder("keep the order of the capture");
   if (!kept) {
     ::unlink((held.base_ + std::string(order_suffix)).c_str());
@@ -290,7 +239,8 @@ Result<HeldCapture> CaptureFolder::hold(store::Id id) const {
   const std::string bytes = whole_file(name).value_or("");
   if (bytes.size() < order_end.size()) return none();
   const std::size_t notes_at = std::min(bytes.find(order_end), bytes.size() - order_end.size()) + order_end.size();
-  auto order = order_from(std::string_view(bytes).substr(0, notes_at));
+  const auto value = json::parse(std::string_view(bytes).substr(0, notes_at));
+  auto order = value ? capture_order_from(*value) : std::nullopt;
   if (!order) return none();
   held.order_ = *std::move(order);
   Notes notes = notes_in(std::string_view(bytes).substr(notes_at));
@@ -310,8 +260,23 @@ Result<HeldCapture> CaptureFolder::take(store::Id id) {
 std::vector<CaptureFolder::Ended> CaptureFolder::ended() const {
   std::vector<Ended> ended;
   for (const store::Id id : ids())
-    if (auto held = hold(id); held && held->ended_ && !held->kept_) ended.push_back({id, held->order_, *held->ended_});
+    if (auto held = hold(id); held && held->ended_ && !held->kept_)
+      ended.push_back({id, {held->order_, *held->ended_}});
   return ended;
+}
+
+Result<void> CaptureFolder::adopt(std::span<const EndedCapture> captures) {
+  if (captures.empty()) return {};
+  AXIOMETRY_TRY_VOID(make());
+  AXIOMETRY_TRY(const FolderLock adopting, FolderLock::take(path_ + adopting_name, O_RDWR | O_CREAT));
+  std::set<std::string> here;
+  for (const Ended& ended : this->ended()) here.insert(text_of(ended.capture));
+  for (const EndedCapture& capture : captures) {
+    if (!here.insert(text_of(capture)).second) continue;
+    AXIOMETRY_TRY(HeldCapture held, add(capture.order));
+    AXIOMETRY_TRY_VOID(held.end(capture.end));
+  }
+  return {};
 }
 
 Result<void> CaptureFolder::discard(store::Id id) {

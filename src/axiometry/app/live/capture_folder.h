@@ -3,31 +3,18 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "axiometry/app/live/length_order.h"
+#include "axiometry/app/live/capture_order.h"
 #include "axiometry/base/result.h"
-#include "axiometry/model/plan.h"
 #include "axiometry/store/records.h"
 
 /// Where captures keep what arrives until the store has it: for each an order (capture-7.json), the raw recording and
 /// its times. What a program that was killed has left behind can be gone on with.
 namespace axiometry::app {
-
-/// What is captured and how, enough to go on after a crash.
-struct CaptureOrder {
-  store::Id plan = 0;
-  std::size_t part = 1;                                      ///< of the plan
-  Plan walked;                                               ///< that part; none of lengths
-  std::optional<LengthOrder> lengths{};                      ///< in place of both plans
-  std::string source;                                        ///< id
-  std::string layout;                                        ///< empty: recognised
-  std::vector<std::pair<std::string, std::string>> options;  ///< by name, as they were given
-  std::string actor;
-  std::string started;  ///< RFC 3339, UTC
-};
 
 /// An order with its files; while it exists, no other program takes them.
 class HeldCapture {
@@ -86,11 +73,12 @@ class CaptureFolder {
   std::vector<Left> left_behind();
   struct Ended {
     store::Id id = 0;
-    CaptureOrder order;
-    LengthEnd end;
+    EndedCapture capture;
   };
   /// Captures of lengths that came to their end, the oldest first.
   std::vector<Ended> ended() const;
+  /// Takes those that are not here, which an archive brought along from elsewhere. Fails as add() does.
+  Result<void> adopt(std::span<const EndedCapture> captures);
   /// Forgets one of those; the store keeps what it came to. Fails with not_found, and with conflict as take() does.
   Result<void> discard(store::Id id);
 

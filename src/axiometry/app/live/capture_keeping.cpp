@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/source.h"
@@ -146,6 +147,38 @@ Result<LengthEnd> keep_lengths(Workbench& workbench, const HeldCapture& held,
   return end;
 }
 
+constexpr const char *listed_format = "length-capture", *discarded_format = "discarded-length-capture";
+
+Result<void> keep_capture(Workbench& workbench, const EndedCapture& capture, const char* format, const store::By& by) {
+  const std::string bytes = format == discarded_format ? discard_text_of(capture) : text_of(capture);
+  const std::string name = name_of(capture.order) + ".capture.json";
+  AXIOMETRY_TRY_VOID(workbench.archive().keep({sha256(bytes), name, format, bytes}, by));
+  return {};
+}
+
+Result<std::vector<EndedCapture>> captures_noted_as(const store::Transaction& archive, const char* format) {
+  std::vector<EndedCapture> captures;
+  AXIOMETRY_TRY(const std::vector<std::string> hashes, archive.contents(format));
+  for (const std::string& hash : hashes) {
+    AXIOMETRY_TRY(const store::Content content, archive.content(hash));
+    if (auto capture = ended_capture_from(content.bytes)) captures.push_back(*std::move(capture));
+  }
+  return captures;
+}
+
+/// What was discarded is not listed, whichever of the notes came first.
+Result<ArchivedCaptures> captures_of(const store::Store& store) {
+  return store.read([](const store::Transaction& archive) -> Result<ArchivedCaptures> {
+    ArchivedCaptures captures;
+    AXIOMETRY_TRY(captures.listed, captures_noted_as(archive, listed_format));
+    AXIOMETRY_TRY(captures.discarded, captures_noted_as(archive, discarded_format));
+    std::set<std::string> gone;
+    for (const EndedCapture& capture : captures.discarded) gone.insert(text_of(capture));
+    std::erase_if(captures.listed, [&](const EndedCapture& capture) { return gone.contains(text_of(capture)); });
+    return captures;
+  });
+}
+
 }  // namespace
 
 CaptureKeeping keeping_in(Workbench& workbench) {
@@ -168,7 +201,17 @@ CaptureKeeping keeping_in(Workbench& workbench) {
           .keep_lengths =
               [&workbench](const HeldCapture& held, const std::optional<TaskLengths>& lengths) {
                 return keep_lengths(workbench, held, lengths);
-              }};
+              },
+          .keep_capture =
+              [&workbench](const EndedCapture& capture) {
+                return keep_capture(workbench, capture, listed_format, by_of(capture.order));
+              },
+          .discard_capture =
+              [&workbench](const EndedCapture& capture, const std::string& actor) {
+                return keep_capture(workbench, capture, discarded_format,
+                                    {actor, "discarded: " + by_of(capture.order).reason});
+              },
+          .captures = [&workbench] { return captures_of(workbench.archive()); }};
 }
 
 Result<std::string> captures_folder(const store::Info& store) {

@@ -255,9 +255,15 @@ CaptureService::Running::End CaptureService::Running::conclude_lengths(const Hea
     kept->error = lengths.error().message;
   if (kept->raw.empty())
     held_->remove();  // nothing came
-  else if (auto noted = held_->end(*kept); !noted)
+  else if (auto noted = ended_lengths(*kept); !noted)
     return left_for_later(noted.error());
   return {.stage = stage, .test = {}, .error = kept->error, .lengths = *kept};
+}
+
+/// In the archive before the folder says so: what was noted in both once is noted in both again.
+Result<void> CaptureService::Running::ended_lengths(const LengthEnd& end) {
+  if (keeping_.keep_capture) AXIOMETRY_TRY_VOID(keeping_.keep_capture({held_->order(), end}));
+  return held_->end(end);
 }
 
 void CaptureService::Running::tell(End end) {

@@ -58,6 +58,7 @@ class CaptureService::Running {
   End conclude(const Result<CaptureOutcome>& outcome);
   static End left_for_later(const Error& error);
   End conclude_lengths(const HeardLive& heard);
+  Result<void> ended_lengths(const LengthEnd& end);
   void tell(End end);
 
   const std::string source_;

@@ -71,8 +71,10 @@ Result<std::unique_ptr<CaptureService>> CaptureService::open(CaptureSettings set
       return fail(fmt::format("found two sources named {}, expected different names", source.id));
   CaptureFolder folder(settings.folder);
   settings.sources.insert(settings.sources.begin(), simulator_source());
-  return std::unique_ptr<CaptureService>(
+  std::unique_ptr<CaptureService> service(
       new CaptureService(std::move(settings), std::move(keeping), std::move(folder)));
+  service->agree_with_archive();
+  return service;
 }
 
 Result<const CaptureSource*> CaptureService::source_named(const std::string& id) const {
@@ -304,10 +306,11 @@ CaptureState CaptureService::state_of(const CaptureOrder& order, store::Id id, S
 }
 
 CaptureState CaptureService::state_of(const CaptureFolder::Ended& ended) const {
-  CaptureState state = state_of(ended.order, ended.id, stage_named(ended.end.stage).value_or(Stage::stopped));
-  state.taken = ended.end.found;
-  state.error = ended.end.error;
-  if (state.lengths) state.lengths->end = ended.end;
+  CaptureState state =
+      state_of(ended.capture.order, ended.id, stage_named(ended.capture.end.stage).value_or(Stage::stopped));
+  state.taken = ended.capture.end.found;
+  state.error = ended.capture.end.error;
+  if (state.lengths) state.lengths->end = ended.capture.end;
   return state;
 }
 

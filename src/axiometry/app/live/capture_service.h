@@ -31,6 +31,12 @@ struct CapturedEnd {
   std::optional<Test> test;  ///< absent when none can be made of what came
 };
 
+/// Captures of lengths of an archive, wherever they were made.
+struct ArchivedCaptures {
+  std::vector<EndedCapture> listed;
+  std::vector<EndedCapture> discarded;
+};
+
 /// Where tests go, and how they are evaluated.
 struct CaptureKeeping {
   /// Keeps the test with its raw recording, or the raw recording alone; the id of the test. When it fails, the files
@@ -47,6 +53,11 @@ struct CaptureKeeping {
   /// Keeps the raw recording, and the table where there is one. When it fails, the files stay and the capture can be
   /// resumed. Called twice for the same capture, it gives the same.
   std::function<Result<LengthEnd>(const HeldCapture&, const std::optional<TaskLengths>&)> keep_lengths{};
+  /// That it came to its end, and that it is to be listed no more.
+  std::function<Result<void>(const EndedCapture&)> keep_capture{};
+  std::function<Result<void>(const EndedCapture&, const std::string& actor)> discard_capture{};
+  /// All that were kept and not discarded, the oldest first; and those that were discarded.
+  std::function<Result<ArchivedCaptures>()> captures{};
 };
 
 struct CaptureSettings {
@@ -79,7 +90,8 @@ struct CaptureWish {
 /// May be used from many threads at once. Its end interrupts all captures; their recordings can be resumed.
 class CaptureService {
  public:
-  /// Fails on two sources of one name.
+  /// Fails on two sources of one name. Captures of lengths that the archive lists are here from now on, also where the
+  /// archive came from elsewhere.
   static Result<std::unique_ptr<CaptureService>> open(CaptureSettings settings, CaptureKeeping keeping);
   ~CaptureService();
   CaptureService(const CaptureService&) = delete;
@@ -118,7 +130,7 @@ class CaptureService {
   Result<std::string> length_file(store::Id id, std::string_view role);
   /// Forgets a capture of lengths that has ended; its files stay in the archive. Fails with not_found, and with
   /// conflict on one that goes on or was interrupted.
-  Result<void> discard(store::Id id);
+  Result<void> discard(store::Id id, const std::string& actor);
 
  private:
   class Running;
@@ -142,6 +154,7 @@ class CaptureService {
   std::shared_ptr<Running> find(store::Id id) const;
   CaptureState state_of(const CaptureOrder& order, store::Id id, CaptureState::Stage stage) const;
   CaptureState state_of(const CaptureFolder::Ended& ended) const;
+  void agree_with_archive();
   void forget_old();
 
   CaptureSettings settings_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <set>
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
@@ -72,11 +73,32 @@ Result<std::string> CaptureService::length_file(store::Id id, std::string_view r
   return fail(ErrorKind::not_found, fmt::format("found no file {} of capture {}", text::quoted(role), id));
 }
 
-Result<void> CaptureService::discard(store::Id id) {
+/// An archive that cannot be read or written now is asked again when the program begins the next time: what the folder
+/// has stays as it is.
+void CaptureService::agree_with_archive() {
+  if (!keeping_.captures) return;
+  const auto archived = keeping_.captures();
+  if (!archived) return;
+  std::set<std::string> listed, discarded;
+  for (const EndedCapture& capture : archived->listed) listed.insert(text_of(capture));
+  for (const EndedCapture& capture : archived->discarded) discarded.insert(text_of(capture));
+  for (const CaptureFolder::Ended& ended : folder_.ended()) {
+    const std::string text = text_of(ended.capture);
+    if (discarded.contains(text))
+      static_cast<void>(folder_.discard(ended.id));
+    else if (!listed.contains(text))
+      static_cast<void>(keeping_.keep_capture(ended.capture));
+  }
+  static_cast<void>(folder_.adopt(archived->listed));
+}
+
+Result<void> CaptureService::discard(store::Id id, const std::string& actor) {
   const std::scoped_lock lock(mutex_);
   const auto running = captures_.find(id);
   if (restarting_.contains(id) || (running != captures_.end() && !running->second->ended()))
     return fail(ErrorKind::conflict, fmt::format("found capture {} running, expected one that has ended", id));
+  for (const CaptureFolder::Ended& ended : folder_.ended())
+    if (ended.id == id && keeping_.discard_capture) AXIOMETRY_TRY_VOID(keeping_.discard_capture(ended.capture, actor));
   AXIOMETRY_TRY_VOID(folder_.discard(id));
   if (running != captures_.end()) captures_.erase(running);
   return {};

@@ -82,7 +82,7 @@ class LengthCaptures : public testing::Test {
 
   testing_support::Archive archive_;
   Workbench workbench_{archive_.store()};
-  const std::string folder_ = archive_.folder() + "/captures";
+  std::string folder_ = archive_.folder() + "/captures";
 };
 
 TEST_F(LengthCaptures, KeepsAPartOfAVolumeAsItsRecordingAndTheTableThatItGives) {
@@ -200,7 +200,7 @@ TEST_F(LengthCaptures, GoesOnAfterTheProgramEndedAsIfNothingHadBeen) {
   EXPECT_EQ(left->stage, Stage::interrupted);
   EXPECT_EQ(left->lengths->order.title, "part 1 (station A, tool T1)");
   EXPECT_GE(caught_before, 3u);
-  EXPECT_EQ(service->discard(id).error().kind, ErrorKind::conflict) << "not before it has ended";
+  EXPECT_EQ(service->discard(id, "me").error().kind, ErrorKind::conflict) << "not before it has ended";
   const CaptureState end = end_of(*service, service->resume(id));
   EXPECT_EQ(end.stage, Stage::complete) << end.error;
   EXPECT_EQ(end.lengths->end->found, volume_points);
@@ -240,9 +240,9 @@ TEST_F(LengthCaptures, IsFoundByLaterProgramsUntilItIsDiscarded) {
   EXPECT_EQ(service->resume(end.id).error().kind, ErrorKind::not_found) << "nothing is to be gone on with";
   EXPECT_FALSE(std::filesystem::exists(fmt::format("{}/capture-{}.raw", folder_, end.id))) << "it is in the archive";
 
-  ASSERT_TRUE(service->discard(end.id));
+  ASSERT_TRUE(service->discard(end.id, "me"));
   EXPECT_TRUE(service->states().empty());
-  EXPECT_EQ(service->discard(end.id).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(service->discard(end.id, "me").error().kind, ErrorKind::not_found);
   EXPECT_TRUE(archive_.store().content(end.lengths->end->raw)) << "the archive only grows";
 }
 
@@ -333,6 +333,36 @@ TEST_F(LengthCaptures, OneThatIsStoppedBeforeAnythingCameLeavesNothing) {
   EXPECT_TRUE(has_ended(end.stage));
   EXPECT_TRUE(end.lengths->end->raw.empty());
   EXPECT_FALSE(std::filesystem::exists(fmt::format("{}/capture-{}.json", folder_, end.id)));
+}
+
+/// What an archive lists goes with it: to a folder that has never seen the capture, and not after it was discarded.
+TEST_F(LengthCaptures, are_listed_where_the_archive_is) {
+  CaptureState end;
+  {
+    const auto service = open();
+    end = end_of(*service, service->start(wish(lines_task(0))));
+    ASSERT_EQ(end.stage, Stage::complete) << end.error;
+  }
+  folder_ = archive_.folder() + "/elsewhere";
+  const auto elsewhere = [&] {
+    std::vector<CaptureState> states = open()->states();
+    return states.size() == 1 ? std::optional(states.front()) : std::nullopt;
+  };
+  const auto listed = elsewhere();
+  ASSERT_TRUE(listed);
+  EXPECT_EQ(listed->lengths->order.title, end.lengths->order.title);
+  EXPECT_EQ(listed->lengths->end->table, end.lengths->end->table);
+  EXPECT_EQ(listed->taken, end.taken);
+  EXPECT_TRUE(elsewhere()) << "once, however often the program begins";
+  {
+    const auto service = open();
+    EXPECT_THAT(service->length_file(listed->id, "lengths").value_or(""), HasSubstr("# captured on"));
+    ASSERT_TRUE(service->task_of(*listed));
+    ASSERT_TRUE(service->discard(listed->id, "you"));
+  }
+  EXPECT_FALSE(elsewhere());
+  folder_ = archive_.folder() + "/captures";
+  EXPECT_FALSE(elsewhere()) << "nor where it was made";
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ json::Value findings_value(std::span<const NamedFinding> findings) {
 
 std::string_view severity_word(const NamedFinding& finding) { return finding.serious ? "serious" : "note"; }
 
-std::vector<KeptFinding> kept_findings(const json::Value& result) {
+std::vector<KeptFinding> kept_findings(const json::Value& result, std::string_view name) {
   std::vector<KeptFinding> kept;
-  const json::Value* findings = result.is(json::Kind::object) ? result.find("findings") : nullptr;
+  const json::Value* findings = result.is(json::Kind::object) ? result.find(name) : nullptr;
   if (findings == nullptr || !findings->is(json::Kind::array)) return kept;
-  const auto text_of = [](const json::Value& finding, std::string_view name) {
-    const json::Value* text = finding.is(json::Kind::object) ? finding.find(name) : nullptr;
+  const auto text_of = [](const json::Value& finding, std::string_view member) {
+    const json::Value* text = finding.is(json::Kind::object) ? finding.find(member) : nullptr;
     return text != nullptr && text->is(json::Kind::text) ? text->text() : std::string();
   };
   for (const json::Value& finding : findings->items())

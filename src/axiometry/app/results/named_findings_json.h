@@ -23,7 +23,7 @@ struct KeptFinding {
   std::string severity;  ///< "serious" or "note"
   std::string message;
 };
-/// Of the member "findings"; what is of another kind is left out.
-std::vector<KeptFinding> kept_findings(const json::Value& result);
+/// Of the member `name`; what is of another kind is left out.
+std::vector<KeptFinding> kept_findings(const json::Value& result, std::string_view name = "findings");
 
 }  // namespace axiometry::app

@@ -52,15 +52,16 @@ Value field_value(const FieldVolume& volume) {
   return root;
 }
 
-Result<Value> field_difference(const ErrorModel& before, const ErrorModel& after, std::size_t nodes) {
-  const auto box = volumetric::common_travel(before, after);
+Result<Value> field_difference(const KeptModel& before, const KeptModel& after, std::size_t nodes) {
+  const auto box = volumetric::common_travel(before.model, after.model);
   if (!box)
     return fail("found two results whose travels do not overlap, expected two of one machine: before and after");
-  const ErrorModel first = volumetric::seen_over(before, *box), second = volumetric::seen_over(after, *box);
+  const KeptModel first{volumetric::seen_over(before.model, *box), before.against};
+  const KeptModel second{volumetric::seen_over(after.model, *box), after.against};
   Value tools = Value::array();
-  for (const Tool& tool : second.machine().tools) {
-    if (same_tool(first, tool) == nullptr) continue;
-    const auto difference = volumetric::field_difference(first, second, tool.offset_mm, nodes);
+  for (const Tool& tool : second.model.machine().tools) {
+    if (same_tool(first.model, tool) == nullptr) continue;
+    const auto difference = volumetric::field_difference(first.model, second.model, tool.offset_mm, nodes);
     Value& item = tools.push(Value::object());
     item.add("tool", tool.name);
     item.add("offset_mm", vector_value(tool.offset_mm));

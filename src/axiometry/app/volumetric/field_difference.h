@@ -14,8 +14,7 @@ namespace axiometry::app {
 /// {"nodes", "observed_mm", "before", "after" (as field_value()), "tools": [{"tool", "offset_mm", "as_found",
 /// "without_rigid_motion"}]}: of the tools that both have, by name and offset, over the travel that both were observed
 /// in. Fails where that is no volume, and where no tool is the same.
-Result<json::Value> field_difference(const volumetric::ErrorModel& before, const volumetric::ErrorModel& after,
-                                     std::size_t nodes);
+Result<json::Value> field_difference(const KeptModel& before, const KeptModel& after, std::size_t nodes);
 
 /// The JSON of present(FieldVolume) with, for each tool, "error_um": δ at every node, X fastest, null where it is not
 /// told.

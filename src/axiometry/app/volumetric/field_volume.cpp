@@ -11,7 +11,6 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/results/named_findings_json.h"
-#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -86,8 +85,12 @@ Value line_value(const PredictedLine& line) {
 
 Result<FieldVolume> field_volume(const FieldVolumeRequest& request) {
   AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
+  return field_volume(std::move(kept), request);
+}
+
+FieldVolume field_volume(KeptModel kept, const FieldVolumeRequest& request) {
   FieldVolume volume = field_volume(std::move(kept.model), request);
-  volume.findings.insert(volume.findings.begin(), kept.against.begin(), kept.against.end());
+  put_first(kept.against, volume.findings);
   return volume;
 }
 

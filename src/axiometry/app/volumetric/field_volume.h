@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/tool_fields.h"
 
@@ -28,6 +29,7 @@ struct FieldVolume {
 Result<FieldVolume> field_volume(const FieldVolumeRequest& request);
 
 /// The same of a model that is at hand; request.result is only its name.
+FieldVolume field_volume(KeptModel kept, const FieldVolumeRequest& request);
 FieldVolume field_volume(volumetric::ErrorModel model, const FieldVolumeRequest& request);
 
 /// Report and JSON; keys: docs/results.md.

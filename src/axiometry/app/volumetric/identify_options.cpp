@@ -26,7 +26,7 @@ using volumetric::IdentifyOptions;
 using volumetric::Reversal;
 using volumetric::Smoothness;
 
-constexpr double most_spans = 100;
+constexpr std::size_t most_spans = 400;
 constexpr std::size_t most_parts = 500;
 
 constexpr std::pair<std::string_view, CurveKind> curve_words[] = {
@@ -36,12 +36,39 @@ constexpr std::pair<std::string_view, Reversal> reversal_words[] = {
 constexpr std::pair<std::string_view, DriftModel> drift_words[] = {
     {"auto", DriftModel::automatic}, {"none", DriftModel::none}, {"linear", DriftModel::linear}};
 
+template <typename Choice>
+Result<Choice> named(ChoiceWords<Choice> words, std::string_view word) {
+  std::string known;
+  for (const auto& [name, choice] : words) {
+    if (name == word) return choice;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
+  }
+  return fail(fmt::format("found {}, expected one of {}", text::quoted(word), known));
+}
+
+/// Replaces `target` by what `parse` makes of the member when it is there.
+template <typename Parse, typename Target>
+Result<void> take_parsed(JsonMembers& members, std::string_view name, const Parse& parse, Target& target) {
+  const Value* value = members.optional(name);
+  if (value == nullptr) return {};
+  AXIOMETRY_TRY(const std::string text, formats::text_in(*value, name));
+  auto parsed = parse(text);
+  if (!parsed) return fail(fmt::format("{}: {}", name, parsed.error().message), value->at());
+  target = *parsed;
+  return {};
+}
+
+Result<std::size_t> spans_of(double x, std::string_view found) {
+  if (!(x >= 1.0 && x <= static_cast<double>(most_spans) && x == std::floor(x)))
+    return fail(fmt::format("found {}, expected a whole number from 1 to {}", found, most_spans));
+  return static_cast<std::size_t>(x);
+}
+
 Result<std::size_t> spans_in(const Value& value) {
   AXIOMETRY_TRY(const double x, formats::number_in(value, "spans"));
-  if (!(x >= 1.0 && x <= most_spans && x == std::floor(x)))
-    return fail(fmt::format("spans: found {}, expected a whole number from 1 to {}", format_exact(x), most_spans),
-                value.at());
-  return static_cast<std::size_t>(x);
+  auto spans = spans_of(x, format_exact(x));
+  if (!spans) return fail("spans: " + spans.error().message, value.at());
+  return spans;
 }
 
 Result<void> take_spans(JsonMembers& members, IdentifyOptions& options) {
@@ -120,6 +147,24 @@ Value smoothness_value(const Smoothness& s) {
 
 }  // namespace
 
+Result<CurveKind> parse_curves(std::string_view word) { return named<CurveKind>(curve_words, word); }
+
+Result<Reversal> parse_reversal(std::string_view word) { return named<Reversal>(reversal_words, word); }
+
+Result<DriftModel> parse_drift(std::string_view word) { return named<DriftModel>(drift_words, word); }
+
+Result<CurveSizes> parse_spans(std::string_view text) {
+  const std::vector<std::string_view> parts = text::split(text, ',');
+  CurveSizes sizes{};
+  if (parts.size() != 1 && parts.size() != sizes.size())
+    return fail(fmt::format("found {}, expected one number, or three for X, Y, Z", text::quoted(text)));
+  for (std::size_t a = 0; a < sizes.size(); ++a) {
+    const std::string_view part = parts[parts.size() == 1 ? 0 : a];
+    AXIOMETRY_TRY(sizes[a], spans_of(parse_number(part).value_or(0.0), text::quoted(part)));
+  }
+  return sizes;
+}
+
 Result<Smoothness> parse_smoothness(std::string_view text) {
   if (text == "none") return Smoothness{};
   if (text == "auto") return Smoothness{.kind = Smoothness::Kind::automatic};
@@ -132,11 +177,11 @@ Result<IdentifyChoices> identify_choices_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
   IdentifyChoices choices;
   IdentifyOptions& model = choices.model;
-  AXIOMETRY_TRY_VOID(take_choice<CurveKind>(members, "curves", curve_words, model.curves));
+  AXIOMETRY_TRY_VOID(take_parsed(members, "curves", &parse_curves, model.curves));
   AXIOMETRY_TRY_VOID(take_spans(members, model));
-  AXIOMETRY_TRY_VOID(take_choice<Reversal>(members, "reversal", reversal_words, model.reversal));
+  AXIOMETRY_TRY_VOID(take_parsed(members, "reversal", &parse_reversal, model.reversal));
   AXIOMETRY_TRY_VOID(take_smoothness(members, model));
-  AXIOMETRY_TRY_VOID(take_choice<DriftModel>(members, "drift", drift_words, model.drift));
+  AXIOMETRY_TRY_VOID(take_parsed(members, "drift", &parse_drift, model.drift));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", model.find_breaks));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_outliers", model.find_outliers));
   AXIOMETRY_TRY_VOID(take_parts(members, choices.parts));

@@ -12,7 +12,6 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/field_volume.h"
-#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -191,12 +190,11 @@ void tell_comparison(PredictedTest& test) {
 
 Result<PredictedTest> predict_test(const PredictRequest& request) {
   AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
-  AXIOMETRY_TRY(PredictedTest test, predict_test(std::move(kept.model), request));
-  test.findings.insert(test.findings.begin(), kept.against.begin(), kept.against.end());
-  return test;
+  return predict_test(std::move(kept), request);
 }
 
-Result<PredictedTest> predict_test(ErrorModel model, const PredictRequest& request) {
+Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request) {
+  const ErrorModel& model = kept.model;
   AXIOMETRY_TRY(const std::size_t tool, in_file(tool_of_model(model, request.tool), request.result));
   std::optional<TargetsOfFile> targets;
   if (!request.plan.empty()) {
@@ -212,7 +210,7 @@ Result<PredictedTest> predict_test(ErrorModel model, const PredictRequest& reque
     return fail(
         "found a line of which the readings do not tell all errors, expected one that they tell: see the "
         "findings of the result");
-  PredictedTest test{request, std::move(model), tool, *std::move(predicted), {}, {}};
+  PredictedTest test{request, std::move(kept.model), tool, *std::move(predicted), {}, {}};
   if (targets && targets->means) {
     if (targets->one_direction && test.predicted.has_directions)
       return in_file(Result<PredictedTest>(fail("found readings of one direction, expected both, as the errors have")),
@@ -220,6 +218,7 @@ Result<PredictedTest> predict_test(ErrorModel model, const PredictRequest& reque
     test.comparison = volumetric::compare(test.predicted, *targets->means);
     tell_comparison(test);
   }
+  put_first(kept.against, test.findings);
   return test;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/volumetric/field/line_prediction.h"
 #include "axiometry/volumetric/identify/identification.h"
 
@@ -36,7 +37,7 @@ struct PredictedTest {
 Result<PredictedTest> predict_test(const PredictRequest& request);
 
 /// The same of a model that is at hand; request.result is only its name.
-Result<PredictedTest> predict_test(volumetric::ErrorModel model, const PredictRequest& request);
+Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request);
 
 /// Report and JSON; keys: docs/results.md.
 Experiment present(const PredictedTest& predicted, const report::Options& options);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
@@ -17,12 +16,20 @@ Result<KeptModel> kept_model(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   AXIOMETRY_TRY(const json::Value root, in_file(json::parse(bytes), file));
   AXIOMETRY_TRY(volumetric::ErrorModel model, in_file(formats::error_model_of(root), file));
-  KeptModel kept{std::move(model), {}};
-  for (const KeptFinding& finding : kept_findings(root))
+  return KeptModel{std::move(model), findings_against(kept_findings(root))};
+}
+
+std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_result) {
+  std::vector<NamedFinding> against;
+  for (const KeptFinding& finding : of_result)
     if (finding.severity == "serious" && finding.id != "volumetric-unseen-errors")
-      kept.against.push_back(
+      against.push_back(
           {finding.id, true, "the result from which this was made should not be used as it is: " + finding.message});
-  return kept;
+  return against;
+}
+
+void put_first(std::span<const NamedFinding> against, std::vector<NamedFinding>& findings) {
+  findings.insert(findings.begin(), against.begin(), against.end());
 }
 
 Result<std::size_t> tool_of_model(const volumetric::ErrorModel& model, std::string_view name) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/error_model.h"
@@ -16,10 +18,15 @@ namespace axiometry::app {
 /// A model as it was kept, and what speaks against it.
 struct KeptModel {
   volumetric::ErrorModel model;
-  /// Serious findings of the result, each under its own name and as one of what is made of it. But for errors that are
-  /// not told: the model has no number for these, and who needs one says so itself.
-  std::vector<NamedFinding> against;
+  std::vector<NamedFinding> against;  ///< findings_against() of the result
 };
+
+/// Serious findings of a result, each under its own name and as one of what is made of it. But for errors that are not
+/// told: the model has no number for these, and who needs one says so itself.
+std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_result);
+
+/// Before the others.
+void put_first(std::span<const NamedFinding> against, std::vector<NamedFinding>& findings);
 
 /// Of a file of `axiometry volumetric identify --out`. Fails as formats::read_error_model(), with the file's name.
 Result<KeptModel> kept_model(const std::string& file);

@@ -14,7 +14,6 @@
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/named_findings_json.h"
-#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/rounded_text.h"
 #include "axiometry/compensation/fit.h"
@@ -176,8 +175,12 @@ Value sizes_value(const volumetric::FieldSizes& sizes) {
 Result<VolumeCompensation> compensate_volume(const VolumeCompensationRequest& request) {
   AXIOMETRY_TRY_VOID(check_request(request.how));
   AXIOMETRY_TRY(const KeptModel kept, kept_model(request.result));
-  AXIOMETRY_TRY(VolumeCompensation made, in_file(compensate_volume(kept.model, request), request.result));
-  made.findings.insert(made.findings.begin(), kept.against.begin(), kept.against.end());
+  return in_file(compensate_volume(kept, request), request.result);
+}
+
+Result<VolumeCompensation> compensate_volume(const KeptModel& kept, const VolumeCompensationRequest& request) {
+  AXIOMETRY_TRY(VolumeCompensation made, compensate_volume(kept.model, request));
+  put_first(kept.against, made.findings);
   return made;
 }
 

@@ -7,6 +7,7 @@
 
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/named_finding.h"
@@ -55,6 +56,7 @@ struct VolumeCompensation {
 /// where the control cannot hold the table; and where the table, read back by the control's rule, would not reduce the
 /// range on the line: nothing is written then.
 Result<VolumeCompensation> compensate_volume(const VolumeCompensationRequest& request);
+Result<VolumeCompensation> compensate_volume(const KeptModel& kept, const VolumeCompensationRequest& request);
 Result<VolumeCompensation> compensate_volume(const volumetric::ErrorModel& model,
                                              const VolumeCompensationRequest& request);
 

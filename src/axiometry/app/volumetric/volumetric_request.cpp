@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -33,6 +34,7 @@ using volumetric::MachineModel;
 constexpr double most_points = 500, most_stations = 8, most_nodes = 21, most_table_nodes = 401;
 constexpr std::size_t most_tools_planned = 6, most_points_in_all = 12'000, most_solids = 20;
 constexpr std::size_t most_tools_found = 16, most_visits = 200, most_segments = 1000, most_coefficients = 1500;
+constexpr std::size_t most_spans_of_axes = 240;  // cubic: 6 (240 + 9) + 3 coefficients
 
 Result<void> check_count(std::string_view what, std::size_t count, std::size_t most) {
   if (count <= most) return {};
@@ -155,6 +157,8 @@ Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const
                   in_file(formats::read_volumetric_plan(files.plan->bytes), files.plan->name));
     AXIOMETRY_TRY_VOID(in_file(check_plan_size(plan), files.plan->name));
   }
+  const auto& sizes = choices.model.sizes;
+  AXIOMETRY_TRY_VOID(check_count("spans", std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}), most_spans_of_axes));
   IdentifyChoices in_one_thread = choices;
   in_one_thread.model.threads = 1;
   const std::string name = files.lengths.size() == 1 ? files.lengths.front().name : std::string();
@@ -174,7 +178,8 @@ Result<ErrorModel> given_model(const Value& body, std::string_view name) {
 
 Result<std::size_t> given_nodes(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
-  for (const std::string_view known : {"model", "before", "after"}) members.pass_over(known);
+  for (const std::string_view known : {"model", "findings", "before", "findings_before", "after", "findings_after"})
+    members.pass_over(known);
   AXIOMETRY_TRY(const auto nodes, whole_member(members, "nodes", {2, most_nodes}));
   AXIOMETRY_TRY_VOID(members.finish());
   return nodes ? static_cast<std::size_t>(*nodes) : volumetric::field_nodes;
@@ -183,7 +188,7 @@ Result<std::size_t> given_nodes(const Value& body) {
 Result<PredictRequest> line_request_from(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
   PredictRequest request;
-  members.pass_over("model");
+  for (const std::string_view known : {"model", "findings"}) members.pass_over(known);
   AXIOMETRY_TRY_VOID(members.take("axis", request.axis));
   AXIOMETRY_TRY_VOID(members.take("diagonal", request.diagonal));
   AXIOMETRY_TRY_VOID(members.take("tool", request.tool));

@@ -10,6 +10,7 @@
 #include "axiometry/app/volumetric/identify_lengths.h"
 #include "axiometry/app/volumetric/plan_volume.h"
 #include "axiometry/app/volumetric/predict_line.h"
+#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 
@@ -38,6 +39,11 @@ Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const
 
 /// The member `name`, as the member "model" of a result file. Fails on more than 1500 coefficients or 16 tools too.
 Result<volumetric::ErrorModel> given_model(const json::Value& body, std::string_view name = "model");
+
+/// The same with what the member `findings`, as that of a result file, says against it. Fails on findings that are of
+/// another kind too; where there are none nothing is said.
+Result<KeptModel> given_kept_model(const json::Value& body, std::string_view name = "model",
+                                   std::string_view findings = "findings");
 
 /// "nodes" of {"model", "nodes"} or of {"before", "after", "nodes"}: 2 to 21, 11 when it is not there.
 Result<std::size_t> given_nodes(const json::Value& body);

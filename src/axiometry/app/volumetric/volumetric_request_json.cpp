@@ -48,6 +48,10 @@ Result<void> check_rows(const Value& result, std::string_view list, std::initial
   return {};
 }
 
+Result<void> check_findings(const Value& result, std::string_view name) {
+  return check_rows(result, name, {{"id", Kind::text}, {"severity", Kind::text}, {"message", Kind::text}});
+}
+
 Result<void> check_errors(const Value& result) {
   AXIOMETRY_TRY_VOID(check_member(result, {"errors", Kind::object}, false));
   const Value& errors = *result.find("errors");
@@ -109,10 +113,16 @@ Result<Value> given_result(const Value& body, const Reader& reader) {
     AXIOMETRY_TRY_VOID(formats::vector_in(*station.find("position_mm"), "position_mm"));
   }
   for (const std::string_view list : {"set_aside", "breaks"}) AXIOMETRY_TRY_VOID(check_rows(*result, list, {}));
-  AXIOMETRY_TRY_VOID(
-      check_rows(*result, "findings", {{"id", Kind::text}, {"severity", Kind::text}, {"message", Kind::text}}));
+  AXIOMETRY_TRY_VOID(check_findings(*result, "findings"));
   AXIOMETRY_TRY_VOID(given_model(*result));
   return localised_result(*result, reader);
+}
+
+Result<KeptModel> given_kept_model(const Value& body, std::string_view name, std::string_view findings) {
+  AXIOMETRY_TRY(volumetric::ErrorModel model, given_model(body, name));
+  if (body.find(findings) == nullptr) return KeptModel{std::move(model), {}};
+  AXIOMETRY_TRY_VOID(check_findings(body, findings));
+  return KeptModel{std::move(model), findings_against(kept_findings(body, findings))};
 }
 
 }  // namespace axiometry::app

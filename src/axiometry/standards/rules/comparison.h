@@ -22,6 +22,8 @@ inline constexpr std::string_view no_conformity_stated =
 inline constexpr std::string_view no_uncertainty_stated = "No uncertainty is stated for figures of other rules";
 inline constexpr std::string_view no_uncertainty_known =
     "No uncertainty is stated for figures of other rules: no input of it is known";
+inline constexpr std::string_view no_uncertainty_found =
+    "No uncertainty is stated for figures of other rules: each tells why not";
 
 /// In which a figure lies, the measured value always among it; native unit.
 struct FigureInterval {

@@ -29,6 +29,12 @@ std::vector<ComparedFigure*> figures_with_value(RuleComparison& comparison) {
   return all;
 }
 
+bool has_interval(const RuleComparison& comparison) {
+  return std::ranges::any_of(comparison.rules, [](const ComparedRule& rule) {
+    return std::ranges::any_of(rule.figures, [](const ComparedFigure& figure) { return figure.interval.has_value(); });
+  });
+}
+
 /// Whether trials have no single readings.
 bool draws_moments_alone(const Test& test, const iso230_2::MonteCarloOptions& options) {
   return iso230_2::measurand_of(test.metadata) == Measurand::this_machine &&
@@ -73,12 +79,15 @@ Result<void> add_intervals(RuleComparison& comparison, const Test& test, const i
   comparison.trials =
       RuleTrials{found->measurand, found->seed, found->trials, found->stable, found->coverage, found->notes};
   for (std::size_t k = 0; k < figures.size(); ++k) take_interval(*figures[k], found->distributions[k], has_no_readings);
+  comparison.trials->stable = std::ranges::all_of(
+      figures, [](const ComparedFigure* each) { return !each->interval || each->interval->stable; });
   return {};
 }
 
 std::string uncertainty_statement(const RuleComparison& comparison) {
   if (!comparison.trials_asked_for) return std::string(no_uncertainty_stated);
   if (!comparison.trials) return std::string(no_uncertainty_known);
+  if (!has_interval(comparison)) return std::string(no_uncertainty_found);
   const std::string probability = fmt::format("{:.6g} %", 100.0 * comparison.trials->coverage);
   return comparison.trials->measurand == Measurand::this_test
              ? fmt::format(

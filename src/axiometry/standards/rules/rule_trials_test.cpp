@@ -77,6 +77,15 @@ TEST(RuleTrials, GiveThemInTheLongRunOfTheMachineToo) {
       known_by(laser_and_noise, testing_support::table2::series(), iso230_2::Measurand::this_machine));
 }
 
+/// Where no figure has an interval, none is spoken of.
+TEST(RuleTrials, SpeakOfIntervalsOnlyWhereThereAreSome) {
+  RuleComparison c = sampled(known_by(laser_and_noise, testing_support::table2::series()));
+  EXPECT_THAT(uncertainty_statement(c), HasSubstr("Intervals of 95 %"));
+  for (ComparedRule& rule : c.rules)
+    for (ComparedFigure& figure : rule.figures) figure.interval.reset();
+  EXPECT_EQ(uncertainty_statement(c), no_uncertainty_found);
+}
+
 TEST(RuleTrials, HoldTheValueOfEveryFigure) {
   const RuleComparison c = sampled(known_by(laser_and_noise, testing_support::table2::series()));
   std::size_t intervals = 0;

@@ -114,4 +114,12 @@ Result<Content> read_content(Connection& connection, const std::string& hash) {
   return content;
 }
 
+Result<std::vector<std::string>> list_contents(Connection& connection, std::string_view format) {
+  AXIOMETRY_TRY(const Rows rows,
+                connection.query("SELECT sha256 FROM content WHERE format = $1 ORDER BY id", {format}));
+  std::vector<std::string> hashes;
+  for (std::size_t k = 0; k < rows.size(); ++k) hashes.push_back(rows[k].text(0));
+  return hashes;
+}
+
 }  // namespace axiometry::store

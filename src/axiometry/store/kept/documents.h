@@ -18,5 +18,6 @@ std::string fingerprint(const Document& document);
 
 /// The bytes of this hash, whatever they are of. Fails with `damaged` when they no longer have it.
 Result<Content> read_content(Connection& connection, const std::string& sha256);
+Result<std::vector<std::string>> list_contents(Connection& connection, std::string_view format);
 
 }  // namespace axiometry::store

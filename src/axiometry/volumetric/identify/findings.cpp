@@ -139,19 +139,23 @@ void add_copies(const Identifier& done, std::vector<VolumetricFinding>& findings
                                   copies == 1 ? " is a copy" : "s are copies", copies == 1 ? "s" : "")});
 }
 
-std::string smoothness_text(const SmoothedCurves& smoothed) {
+std::string smoothness_text(const Smoothness& asked, double found, std::string_view of, std::string_view unit) {
+  const bool stated = asked.kind == Smoothness::Kind::stated;
+  const std::string change = stated         ? format_exact(found)
+                             : found < 10.0 ? fmt::format("{:.2f}", found)
+                                            : fmt::format("{:.1f}", found);
+  return fmt::format("slopes of {} change by {}{} {} from one end of an axis to the other (standard deviation)", of,
+                     stated || found > Smoothness::least ? "" : "no more than ", change, unit);
+}
+
+std::string smoothness_text(const Smoothness& asked, const SmoothedCurves& smoothed) {
   const auto is_displacement = [](const SmoothedError& s) { return s.error % motion_count < first_rotation; };
   const auto displacements = std::ranges::count_if(smoothed.errors, is_displacement);
-  const bool has_rotations = displacements < std::ssize(smoothed.errors);
-  if (displacements > 0 && has_rotations)
-    return fmt::format(
-        "slopes of displacements change by {:.1f} µm from one end of an axis to the other, those of rotations by "
-        "{:.1f} "
-        "µrad (standard deviations)",
-        smoothed.displacement_um, smoothed.rotation_urad);
-  return fmt::format("slopes of {} change by {:.1f} {} from one end of an axis to the other (standard deviation)",
-                     has_rotations ? "rotations" : "displacements",
-                     has_rotations ? smoothed.rotation_urad : smoothed.displacement_um, has_rotations ? "µrad" : "µm");
+  std::string text;
+  if (displacements > 0) text = smoothness_text(asked, smoothed.displacement_um, "displacements", "µm");
+  if (displacements < std::ssize(smoothed.errors))
+    text += (text.empty() ? "" : "; ") + smoothness_text(asked, smoothed.rotation_urad, "rotations", "µrad");
+  return text;
 }
 
 /// The farthest drawn displacement, or rotation.
@@ -169,8 +173,9 @@ void add_bias(const SmoothedCurves& smoothed, bool of_rotations, std::vector<Vol
 }
 
 /// What was taken for known of the curves, what rests on it, and what speaks against it.
-void add_smoothness(const Smoothness& asked, const Identification& result, std::vector<VolumetricFinding>& findings) {
+void add_smoothness(const Identifier& done, const Identification& result, std::vector<VolumetricFinding>& findings) {
   if (!result.smoothed) return;
+  const Smoothness& asked = done.smoothness();
   if (result.smoothed->errors.empty()) {
     findings.push_back(
         {"volumetric-smoothness-idle", false, "no curve is told that could be smooth: the smoothness changes nothing"});
@@ -179,7 +184,11 @@ void add_smoothness(const Smoothness& asked, const Identification& result, std::
   const SmoothedCurves& smoothed = *result.smoothed;
   const char* how = asked.kind == Smoothness::Kind::stated ? "as was stated" : "as the lengths of all let it appear";
   findings.push_back({"volumetric-smoothness", false,
-                      fmt::format("curves are taken to be smooth, {}: {}", how, smoothness_text(smoothed))});
+                      fmt::format("curves are taken to be smooth, {}: {}", how, smoothness_text(asked, smoothed))});
+  if (!done.bends_settled())
+    findings.push_back({"volumetric-smoothness-unsettled", true,
+                        "how smooth the curves are was still changing when the search for it ended: curves and their "
+                        "uncertainties may depend on where it ended, and another smoothness may be stated"});
   std::vector<std::size_t> decided, contradicted;
   double ratio = 1.0, bend = 1.0;
   for (const SmoothedError& s : smoothed.errors) {
@@ -231,7 +240,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_domain(done, machine, findings);
   add_places(done, lengths, findings);
   add_copies(done, findings);
-  add_smoothness(done.smoothness(), result, findings);
+  add_smoothness(done, result, findings);
   add_scale(machine, findings);
   std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });
   return findings;

@@ -36,6 +36,7 @@ class Identifier {
   bool drift() const { return drift_; }
   const std::optional<CurvaturePenalty>& penalty() const { return penalty_; }
   const Smoothness& smoothness() const { return options_.smoothness; }
+  bool bends_settled() const { return bends_settled_; }  ///< what smoothness() lets find was found
   const PerCurve& plain_variances() const { return plain_variances_; }  ///< without the penalty, before φ
   std::size_t count() const;                                            ///< of readings that are used
   bool is_copy(std::size_t reading) const { return is_copy_[reading]; }
@@ -96,6 +97,7 @@ class Identifier {
   std::optional<Fit> fit_;
   std::optional<CurvaturePenalty> penalty_;
   PerCurve plain_variances_{};
+  bool bends_settled_ = true;
 };
 
 }  // namespace axiometry::volumetric::detail

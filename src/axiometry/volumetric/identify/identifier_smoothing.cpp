@@ -37,7 +37,11 @@ Result<void> Identifier::smooth() {
   CurvaturePenalty penalty(*coefficients_, fit_->solution.unseen_errors());
   Bends bends{asked.displacement_um, asked.rotation_urad};
   penalty.set({1.0, 1.0}, factor);
-  if (asked.kind == Smoothness::Kind::automatic) bends = likeliest_bends(problem(), *fit_, penalty);
+  if (asked.kind == Smoothness::Kind::automatic) {
+    const LikeliestBends likeliest = likeliest_bends(problem(), *fit_, penalty);
+    bends = likeliest.bends;
+    bends_settled_ = likeliest.settled;
+  }
   penalty.set(bends, factor);
   penalty_ = std::move(penalty);
   return refit();

@@ -9,7 +9,7 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr std::size_t rounds_most = 60;
+constexpr std::size_t rounds_most = 300;
 constexpr double settled = 0.002;  // of ln τ in a round: changes no curve by a hundredth of its uncertainty
 constexpr std::size_t judged_places = 21;
 
@@ -38,7 +38,7 @@ std::vector<double> pull_on(const CurvaturePenalty& penalty, const LinearSolutio
 
 }  // namespace
 
-Bends likeliest_bends(const Problem& problem, const Fit& plain, CurvaturePenalty penalty) {
+LikeliestBends likeliest_bends(const Problem& problem, const Fit& plain, CurvaturePenalty penalty) {
   const double factor = penalty.variance_factor();
   const NormalEquations equations = normal_equations(problem, sights(problem, plain.state));
   const NullDirections nulls = plain.solution.null_basis();
@@ -70,9 +70,9 @@ Bends likeliest_bends(const Problem& problem, const Fit& plain, CurvaturePenalty
       change = std::max(change, std::abs(std::log(taken / bends[g])));
       bends[g] = taken;
     }
-    if (change < settled) break;
+    if (change < settled) return {bends, true};
   }
-  return bends;
+  return {bends, false};
 }
 
 std::vector<double> with_bend_uncertainty(const CurvaturePenalty& penalty, const Coefficients& coefficients,
@@ -123,11 +123,14 @@ SmoothedCurves smoothed_curves(const CurvaturePenalty& penalty, const Coefficien
   const std::vector<double> pull = pull_on(penalty, fit.solution, fit.state.coefficients, fit.solution.columns());
   SmoothedCurves smoothed{.displacement_um = penalty.bends()[0], .rotation_urad = penalty.bends()[1]};
   PerCurve bias{};
-  for (std::size_t k = 0; k < judged_places; ++k) {
-    const ErrorValues at =
-        coefficients.errors(std::span(pull).first(coefficients.raw()), judged_place(coefficients, k));
-    for (std::size_t e = 0; e < curve_count; ++e)
-      bias[e] = std::max(bias[e], std::abs(at.motions[e / motion_count][e % motion_count]));
+  const auto directions = coefficients.reversal() == Reversal::none ? std::vector{0.0} : std::vector{1.0, -1.0};
+  for (const double direction : directions) {
+    for (std::size_t k = 0; k < judged_places; ++k) {
+      const ErrorValues at = coefficients.errors(std::span(pull).first(coefficients.raw()),
+                                                 judged_place(coefficients, k), {direction, direction, direction});
+      for (std::size_t e = 0; e < curve_count; ++e)
+        bias[e] = std::max(bias[e], std::abs(at.motions[e / motion_count][e % motion_count]));
+    }
   }
   for (std::size_t e = 0; e < curve_count; ++e) {
     if (ranks[e] == 0.0) continue;

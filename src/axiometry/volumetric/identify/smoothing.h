@@ -18,7 +18,11 @@ Result<void> check_smoothness(const IdentifyOptions& options);
 ///   τ² = Σ D̂² / (number of D − tr V S),
 /// which is repeated until it stands (the update of Fellner and Schall: Wood and Fasiolo 2017, eq. 6). Each is at least
 /// Smoothness::least.
-Bends likeliest_bends(const Problem& problem, const Fit& plain, CurvaturePenalty penalty);
+struct LikeliestBends {
+  Bends bends{};
+  bool settled = false;  ///< before the rounds were used up
+};
+LikeliestBends likeliest_bends(const Problem& problem, const Fit& plain, CurvaturePenalty penalty);
 
 /// What τ that were found are known by adds to the covariance of raw coefficients: with v = V S_g ĉ = ∂ĉ/∂ln τ_g²,
 ///   Σ_g v vᵀ · 2/Σ tr F²

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "axiometry/volumetric/field/curve_nodes.h"
@@ -182,6 +183,26 @@ TEST(Smoothness, IsFoundAsItIsAndItsUncertaintiesHoldTheTruth) {
   EXPECT_LT(with.squares, 0.6 * without.squares);
 }
 
+TEST(Smoothness, ThatIsFoundToBeTheLeastIsToldAsABound) {
+  WanderingMachine machine(0.0, 0.0, 2);
+  const auto result = identify(machine.model, machine.measured(70), smooth(automatic, 8));
+  ASSERT_TRUE(result);
+  const VolumetricFinding* told = smoothing_finding(*result, "volumetric-smoothness");
+  ASSERT_NE(told, nullptr);
+  const auto bounds = [&](double found, const char* text) {
+    EXPECT_EQ(found == Smoothness::least, told->message.contains(text)) << told->message;
+  };
+  bounds(result->smoothed->displacement_um, "slopes of displacements change by no more than 0.10 µm");
+  bounds(result->smoothed->rotation_urad, "slopes of rotations change by no more than 0.10 µrad");
+  EXPECT_TRUE(result->smoothed->displacement_um == Smoothness::least ||
+              result->smoothed->rotation_urad == Smoothness::least);
+  const auto known = identify(machine.model, machine.measured(70), smooth(stated(0.1, 0.25), 8));
+  ASSERT_TRUE(known);
+  EXPECT_THAT(smoothing_finding(*known, "volumetric-smoothness")->message,
+              HasSubstr("change by 0.1 µm from one end of an axis to the other (standard deviation); slopes of "
+                        "rotations change by 0.25 µrad"));
+}
+
 TEST(Smoothness, ThatLengthsContradictIsTold) {
   WanderingMachine machine(60.0, 20.0, 3);
   const VolumetricLengths lengths = machine.measured(70);
@@ -215,6 +236,55 @@ TEST(Smoothness, ThatDecidesIsToldAndOneThatAddsNothingIsNot) {
       EXPECT_NEAR(a[k].mean.u, b[k].mean.u, 1e-3 * b[k].mean.u);
     }
   }
+}
+
+/// Mean of u² over the places at which the program judges a curve.
+double mean_square_u(const Identification& result, std::size_t e) {
+  double mean = 0.0;
+  const auto nodes = curve_nodes(result.model, {e / motion_count, e % motion_count}, 21);
+  for (const CurveNode& node : nodes) mean += node.mean.u * node.mean.u / static_cast<double>(nodes.size());
+  return mean;
+}
+
+TEST(Smoothness, SaysHowMuchLargerUncertaintiesWouldBeByTheLengthsAlone) {
+  WanderingMachine machine(10.0, 10.0, 8);
+  const VolumetricLengths lengths = machine.measured(60);
+  const auto result = identify(machine.model, lengths, smooth(stated(10.0, 10.0), 12));
+  const auto plain = identify(machine.model, lengths, smooth({}, 12));
+  ASSERT_TRUE(result && plain);
+  ASSERT_EQ(result->smoothed->errors.size(), curve_count);
+  double largest = 0.0;
+  for (const SmoothedError& s : result->smoothed->errors) {
+    EXPECT_NEAR(s.u_ratio, std::sqrt(mean_square_u(*plain, s.error) / mean_square_u(*result, s.error)),
+                1e-3 * s.u_ratio);
+    largest = std::max(largest, s.u_ratio);
+  }
+  EXPECT_GT(largest, 1.5);
+}
+
+/// Of each error in each direction: the curve is straight, half of the difference between the directions bends.
+TEST(Smoothness, TellsTheBiasOfCurvesThatDifferByDirectionToo) {
+  WanderingMachine machine(0.0, 0.0, 9);
+  VolumetricLengths lengths = machine.measured(150);
+  constexpr double half_um = 12.0;
+  for (std::size_t k = 0; k < lengths.readings.size(); ++k) {
+    VolumetricReading& reading = lengths.readings[k];
+    const VolumetricReading* before = k > 0 ? &lengths.readings[k - 1] : nullptr;
+    if (before == nullptr || before->station != reading.station || before->tool != reading.tool) continue;
+    const double up = reading.axes_mm.y > before->axes_mm.y ? 1.0 : -1.0;
+    // What EYY's half adds along the sight, to first order.
+    const Vector3 at = reading.axes_mm + machine.model.tools[reading.tool].offset_mm;
+    const Vector3 sight = at - test::four_stations()[reading.station].at_mm;
+    const double bent = half_um * std::sin(2.0 * std::numbers::pi * machine.share(1, reading.axes_mm.y));
+    reading.length_mm += 1e-3 * up * bent * sight.y / norm(sight);
+  }
+  IdentifyOptions options = smooth(stated(2.0, 2.0), 8);
+  options.reversal = Reversal::curves;
+  const auto result = identify(machine.model, lengths, options);
+  ASSERT_TRUE(result) << result.error().message;
+  const auto at = std::ranges::find(result->smoothed->errors, motion_count + 1, &SmoothedError::error);  // EYY
+  ASSERT_NE(at, result->smoothed->errors.end());
+  EXPECT_GT(at->bias, 0.3 * half_um);
 }
 
 /// A smoothness tells no error that the lengths do not tell: it is refused as before, and nothing else changes for it.

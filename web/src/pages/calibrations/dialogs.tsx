@@ -4,8 +4,8 @@ import { useState } from 'preact/hooks';
 import { send } from '../../api/client';
 import type { KeptCalibration } from '../../api/types';
 import { CalibrationFields, type CalibrationWords } from '../../components/calibration_fields';
+import { OptionsFields, form_of, options_of, type Options, type OptionsForm } from '../../components/evaluation_options';
 import { ReasonDialog } from '../test/reason_dialog';
-import { OptionsFields, form_of, options_of, type Options, type OptionsForm } from './options';
 import { t } from './texts';
 
 interface Props { calibration: KeptCalibration; on_done: (calibration: KeptCalibration) => void; on_close: () => void }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { query } from '../../api/client';
 import { use_get } from '../../api/use';
 import type { Test, TestPage } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
+import { use_settled } from '../../components/settled';
 import { texts } from '../../i18n/texts';
 
 const t = texts({
@@ -21,11 +22,7 @@ const settle_ms = 120;
 /** Finds tests to add; without a search those of the same axis, the usual thing to compare with. */
 export function Picker({ chosen, first, add }: { chosen: readonly number[]; first: Test | null; add: (id: number) => void }) {
   const [typed, set_typed] = useState('');
-  const [text, set_text] = useState('');
-  useEffect(() => {
-    const timer = window.setTimeout(() => set_text(typed.trim()), settle_ms);
-    return () => window.clearTimeout(timer);
-  }, [typed]);
+  const text = use_settled(typed.trim(), settle_ms);
   const axis = text === '' ? (first?.axis?.id ?? null) : null;
   const page = use_get<TestPage>(`/api/tests${query({ text, axis, limit: 20 })}`);
   if (chosen.length >= 8) return <p class="small quiet full no-print">{t('full')}</p>;

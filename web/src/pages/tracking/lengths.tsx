@@ -3,9 +3,10 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { ApiError, made_of_files, offer, query } from '../../api/client';
 import type { TrackingEvaluation, TrackingPlanFile } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
-import { Field } from '../../components/field';
+import { OptionsFields, form_of, options_of } from '../../components/evaluation_options';
 import { FileDrop } from '../../components/file_drop';
 import { KeepCalibration, type SentCalibration } from '../../components/keep_calibration';
+import { use_settled } from '../../components/settled';
 import { set_query } from '../../router';
 import { decimal, language } from '../../settings';
 import { t as t_lengths } from '../capture/length_texts';
@@ -21,7 +22,7 @@ interface Sent { lengths: File; plan: File; station: File | null; options: strin
 
 const as_file = (text: string, name: string): File => new File([text], name, { type: 'application/json' });
 
-function form_of({ lengths, plan, station, options }: Sent): FormData {
+function form_data_of({ lengths, plan, station, options }: Sent): FormData {
   const form = new FormData();
   form.append('options', options);
   form.append('plan', plan, plan.name);
@@ -50,7 +51,7 @@ function use_evaluation(sent: Sent | null): { found: Found | null; error: ApiErr
     const abort = new AbortController();
     const asked = async () => {
       check_size(sent.lengths, sent.plan);
-      const answer = await made_of_files(`/api/tracking/evaluation${query({ decimal: decimal.value })}`, form_of(sent), abort.signal);
+      const answer = await made_of_files(`/api/tracking/evaluation${query({ decimal: decimal.value })}`, form_data_of(sent), abort.signal);
       return (await answer.json()) as TrackingEvaluation;
     };
     asked().then(
@@ -82,19 +83,19 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
     set_dropped(null);
     heading.current?.scrollIntoView();
   }, [captured.taken]);
-  const [limits, set_limits] = useState('');
-  const [reversed, set_reversed] = useState(false);
+  const [form, set_form] = useState(() => form_of({}));
+  const options = options_of('lines', form);
+  const asked = use_settled(options && JSON.stringify(options));
   const [busy, set_busy] = useState(false);
   const [not_saved, set_not_saved] = useState<ApiError | null>(null);
   const plan_text = own_plan === null && plan !== null ? JSON.stringify(plan) : null;
   const station_text = own_plan === null && located !== null ? JSON.stringify({ station: located.position, covariance: located.covariance }) : null;
   const sent = useMemo((): Sent | null => {
     const plan_file = own_plan ?? (plan_text === null ? null : as_file(plan_text, 'lines.plan.json'));
-    if (lengths === null || plan_file === null) return null;
+    if (lengths === null || plan_file === null || asked === null) return null;
     const station = station_text === null || located === null ? null : as_file(station_text, located.file.replace(/\.\w+$/, '.station.json'));
-    const tolerances = limits.split(/[\s;]+/).filter((word) => word !== '');
-    return { lengths, plan: plan_file, station, options: JSON.stringify({ tolerances, reversed }) };
-  }, [lengths, own_plan, plan_text, station_text, limits, reversed]);
+    return { lengths, plan: plan_file, station, options: asked };
+  }, [lengths, own_plan, plan_text, station_text, asked]);
   const { found, error } = use_evaluation(sent);
   const to_keep = useMemo((): SentCalibration | null => (found ? { kind: 'lines', files: { lengths: found.sent.lengths, plan: found.sent.plan, station: found.sent.station }, options: found.sent.options } : null), [found?.sent]);
   const save = async (extension: string) => {
@@ -102,7 +103,7 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
     set_busy(true);
     set_not_saved(null);
     try {
-      const answer = await made_of_files(`/api/tracking/evaluation/report.${extension}${query({ language: language.value, decimal: decimal.value })}`, form_of(found.sent));
+      const answer = await made_of_files(`/api/tracking/evaluation/report.${extension}${query({ language: language.value, decimal: decimal.value })}`, form_data_of(found.sent));
       offer(await answer.blob(), `${found.sent.lengths.name.replace(/\.\w+$/, '')}.${extension}`);
     } catch (thrown) {
       set_not_saved(failure_of(thrown));
@@ -136,10 +137,7 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
           {!taken && own_plan && <button type="button" class="plain small" onClick={() => set_own_plan(null)}>{t('discard')}</button>}
         </div>
         <div class="lengths-options">
-          <Field label={t('tolerances')} hint={t('tolerances_hint')}>
-            {(ids) => <input {...ids} autocomplete="off" spellcheck={false} placeholder="E=20um" onChange={(event) => set_limits(event.currentTarget.value)} />}
-          </Field>
-          <label><input type="checkbox" checked={reversed} onChange={(event) => set_reversed(event.currentTarget.checked)} />{t('reversed')}</label>
+          <OptionsFields kind="lines" form={form} on_change={set_form} />
         </div>
       </div>
       {not_saved && <FailureNotice error={not_saved} />}

@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { ApiError, query, send } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
-import type { VolumetricDifference, VolumetricField, VolumetricModel, VolumetricResult } from '../../api/types';
+import type { VolumetricDifference, VolumetricField, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
@@ -12,22 +12,28 @@ import { decimals_for, fixed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { axes } from './error_names';
 import { field_scene, grid_of, largest_of, place_of, slice_range, usual_enlargement, type FieldLook, type Grid, type ToolField } from './field_model';
+import { VolumeFindings } from './findings';
 import { t } from './result_texts';
 
 const most_bytes = 30_000_000;  // as the server takes
 const nodes = 11;
 
+interface Named { name: string; result: VolumetricResult }
+
 /** One field, or with an earlier result both of them over the same part of the volume. */
 export function FieldPanel({ result }: { result: VolumetricResult }) {
-  const [before, set_before] = useState<{ name: string; model: VolumetricModel } | null>(null);
+  const [before, set_before] = useState<Named | null>(null);
   const look = query({ decimal: decimal.value });
-  const own = useMemo(() => ({ model: result.model, nodes }), [result.model]);
-  const both = useMemo(() => before && { before: before.model, after: result.model, nodes }, [before, result.model]);
+  const own = useMemo(() => ({ model: result.model, findings: result.findings, nodes }), [result]);
+  const both = useMemo(() => before && {
+    before: before.result.model, findings_before: before.result.findings, after: result.model, findings_after: result.findings, nodes,
+  }, [before, result]);
   const field = use_posted<VolumetricField>(`/api/volumetric/field${look}`, both ? null : own, as_json);
   const difference = use_posted<VolumetricDifference>(`/api/volumetric/difference${look}`, both, as_json);
   const compared = both !== null && difference.is_current ? difference.data : null;
   const error = both ? difference.error : field.error;
   const shown = both ? compared && { after: compared.after, before: compared.before, difference: compared } : field.data && { after: field.data };
+  const told = shown ? [...shown.after.findings, ...('before' in shown ? shown.before.findings : [])] : [];
   return (
     <section class="panel" aria-labelledby="volume-field">
       <header><h2 id="volume-field">{t('field')}</h2></header>
@@ -35,19 +41,19 @@ export function FieldPanel({ result }: { result: VolumetricResult }) {
       {error && <FailureNotice error={error} retry={both ? difference.again : field.again} />}
       {!error && !shown && <p class="quiet">{t('computing')}</p>}
       {shown && <FieldView {...shown} />}
+      {shown && told.length > 0 && <VolumeFindings findings={told} />}
       <Earlier before={before?.name ?? null} take={set_before} />
     </section>
   );
 }
 
 /** Takes the file of an earlier result; the server looks whether it is one. */
-function Earlier({ before, take }: { before: string | null; take: (before: { name: string; model: VolumetricModel } | null) => void }) {
+function Earlier({ before, take }: { before: string | null; take: (before: Named | null) => void }) {
   const [error, set_error] = useState<ApiError | null>(null);
   const read = async (file: File) => {
     set_error(null);
     try {
-      const result = await read_result(file);
-      take({ name: file.name, model: result.model });
+      take({ name: file.name, result: await read_result(file) });
     } catch (thrown) {
       set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
     }

@@ -3,9 +3,10 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { ApiError, made_of_files, offer, query } from '../../api/client';
 import type { VolumetricMachine, VolumetricPlanFile, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
-import { Field } from '../../components/field';
+import { OptionsFields, form_of, options_of } from '../../components/evaluation_options';
 import { FileDrop } from '../../components/file_drop';
 import { KeepCalibration, type SentCalibration } from '../../components/keep_calibration';
+import { use_settled } from '../../components/settled';
 import { fixed } from '../../numbers';
 import { set_query } from '../../router';
 import { decimal, language } from '../../settings';
@@ -17,17 +18,15 @@ import { VolumeResult } from './result';
 import { t } from './texts';
 
 const most_bytes = 7_500_000;  // of both files, as the server takes
-type Reversal = 'none' | 'constant' | 'curves';
 
 /** What was sent, so that reports are of the same. */
-interface Sent { lengths: File; machine: string; reversal: Reversal }
+interface Sent { lengths: File; machine: string; options: string }
 
-const options_of = ({ reversal }: Sent): string => JSON.stringify({ reversal });
 const machine_file = ({ machine }: Sent): File => new File([machine], 'machine.json', { type: 'application/json' });
 
-function form_of(sent: Sent): FormData {
+function form_data_of(sent: Sent): FormData {
   const form = new FormData();
-  form.append('options', options_of(sent));
+  form.append('options', sent.options);
   form.append('machine', machine_file(sent), 'machine.json');
   form.append('lengths', sent.lengths, sent.lengths.name);
   return form;
@@ -39,15 +38,15 @@ interface Found { sent: Sent; kept_as: SentCalibration; result: VolumetricResult
 
 /** The same files and options as the archive wants them. */
 const calibration_of = (sent: Sent): SentCalibration => ({
-  kind: 'volumetric', files: { lengths: sent.lengths, machine: machine_file(sent) }, options: options_of(sent),
+  kind: 'volumetric', files: { lengths: sent.lengths, machine: machine_file(sent) }, options: sent.options,
 });
 
 async function found_by(sent: Sent, signal: AbortSignal): Promise<Found> {
   const size = sent.lengths.size + sent.machine.length;
   if (size > most_bytes) throw new ApiError('refused', t('too_large', { n: fixed(size / 1e6, 1), most: most_bytes / 1e6 }), 0);
-  const answer = await made_of_files(`/api/volumetric/identification${query({ decimal: decimal.value })}`, form_of(sent), signal);
+  const answer = await made_of_files(`/api/volumetric/identification${query({ decimal: decimal.value })}`, form_data_of(sent), signal);
   const result = (await answer.json()) as VolumetricResult;
-  const residuals = await (await made_of_files('/api/volumetric/identification/residuals', form_of(sent), signal)).text();
+  const residuals = await (await made_of_files('/api/volumetric/identification/residuals', form_data_of(sent), signal)).text();
   return { sent, kept_as: calibration_of(sent), result, residuals };
 }
 
@@ -56,7 +55,9 @@ export function LengthsPanel({ machine: of_form }: { machine: VolumetricMachine 
   const [dropped, set_dropped] = useState<File | null>(null);
   const captured = use_taken_lengths('volume');
   const panel = useRef<HTMLHeadingElement>(null);
-  const [reversal, set_reversal] = useState<Reversal>('none');
+  const [form, set_form] = useState(() => form_of({}));
+  const options = options_of('volumetric', form);
+  const asked = use_settled(options && JSON.stringify(options));
   const [found, set_found] = useState<Found | null>(null);
   const [opened, set_opened] = useState<{ file: File; result: VolumetricResult } | null>(null);
   const [error, set_error] = useState<ApiError | null>(null);
@@ -71,7 +72,7 @@ export function LengthsPanel({ machine: of_form }: { machine: VolumetricMachine 
     panel.current?.scrollIntoView();
   }, [captured.taken]);
   const set_lengths = (file: File | null) => { set_query({ captures: null }); set_dropped(file); };
-  const sent = useMemo((): Sent | null => (lengths && text ? { lengths, machine: text, reversal } : null), [lengths, text, reversal]);
+  const sent = useMemo((): Sent | null => (lengths && text && asked !== null ? { lengths, machine: text, options: asked } : null), [lengths, text, asked]);
   const spoken = language.value;
   useEffect(() => {
     if (!sent) return;
@@ -101,13 +102,7 @@ export function LengthsPanel({ machine: of_form }: { machine: VolumetricMachine 
           <FileDrop label={t('choose_lengths')} hint={`${t('drop_lengths')}. ${t('with_machine')}`} accept=".csv,.txt,text/csv" take={set_lengths}>
             {lengths && <span class="mono small">{lengths.name}</span>}
           </FileDrop>
-          <Field label={t('reversal')}>
-            {(ids) => (
-              <select {...ids} class="of-words" value={reversal} onChange={(event) => set_reversal(event.currentTarget.value as Reversal)}>
-                {(['none', 'constant', 'curves'] as const).map((one) => <option key={one} value={one}>{t(`reversal_${one}`)}</option>)}
-              </select>
-            )}
-          </Field>
+          <div class="lengths-options"><OptionsFields kind="volumetric" form={form} on_change={set_form} /></div>
           <FileDrop label={t('choose_result')} hint={t('drop_result')} accept=".json,application/json" take={open}>
             {opened && <span class="mono small">{opened.file.name}</span>}
           </FileDrop>
@@ -129,7 +124,7 @@ function Taken({ found }: { found: Found }) {
     set_busy(true);
     set_error(null);
     try {
-      const answer = await made_of_files(`/api/volumetric/identification/${path}${query({ language: language.value, decimal: decimal.value })}`, form_of(found.sent));
+      const answer = await made_of_files(`/api/volumetric/identification/${path}${query({ language: language.value, decimal: decimal.value })}`, form_data_of(found.sent));
       offer(new Blob([await answer.arrayBuffer()]), name);
     } catch (thrown) {
       set_error(failure_of(thrown));

@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { query } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
-import type { PredictedLine, Vocabulary, VolumetricModel, VolumetricPrediction } from '../../api/types';
+import type { PredictedLine, Vocabulary, VolumetricPrediction, VolumetricResult } from '../../api/types';
 import { use_get } from '../../api/use';
 import { Chart, type ChartModel } from '../../components/chart';
 import { FailureNotice } from '../../components/failure';
@@ -17,7 +17,8 @@ import { t } from './result_texts';
 
 const is_axis = (line: string): boolean => (axes as readonly string[]).includes(line);
 
-export function LinePanel({ model }: { model: VolumetricModel }) {
+export function LinePanel({ result }: { result: VolumetricResult }) {
+  const { model, findings } = result;
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
   const machine = useMemo(() => machine_of(model), [model]);
   const [line, set_line] = useState('X');
@@ -28,9 +29,9 @@ export function LinePanel({ model }: { model: VolumetricModel }) {
   const at = faults.every((fault) => fault === null) ? places.map((place) => place ?? 0) : null;
   const chosen_tool = machine.tools.includes(tool) ? tool : (machine.tools[0] ?? '');
   const body = useMemo(() => {
-    if (!is_axis(line)) return { model, diagonal: line, tool: chosen_tool };
-    return at === null ? null : { model, axis: line, at_mm: at, tool: chosen_tool };
-  }, [model, line, chosen_tool, JSON.stringify(at)]);
+    if (!is_axis(line)) return { model, findings, diagonal: line, tool: chosen_tool };
+    return at === null ? null : { model, findings, axis: line, at_mm: at, tool: chosen_tool };
+  }, [result, line, chosen_tool, JSON.stringify(at)]);
   const answer = use_posted<VolumetricPrediction>(`/api/volumetric/prediction${query({ decimal: decimal.value })}`, body, as_json);
   const is_this = answer.is_current;
   const faces = (name: string) => name.includes(' ');

@@ -37,9 +37,9 @@ export function VolumeResult({ result, taken, more }: { result: VolumetricResult
         <ErrorTable result={result} />
       </section>
       <FieldPanel result={result} />
-      <LinePanel model={result.model} />
+      <LinePanel result={result} />
       <TablePanel model={result.model} />
-      <ControlTablePanel model={result.model} />
+      <ControlTablePanel result={result} />
       <section class="panel" aria-labelledby="volume-stations">
         <header><h2 id="volume-stations">{t('stations')}</h2></header>
         <Stations result={result} />
