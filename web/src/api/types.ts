@@ -138,7 +138,7 @@ export interface components {
             kind: "lines" | "volumetric";
             /** @description JSON: title, machine, instrument, measured_on, notes; all may be left out. */
             about?: string;
-            /** @description JSON. Of lines as in EvaluationForm; of the 21 errors curves, spans, reversal, smoothness, drift, find_breaks, find_outliers, parts (of recordings, a list such as 1, 5-8), reversed, recording (as in EvaluationForm). */
+            /** @description JSON: LengthsOptions. */
             options?: string;
             /** Format: binary */
             lengths: string;
@@ -194,8 +194,7 @@ export interface components {
             /** @description The version that was looked at. */
             base_version: number;
             reason?: string;
-            /** @description It is evaluated again. */
-            options?: Record<string, never>;
+            options?: components["schemas"]["LengthsOptions"];
             title?: string;
             machine?: components["schemas"]["Id"] | null;
             instrument?: components["schemas"]["Id"] | null;
@@ -441,6 +440,26 @@ export interface components {
          * @enum {string}
          */
         ErrorKind: "bad_input" | "not_found" | "conflict" | "read_only" | "full" | "unavailable" | "damaged" | "refused";
+        /** @description How the 21 errors are found from lengths, by the names of the flags of `axiometry volumetric identify`; all may be left out. */
+        ErrorsOptions: {
+            /** @enum {unknown} */
+            curves?: "b-spline" | "legendre" | "nodes";
+            /** @description Of all axes, or of X, Y, Z; at most 240 of all together. Left out: as many as the lengths support. */
+            spans?: number | number[];
+            /** @enum {unknown} */
+            reversal?: "none" | "constant" | "curves";
+            /** @description By how much slopes of curves change over an axis, standard deviation of displacements in µm and of rotations in µrad. */
+            smoothness?: ("none" | "auto") | number | number[];
+            /** @enum {unknown} */
+            drift?: "auto" | "none" | "linear";
+            find_breaks?: boolean;
+            find_outliers?: boolean;
+            /** @description Of recordings, in their order: `1`, `5-8`. */
+            parts?: string[];
+            /** @description The lengths shown fall where the reflector recedes. */
+            reversed?: boolean;
+            recording?: components["schemas"]["RecordingOptions"];
+        };
         Evaluated: {
             result: components["schemas"]["Result"];
             readings: components["schemas"]["Readings"];
@@ -498,7 +517,7 @@ export interface components {
              * @description Limits by travel as CSV.
              */
             tolerances?: string;
-            /** @description JSON, without a file name: tolerances (a list such as A=10um, xy:E=20um), tolerance_table (a name in the file of them), rule, set (a list such as machine.name=Mill 5), reversed, find_breaks, break_threshold_mm, methods, trials, seed, coverage, type_a, recording (an object of texts such as rate, of what a continuous recording does not say). */
+            /** @description JSON: LinesOptions. */
             options?: string;
         };
         ExamplesLoaded: {
@@ -1091,6 +1110,34 @@ export interface components {
             /** @description Only where it is kept. */
             notes?: string;
         };
+        /** @description Of lines, or of the 21 errors, as the kind of the calibration says. */
+        LengthsOptions: components["schemas"]["LinesOptions"] | components["schemas"]["ErrorsOptions"];
+        /** @description How lengths along lines are evaluated, by the names of the flags of `axiometry tracking evaluate`; all may be left out. */
+        LinesOptions: {
+            /** @description `A=10um` of all lines, `xy:E=20um` of one. */
+            tolerances?: string[];
+            /** @description A name in the file of tolerances. */
+            tolerance_table?: string;
+            /** @description `simple`, `iso14253-1` or `guard-band=2um`. */
+            rule?: string;
+            /** @description Metadata over what the file says: `machine.name=Mill 5`. */
+            set?: string[];
+            /** @description The lengths shown fall where the reflector recedes. */
+            reversed?: boolean;
+            find_breaks?: boolean;
+            break_threshold_mm?: number;
+            methods?: ("gum" | "monte-carlo")[];
+            trials?: number | null;
+            seed?: number | string | null;
+            coverage?: number | null;
+            /** @enum {unknown} */
+            type_a?: "pooled" | "t-scaled" | "resampled" | null;
+            recording?: components["schemas"]["RecordingOptions"];
+        };
+        /** @description What a continuous recording does not say itself, by the names of the flags of `axiometry capture`. */
+        RecordingOptions: {
+            [key: string]: string;
+        };
         TableForm: {
             /** @description JSON: axis, inch, number, reference, resolution, magnification, largest, step, steps_per_unit of CompensationOptions, and `kind`: linear or rotary. */
             options?: string;
@@ -1328,8 +1375,7 @@ export interface components {
             program: string;
             /** @description Only in the answer that it was kept: the others of exactly these files, withdrawn ones too. */
             same_files?: components["schemas"]["Id"][];
-            /** @description As they were asked. */
-            options: Record<string, never>;
+            options: components["schemas"]["LengthsOptions"];
             versions: {
                 version: number;
                 change: components["schemas"]["Change"];
@@ -2996,7 +3042,7 @@ export interface components {
              * @description The plan that was driven, which recordings need.
              */
             plan?: string;
-            /** @description JSON, as of the 21 errors in CalibrationForm. */
+            /** @description JSON: ErrorsOptions. */
             options?: string;
         };
         VolumetricLineRequest: {
@@ -3367,6 +3413,7 @@ export type Drift = components['schemas']['Drift'];
 export type EditNote = components['schemas']['EditNote'];
 export type Entity = components['schemas']['Entity'];
 export type ErrorKind = components['schemas']['ErrorKind'];
+export type ErrorsOptions = components['schemas']['ErrorsOptions'];
 export type Evaluated = components['schemas']['Evaluated'];
 export type EvaluatedLine = components['schemas']['EvaluatedLine'];
 export type EvaluationForm = components['schemas']['EvaluationForm'];
@@ -3411,6 +3458,9 @@ export type CompensationResult = components['schemas']['CompensationResult'];
 export type CompensationOptions = components['schemas']['CompensationOptions'];
 export type CompensationNode = components['schemas']['CompensationNode'];
 export type CompensationForm = components['schemas']['CompensationForm'];
+export type LengthsOptions = components['schemas']['LengthsOptions'];
+export type LinesOptions = components['schemas']['LinesOptions'];
+export type RecordingOptions = components['schemas']['RecordingOptions'];
 export type TableForm = components['schemas']['TableForm'];
 export type ReadTable = components['schemas']['ReadTable'];
 export type MadeCompensation = components['schemas']['MadeCompensation'];
