@@ -36,9 +36,10 @@ def station_faults():
     validator = jsonschema.Draft202012Validator(schema)
     place, covariance = [650, -30, 260.5], [[4e-6, 0, 0], [0, 4e-6, 0], [0, 0, 9e-6]]
     refined = {"station": place, "L0": 1.5, "covariance": covariance}
-    finding = {"severity": "note", "message": "all is well"}
+    finding = {"id": "station-misclosure", "severity": "note", "message": "all is well"}
+    finding_of_old = {"severity": "note", "message": "written before findings had ids"}
     good = [{"station": place}, {"station": place, "covariance": None}, {"station": place, "covariance": covariance},
-            {"refined": refined, "linear": None, "findings": [finding]},
+            {"refined": refined, "linear": None, "findings": [finding, finding_of_old]},
             {"refined": refined, "linear": {"station": None, "rank": 4, "condition": 1e15}, "misclosure": None}]
     bad = [{}, {"station": place[:2]}, {"station": ["1", 2, 3]}, {"station": place, "covariance": covariance[:2]},
            {"refined": {"covariance": covariance}}, {"refined": refined, "findings": [{"message": "none"}]}]

@@ -47,7 +47,7 @@ TEST(FindingText, EndsAParameterWhereItEndsEverywhere) {
 }
 
 TEST(FindingText, LeavesWhatHoldsNoDeviationAlone) {
-  const iso230_2::Finding finding{"5.2", iso230_2::Severity::note, "a name with 5 µm in it"};
+  const iso230_2::Finding finding{"source-remark", "5.2", iso230_2::Severity::note, "a name with 5 µm in it"};
   const Reported table2 = testing_support::reported_table2();
   EXPECT_EQ(shown_message(finding, table2.assessment, AxisKind::linear, {.unit = DisplayUnit::mm}), finding.message);
 }

@@ -623,6 +623,8 @@ export interface components {
             profile?: string;
         };
         Finding: {
+            /** @description Stable. */
+            id: string;
             clause: string;
             /** @enum {string} */
             severity: "departure" | "missing" | "note";
@@ -1987,6 +1989,8 @@ export interface components {
             further?: components["schemas"]["PlanFile"][] | null;
             /** @description What the program says about the plan; ignored when it is read. */
             findings?: {
+                /** @description Stable. */
+                id?: string;
                 clause: string;
                 /** @enum {unknown} */
                 severity: "departure" | "missing" | "note";
@@ -2535,6 +2539,8 @@ export interface components {
             program: components["schemas"]["Program"];
         };
         TrackingFinding: {
+            /** @description Stable. */
+            id: string;
             /** @enum {string} */
             severity: "serious" | "note";
             message: string;

@@ -16,7 +16,7 @@ export function sentence(message: string): string {
   return /[.?!]$/.test(begun) ? begun : `${begun}.`;
 }
 
-/** What the standard says, the gravest first; its weight is a word beside the colour. */
+/** What the standard says, the gravest first, each with its stable name; its weight is a word beside the colour. */
 export function FindingList({ findings }: { findings: Finding[] }) {
   return (
     <ul class="finding-list">
@@ -26,6 +26,7 @@ export function FindingList({ findings }: { findings: Finding[] }) {
           <span>
             <Formula text={sentence(finding.message)} />
             {finding.clause !== '' && <span class="quiet"> ({t('clause', { clause: finding.clause })})</span>}
+            {' '}<span class="quiet mono small">{finding.id}</span>
           </span>
         </li>
       ))}

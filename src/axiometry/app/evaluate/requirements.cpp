@@ -76,7 +76,7 @@ std::vector<Tolerance> stated_for(const Metadata& metadata, const Metadata& file
     if (kept != now.end() && kept->limit.in_native() != of_file.limit.in_native())
       all.push_back(of_file);
     else if (kept == now.end())
-      findings.push_back({"8.2", Severity::note,
+      findings.push_back({"limit-taken-away", "8.2", Severity::note,
                           fmt::format("the limit of {} of the test's file, {} {}, was taken away for this test",
                                       of_file.parameter->key, format_exact(of_file.limit.in_native()),
                                       deviation_unit(metadata.axis.kind))});
@@ -102,7 +102,7 @@ class RuleOfRecord {
   void take(const uncertainty::DecisionRule& rule, ToleranceSource source) {
     if (source_ && rule_phrase(rule, kind_) != rule_phrase(rule_, kind_))
       findings_.push_back(
-          {"8.2", Severity::note,
+          {"decision-rule-replaced", "8.2", Severity::note,
            fmt::format("found two decision rules: {} ({}) takes the place of {} ({})", rule_phrase(rule, kind_),
                        source_words(source), rule_phrase(rule_, kind_), source_words(*source_))});
     rule_ = rule;
@@ -124,7 +124,7 @@ void tell_replaced(std::vector<Finding>& findings, const Tolerance& tolerance, A
     const auto size = [&](Deviation limit) {
       return fmt::format("{} {}", format_exact(limit.in_native()), deviation_unit(kind));
     };
-    findings.push_back({"8.2", Severity::note,
+    findings.push_back({"limit-replaced", "8.2", Severity::note,
                         fmt::format("found two limits of {}: {} ({}) takes the place of {} ({})",
                                     tolerance.parameter->key, size(tolerance.limit), source_words(tolerance.source),
                                     size(replaced.limit), source_words(replaced.source))});
@@ -135,7 +135,7 @@ void tell_replaced(std::vector<Finding>& findings, const Tolerance& tolerance, A
 void tell_unjudged(std::vector<Finding>& findings, const Tolerance& tolerance, const Series& series) {
   const ParameterInfo& parameter = *tolerance.parameter;
   findings.push_back(
-      {"8.2", Severity::missing,
+      {"limit-not-judged", "8.2", Severity::missing,
        fmt::format("found a tolerance of {} ({}) for a test with {}, where {} does not exist: no verdict "
                    "on it, and none that the test conforms",
                    parameter.key, source_words(tolerance.source), reason_for_absence(series, parameter),

@@ -29,12 +29,13 @@ class PlanFiles : public ::testing::Test {
 
 TEST_F(PlanFiles, ReadBackWithoutWhatWasAddedForPeople) {
   PlannedTest test = planned(plan(500), std::nullopt).value();
-  test.findings = {{"5.2", iso230_2::Severity::note, "found \"this\""}};
+  test.findings = {{"equally-spaced-targets", "5.2", iso230_2::Severity::note, "found \"this\""}};
   OutputNames names;
   names.json = folder_.file("plan.json");
   ASSERT_TRUE(write_plan_outputs(test, names, {}));
   const auto root = json::parse(folder_.content("plan.json"));
   ASSERT_TRUE(root);
+  EXPECT_EQ(root->find("findings")->items()[0].find("id")->text(), "equally-spaced-targets");
   EXPECT_EQ(root->find("findings")->items()[0].find("message")->text(), "found \"this\"");
   EXPECT_NEAR(root->find("duration_s")->number(), test.duration.in_s(), 0.05);
   const auto again = read_plan_file(names.json);

@@ -165,6 +165,7 @@ json::Value findings_to_json(std::span<const iso230_2::Finding> findings) {
   Value list = Value::array();
   for (const auto& finding : findings) {
     Value& row = list.push(Value::object());
+    row.add("id", finding.id);
     row.add("clause", finding.clause);
     row.add("severity", iso230_2::severity_name(finding.severity));
     row.add("message", finding.message);

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/tracking/multilaterate.h"
-#include "axiometry/app/tracking/tracking_json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -102,7 +102,7 @@ Value head_value(const Multilaterated& r) {
   object.add("rank", rank_value(r.fit.rank));
   object.add("stations", stations_value(r));
   object.add("breaks", breaks_value(r));
-  object.add("findings", tracking_findings_to_json(r.fit.findings));
+  object.add("findings", findings_value(r.fit.findings));
   Value& remarks = object.add("remarks", Value::array());
   for (const std::string& remark : r.ranges.remarks) remarks.push(remark);
   Provenance source;

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/tracking/polar.h"
-#include "axiometry/app/tracking/tracking_json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
@@ -273,7 +273,7 @@ Experiment present(const PolarResult& r, const report::Options& options) {
   json.add("stations", polar_stations_value(r));
   json.add("points", polar_points_value(r));
   json.add("residuals", polar_residuals_value(r));
-  json.add("findings", tracking_findings_to_json(r.fit.findings));
+  json.add("findings", findings_value(r.fit.findings));
   Value& remarks = json.add("remarks", Value::array());
   for (const PolarRemark& remark : r.remarks) remarks.push(fmt::format("{}: {}", remark.file, remark.text));
   Value& sources = json.add("sources", Value::array());

@@ -112,7 +112,7 @@ Result<void> read_setup(const TrackingFiles& files, EvaluatedLines& evaluated) {
   evaluated.plan.setup.station = station;
   evaluated.station_file = ReadFile{located.name, sha256(located.bytes)};
   evaluated.evaluation.findings.push_back(
-      {moved > moved_mm,
+      {"lines-located-station", moved > moved_mm,
        fmt::format("the station of {} stands {} mm from that of the plan{}", text::quoted(base_name(located.name)),
                    format_fixed(moved, 3),
                    moved > moved_mm ? ": was the instrument moved, or does it belong to another plan?" : "")});
@@ -136,7 +136,8 @@ Result<Assigned> recorded(Source& source, const TrackingEvaluateOptions& options
   AXIOMETRY_TRY(CapturedLengths lengths, read_length_recording(source, evaluated.plan, recording));
   evaluated.lengths = {source.name(), lengths.sha256};
   evaluated.recording = lengths.layout;
-  for (std::string& note : lengths.notes) evaluated.evaluation.findings.push_back({false, std::move(note)});
+  for (std::string& note : lengths.notes)
+    evaluated.evaluation.findings.push_back({"lines-recording", false, std::move(note)});
   return Assigned{std::move(lengths.readings), std::move(lengths.times_s)};
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/app/tracking/tracking_evaluate.h"
-#include "axiometry/app/tracking/tracking_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/tracking/lengths/face_pairs.h"
@@ -146,7 +146,7 @@ json::Value to_json(const EvaluatedLines& evaluated) {
     lines.push(line_to_json(evaluated.evaluation.lines[k], evaluated.tests[k]));
   object.add("iso230_6", diagonals_to_json(evaluated));
   object.add("squareness", squareness_to_json(evaluated.evaluation.squareness));
-  object.add("findings", tracking_findings_to_json(evaluated.evaluation.findings));
+  object.add("findings", findings_value(evaluated.evaluation.findings));
   Value& source = object.add("source", read_file_to_json(evaluated.lengths));
   source.add("format", !evaluated.recording.empty() ? evaluated.recording
                        : evaluated.in_program_order ? std::string("tracking-lengths-in-order")

@@ -2,6 +2,7 @@
 #include "axiometry/app/tracking/tracking_json.h"
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/formats/text/json_members.h"
 
@@ -95,16 +96,6 @@ Value location_points_to_json(std::span<const LocationPoint> points) {
 
 }  // namespace
 
-Value tracking_findings_to_json(std::span<const tracking::Finding> findings) {
-  Value array = Value::array();
-  for (const tracking::Finding& finding : findings) {
-    Value& row = array.push(Value::object());
-    row.add("severity", finding.serious ? "serious" : "note");
-    row.add("message", finding.message);
-  }
-  return array;
-}
-
 Value to_json(const Located& located) {
   const tracking::StationLocation& location = located.location;
   const RefinedFit& refined = location.refined;
@@ -120,7 +111,7 @@ Value to_json(const Located& located) {
   object.add("critical_surface", tracking::critical_surface_name(location.surface));
   object.add("eccentricity", location.eccentricity ? Value(*location.eccentricity) : Value());
   object.add("mirror", refined.mirror_mm ? vector_value(*refined.mirror_mm) : Value());
-  object.add("findings", tracking_findings_to_json(location.findings));
+  object.add("findings", findings_value(location.findings));
   object.add("points", location_points_to_json(located.points));
   object.add("options", options_to_json(located.request));
   Value& source = object.add("source", Value::object());

@@ -48,7 +48,8 @@ Result<Located> locate(const LocateRequest& request, std::string_view bytes) {
   Located located{request, sha256(bytes), std::move(file.points), {}};
   for (LocationPoint& point : located.points) point.at_mm += request.tool_offset_mm;
   AXIOMETRY_TRY(located.location, in_file(tracking::locate_station(located.points, request.options), request.file));
-  for (std::string& remark : file.remarks) located.location.findings.push_back({false, std::move(remark)});
+  for (std::string& remark : file.remarks)
+    located.location.findings.push_back({"station-source-remark", false, std::move(remark)});
   return located;
 }
 

@@ -45,7 +45,8 @@ Value way(std::string_view description) {
 Value finding() {
   return object(
       {{"type", "object"},
-       {"properties", object({{"clause", object({{"type", "string"}})},
+       {"properties", object({{"id", object({{"type", "string"}, {"description", "Stable."}})},
+                              {"clause", object({{"type", "string"}})},
                               {"severity", object({{"enum", Value::array({"departure", "missing", "note"})}})},
                               {"message", object({{"type", "string"}})}})},
        {"required", Value::array({"clause", "severity", "message"})},

@@ -50,7 +50,8 @@ Value estimator(std::string_view description, Value station, Value required) {
 
 Value finding() {
   return object({{"type", "object"},
-                 {"properties", object({{"severity", object({{"enum", Value::array({"serious", "note"})}})},
+                 {"properties", object({{"id", object({{"type", "string"}, {"description", "Stable."}})},
+                                        {"severity", object({{"enum", Value::array({"serious", "note"})}})},
                                         {"message", object({{"type", "string"}})}})},
                  {"required", Value::array({"severity", "message"})}});
 }

@@ -86,7 +86,7 @@ TEST(Compose, CallsBareNumbersComputedAndNoMore) {
 TEST(Compose, SaysAtTheTopThatADepartingResultIsNone) {
   Reported table2 = reported_table2();
   table2.assessment.findings.insert(table2.assessment.findings.begin(),
-                                    {"5.3.2", iso230_2::Severity::departure, "found 4 runs"});
+                                    {"number-of-approaches", "5.3.2", iso230_2::Severity::departure, "found 4 runs"});
   const Document document = composed(table2);
   EXPECT_EQ(document.status[0].tone, Tone::bad);
   EXPECT_THAT(plain_text(document.status[0].heading), HasSubstr("not a test in accordance with it"));
@@ -149,7 +149,7 @@ TEST(Verdict, NamesTheRuleAndWhatDoesNotConform) {
 TEST(Verdict, StandsBelowTheStatementThatTheResultIsNoneOfTheStandard) {
   Reported table2 = reported_table2();
   table2.assessment.findings.insert(table2.assessment.findings.begin(),
-                                    {"5.3.2", iso230_2::Severity::departure, "found 4 runs"});
+                                    {"number-of-approaches", "5.3.2", iso230_2::Severity::departure, "found 4 runs"});
   table2.judge({tolerance("A", 10)});
   const Document document = composed(table2);
   EXPECT_THAT(plain_text(document.status.at(0).heading), HasSubstr("not a test in accordance with it"));

@@ -154,7 +154,7 @@ TEST(LinesDocument, ClaimsBothStandardsOnlyWhereBothKindsWereMeasured) {
 TEST(LinesDocument, TellsOnTheFirstPageWhatWasLostAndWhatIsInDoubt) {
   Measured m = measured();
   m.plan.lost = {{"xz", "the station is 12 mm outside the travel of Y"}};
-  m.evaluation.findings = {{true, "the beam was broken 3 times"}};
+  m.evaluation.findings = {{"lines-beam-broken", true, "the beam was broken 3 times"}};
   const std::string words = words_of(compose(m.subject(), {}));
   EXPECT_THAT(words, HasSubstr("12 mm outside the travel of Y"));
   EXPECT_THAT(words, HasSubstr("The beam was broken 3 times."));

@@ -51,7 +51,7 @@ TEST(CsvWriter, LeavesTheCellOfAMissingParameterEmpty) {
 TEST(CsvWriter, SaysInEveryLineWhatTheResultIsNot) {
   Reported table2 = reported_table2();
   table2.assessment.label = "step cycle (Annex B), not for acceptance";
-  table2.assessment.findings.push_back({"5.3.2", iso230_2::Severity::departure, "found the step cycle"});
+  table2.assessment.findings.push_back({"step-cycle", "5.3.2", iso230_2::Severity::departure, "found the step cycle"});
   EXPECT_THAT(
       table2.written("csv"),
       HasSubstr(",um,3.27,\"Computed after clause 3 of ISO 230-2:2014; not a test in accordance with it; step cycle "

@@ -73,7 +73,7 @@ TEST(HtmlWriter, EscapesWhateverPeopleWrite) {
   m.machine.name = m.axis.name = m.conditions.report_number = m.conditions.comment = m.equipment[0].manufacturer =
       attack;
   hostile.test.provenance.file = hostile.assessment.label = attack;
-  hostile.assessment.findings.push_back({attack, iso230_2::Severity::departure, attack});
+  hostile.assessment.findings.push_back({attack, attack, iso230_2::Severity::departure, attack});
   const std::string page = hostile.written("html");
   EXPECT_THAT(page, Not(HasSubstr("<script")));
   EXPECT_THAT(page, Not(HasSubstr("<img")));

@@ -73,7 +73,8 @@ TEST(SvgWriter, SaysWhatWasTestedAndAfterWhichStandard) {
 
 TEST(SvgWriter, NeverCallsADepartingTestAnIsoResult) {
   auto example = testing::table_2();
-  example.assessment.findings.push_back({"5.3.2", iso230_2::Severity::departure, "only four runs"});
+  example.assessment.findings.push_back(
+      {"number-of-approaches", "5.3.2", iso230_2::Severity::departure, "only four runs"});
   const std::string svg = written("svg", example);
   EXPECT_THAT(svg, HasSubstr("not a test in accordance with it (departs from 5.3.2)"));
   EXPECT_THAT(svg, ::testing::Not(HasSubstr("Tested in accordance")));

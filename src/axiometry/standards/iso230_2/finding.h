@@ -31,6 +31,7 @@ struct MessageDeviation {
 
 /// One departure, omission or remark, with the clause it rests on.
 struct Finding {
+  std::string id;      ///< stable, what it is about and not its numbers: "number-of-targets"; all in docs/findings.md
   std::string clause;  ///< "5.3.2"; "source"
   Severity severity = Severity::note;
   std::string message;  ///< what was found and what the clause expects; a whole sentence without full stop

@@ -138,27 +138,30 @@ class Rules {
   }
 
  private:
-  static Finding note(std::string message) { return {"Annex D", Severity::note, std::move(message)}; }
+  static Finding note(std::string id, std::string message) {
+    return {std::move(id), "Annex D", Severity::note, std::move(message)};
+  }
 
   std::optional<Finding> temperature() const {
     const Metadata& m = test_.metadata;
     const auto alpha = expansion_of(m);
     if (m.nde.applied == true || sensors_of(m) || (alpha && alpha->in_um_per_m_K() == 0.0)) return std::nullopt;
-    return Finding{"Annex D", Severity::missing,
+    return Finding{"artefact-temperature", "Annex D", Severity::missing,
                    "found no temperature of the artefact, expected a sensor with role equipment and "
                    "nde.equipment_expansion_um_per_m_C; its calibrated positions are used as at 20 °C"};
   }
 
   std::optional<Finding> turned() const {
-    return note(
-        fmt::format("found the readings to be positions that the machine indicated at {} calibrated places of "
-                    "the artefact; the deviations are calibrated less indicated positions",
-                    targets_.size()));
+    return note("artefact-indicated-positions",
+                fmt::format("found the readings to be positions that the machine indicated at {} calibrated places of "
+                            "the artefact; the deviations are calibrated less indicated positions",
+                            targets_.size()));
   }
 
   std::optional<Finding> one_side() const {
     if (test_.series.has(Direction::up) && test_.series.has(Direction::down)) return std::nullopt;
     return note(
+        "artefact-one-side",
         "found places of the artefact probed from one side only, expected both: the reversal error does not show");
   }
 
@@ -169,10 +172,10 @@ class Rules {
     const double spans = targets_.back().in_native() - targets_.front().in_native();
     const double intervals = static_cast<double>(targets_.size() - 1);
     if (spans + 2.0 * spans / intervals >= whole) return std::nullopt;  // less than an interval at each end
-    return note(
-        fmt::format("found an artefact that spans {} of an axis travel of {}, expected it to be set up again "
-                    "with an overlap where the whole travel counts; the results hold for that part only",
-                    mm(spans), mm(whole)));
+    return note("artefact-shorter-than-axis",
+                fmt::format("found an artefact that spans {} of an axis travel of {}, expected it to be set up again "
+                            "with an overlap where the whole travel counts; the results hold for that part only",
+                            mm(spans), mm(whole)));
   }
 
   /// A gauge has the steps it has. When they hold whole periods of the scale each reading has the same periodic error.
@@ -185,16 +188,17 @@ class Rules {
     const auto& period = test_.metadata.axis.expected_period;
     if (!period || period->in_native() <= 0.0)
       return note(
+          "artefact-equal-steps",
           fmt::format("found the equal steps of the artefact (every {}): they do not show an error whose period "
                       "is a part of them; axis.expected_period is not known",
                       mm(step)));
     const double periods = step / period->in_native();
     constexpr double near = 0.02;  // of a period, at every step
     if (std::abs(periods - std::round(periods)) > near || periods < 0.5) return std::nullopt;
-    return note(
-        fmt::format("found steps of the artefact (every {}) that hold {:.0f} whole period{} of {}: a periodic "
-                    "error is the same at all of them and does not show",
-                    mm(step), periods, std::round(periods) == 1.0 ? "" : "s", mm(period->in_native())));
+    return note("artefact-equal-steps",
+                fmt::format("found steps of the artefact (every {}) that hold {:.0f} whole period{} of {}: a periodic "
+                            "error is the same at all of them and does not show",
+                            mm(step), periods, std::round(periods) == 1.0 ? "" : "s", mm(period->in_native())));
   }
 
   const Test& test_;
@@ -247,7 +251,7 @@ Result<Test> apply_artefact(Test test) {
 std::vector<Finding> artefact_findings(const Test& test) {
   if (is_artefact_test(test)) return Rules(test)();
   if (test.metadata.artefact.calibrated_positions.empty()) return {};
-  return {{"Annex D", Severity::note,
+  return {{"artefact-not-used", "Annex D", Severity::note,
            "found calibrated positions of an artefact that were not used: the readings were taken for deviations"}};
 }
 

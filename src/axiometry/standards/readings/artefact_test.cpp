@@ -199,6 +199,8 @@ TEST(ArtefactFindings, NameTemperatureSpanAndSteps) {
   EXPECT_THAT(findings, Contains(Field(&Finding::message, HasSubstr("no temperature of the artefact"))));
   EXPECT_THAT(findings, Contains(Field(&Finding::message, HasSubstr("spans 500 mm of an axis travel of 1000 mm"))));
   EXPECT_THAT(findings, Contains(Field(&Finding::message, HasSubstr("hold 5 whole periods of 10 mm"))));
+  for (const char* id : {"artefact-temperature", "artefact-shorter-than-axis", "artefact-equal-steps"})
+    EXPECT_THAT(findings, Contains(Field(&Finding::id, id)));
   EXPECT_THAT(findings, Not(Contains(Field(&Finding::message, HasSubstr("expected a random shift")))));
   EXPECT_TRUE(std::ranges::is_sorted(findings, {}, &Finding::severity));
   test.metadata.axis.expected_period = Position::native(12.3);

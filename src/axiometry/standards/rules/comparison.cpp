@@ -51,7 +51,7 @@ std::optional<Finding> warning(const AxisRule& rule, const ComparedFigure& compa
                                other_name, shown(own), evidence_words(figure.evidence))
                  : fmt::format("for this axis {} is {}, but {} is {}: they are not the same figure ({})", own_name,
                                shown(own), other_name, shown(other), evidence_words(figure.evidence));
-  return iso230_2::rules::note(std::string(rule.name), message);
+  return iso230_2::rules::note("not-the-same-figure", std::string(rule.name), message);
 }
 
 std::vector<Finding> findings_of_edition(const iso230_2::Assessment& assessment) {

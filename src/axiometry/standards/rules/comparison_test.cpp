@@ -242,6 +242,10 @@ TEST(CompareRules, KeepsTheDeparturesFromTheEditionBesideWhichFiguresStand) {
   const RuleComparison c = compared(test_of(make_series({0, 1}, {{1, 3}}, {{1, 2}})));
   EXPECT_FALSE(c.iso230_2.conforming());
   EXPECT_THAT(c.findings, Contains(::testing::Field(&iso230_2::Finding::clause, HasSubstr("ISO 230-2:2014, 5.3"))));
+  EXPECT_THAT(c.findings, Contains(::testing::Field(&iso230_2::Finding::id, "number-of-approaches")));
+  EXPECT_THAT(c.findings, Contains(::testing::Field(&iso230_2::Finding::id, "vdi-dgq-3441-number-of-approaches")));
+  EXPECT_THAT(compared(testing_support::table2::complete_test()).warnings,
+              Contains(::testing::Field(&iso230_2::Finding::id, "not-the-same-figure")));
 }
 
 TEST(CompareRules, RefusesADiagonal) {

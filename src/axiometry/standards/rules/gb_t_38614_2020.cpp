@@ -125,7 +125,7 @@ bool equally_spaced(const Series& series) {
 void find_ends(const RuleCase& c, std::vector<iso230_2::Finding>& all) {
   const Axis& axis = c.metadata.axis;
   if (!axis.travel_begin || !axis.travel_end) {
-    all.push_back({"", iso230_2::Severity::missing,
+    all.push_back({"gb-t-38614-2020-travel-not-stated", "", iso230_2::Severity::missing,
                    "the travel of the axis is not stated, expected targets at both of its ends: T is the measured "
                    "travel"});
     return;
@@ -135,7 +135,7 @@ void find_ends(const RuleCase& c, std::vector<iso230_2::Finding>& all) {
   const double from = std::min(axis.travel_begin->in_native(), axis.travel_end->in_native());
   const double to = std::max(axis.travel_begin->in_native(), axis.travel_end->in_native());
   if (std::abs(targets.front().in_native() - from) > near || std::abs(targets.back().in_native() - to) > near)
-    all.push_back({"", iso230_2::Severity::departure,
+    all.push_back({"gb-t-38614-2020-ends-of-travel", "", iso230_2::Severity::departure,
                    "found no target at one end of the axis travel or at both, expected one at each: T is the measured "
                    "travel"});
 }
@@ -143,15 +143,18 @@ void find_ends(const RuleCase& c, std::vector<iso230_2::Finding>& all) {
 std::vector<iso230_2::Finding> piezo_findings(const RuleCase& c) {
   std::vector<iso230_2::Finding> all;
   if (c.series.target_count() != positions_asked)
-    all.push_back({"", iso230_2::Severity::departure,
+    all.push_back({"gb-t-38614-2020-number-of-targets", "", iso230_2::Severity::departure,
                    fmt::format("found {} targets, expected {}", c.series.target_count(), positions_asked)});
   if (!equally_spaced(c.series))
-    all.push_back({"", iso230_2::Severity::departure, "found targets at unequal steps, expected equal ones"});
+    all.push_back({"gb-t-38614-2020-equal-steps", "", iso230_2::Severity::departure,
+                   "found targets at unequal steps, expected equal ones"});
   find_ends(c, all);
-  expect_approaches(c, approaches_for_accuracy, "accuracy", all);
-  expect_approaches(c, approaches_for_repeatability, "unidirectional repeatability", all);
+  expect_approaches(c, "gb-t-38614-2020-approaches-for-accuracy", approaches_for_accuracy, "accuracy", all);
+  expect_approaches(c, "gb-t-38614-2020-approaches-for-repeatability", approaches_for_repeatability,
+                    "unidirectional repeatability", all);
   if (c.series.has(Direction::up) && c.series.has(Direction::down))
-    expect_approaches(c, approaches_for_both, "bidirectional repeatability", all);
+    expect_approaches(c, "gb-t-38614-2020-approaches-for-both", approaches_for_both, "bidirectional repeatability",
+                      all);
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace axiometry::standards {
 namespace {
@@ -85,11 +86,11 @@ std::size_t fewest_approaches(const RuleCase& c) {
   return least;
 }
 
-void expect_approaches(const RuleCase& c, std::size_t least, std::string_view what,
+void expect_approaches(const RuleCase& c, std::string id, std::size_t least, std::string_view what,
                        std::vector<iso230_2::Finding>& findings) {
   const std::size_t found = fewest_approaches(c);
   if (found >= least) return;
-  findings.push_back({"", iso230_2::Severity::departure,
+  findings.push_back({std::move(id), "", iso230_2::Severity::departure,
                       fmt::format("found {} approach{} to a target from one direction, expected {} or more for {}",
                                   found, found == 1 ? "" : "es", least, what)});
 }

@@ -59,8 +59,8 @@ RuleValue parameter_or(const RuleCase& c, Lack lack) {
 /// How often the least approached target was approached from a direction that was run at all; 0 without readings.
 std::size_t fewest_approaches(const RuleCase& c);
 
-/// A departure "found 3 approaches to a target, expected 5 or more" where there are fewer, with what for.
-void expect_approaches(const RuleCase& c, std::size_t least, std::string_view what,
+/// The departure `id`, "found 3 approaches to a target, expected 5 or more" where there are fewer, with what for.
+void expect_approaches(const RuleCase& c, std::string id, std::size_t least, std::string_view what,
                        std::vector<iso230_2::Finding>& findings);
 
 /// The twelve figures of the editions with 2 s, whose formulas are those of ISO 230-2:2014. With older names. Of a

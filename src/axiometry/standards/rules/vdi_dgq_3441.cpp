@@ -78,7 +78,7 @@ constexpr auto vdi_figures = std::to_array<RuleFigure>({
 std::vector<iso230_2::Finding> vdi_findings(const RuleCase& c) {
   constexpr std::size_t least_approaches = 5;
   std::vector<iso230_2::Finding> all;
-  expect_approaches(c, least_approaches, "all figures", all);
+  expect_approaches(c, "vdi-dgq-3441-number-of-approaches", least_approaches, "all figures", all);
   return all;
 }
 

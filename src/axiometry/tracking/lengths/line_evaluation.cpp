@@ -133,9 +133,10 @@ std::vector<Finding> findings_on_lines(const TrackingPlan& plan, std::span<const
   std::vector<Finding> findings;
   for (const TrackingLine& line : plan.lines)
     if (!measured.contains(line.id))
-      findings.push_back({false, fmt::format("line {} of the plan has no readings and is left out", line.id)});
+      findings.push_back({"lines-without-readings", false,
+                          fmt::format("line {} of the plan has no readings and is left out", line.id)});
   for (const LostLine& lost : plan.lost)
-    findings.push_back({false, fmt::format("line {} could not be measured: {}", lost.id, lost.reason)});
+    findings.push_back({"lines-lost", false, fmt::format("line {} could not be measured: {}", lost.id, lost.reason)});
   return findings;
 }
 
@@ -155,7 +156,8 @@ Result<LinesEvaluation> evaluate_lines(const TrackingPlan& plan, std::span<const
   evaluation.findings = findings_on_lines(plan, readings);
   if (!is_aligned(setup) && !setup.station.covariance_mm2)
     evaluation.findings.push_back(
-        {false, "the uncertainty of the station is not known: the length difference it causes is not judged"});
+        {"lines-station-uncertainty", false,
+         "the uncertainty of the station is not known: the length difference it causes is not judged"});
   std::vector<LineSlope> slopes;
   for (const auto& [begin, count] : stretches_of_lines(in_order.readings)) {
     const std::string& id = in_order.readings[begin].line;

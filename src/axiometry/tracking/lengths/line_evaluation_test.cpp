@@ -155,6 +155,7 @@ TEST(LineEvaluation, KeepsASingleReadingThatLiesApart) {
   EXPECT_GT(parameters(result.lines[0]).R->in_native(), 1000.0);
   ASSERT_EQ(result.findings.size(), 1u);
   EXPECT_TRUE(result.findings[0].serious);
+  EXPECT_EQ(result.findings[0].id, "lines-outlier");
   EXPECT_THAT(result.findings[0].message, HasSubstr("reading 31"));
 }
 
@@ -170,6 +171,8 @@ TEST(LineEvaluation, TakesAFarReadingAtAnEndForOneBehindABreak) {
     EXPECT_EQ(line.breaks[0].before_reading, before);
     EXPECT_NEAR(line.breaks[0].jump_mm, -260.0, 0.005);
     EXPECT_THAT(broken.findings.back().message, HasSubstr("alone has a dead path of its own"));
+    EXPECT_EQ(broken.findings.back().id, "lines-lone-reading");
+    EXPECT_EQ(broken.findings.front().id, "lines-beam-broken");
     EXPECT_TRUE(broken.findings.back().serious);
     EXPECT_NEAR(parameters(line).E->in_native(), parameters(whole.lines[0]).E->in_native(), 0.5);
     EXPECT_NEAR(parameters(line).R->in_native(), parameters(whole.lines[0]).R->in_native(), 1.0);

@@ -253,7 +253,7 @@ class Course {
   void tell_jumps(LineOutcome& outcome) const {
     for (const Jump& jump : jumps_.breaks)
       outcome.findings.push_back(
-          {false,
+          {"lines-beam-broken", false,
            fmt::format("line {}: the lengths jump by {} mm before reading {} ({}) and stay there, more than {} mm "
                        "that no machine does: the beam was broken; the readings from there on have a dead path of "
                        "their own",
@@ -265,7 +265,7 @@ class Course {
           "is, and in all results",
           jump.before + 1, reading_name(reading(jump.before)), format_fixed(jump.size_mm, 4));
       outcome.line.test.provenance.remarks.push_back({false, message});
-      outcome.findings.push_back({true, fmt::format("line {}: {}", in_.line.id, message)});
+      outcome.findings.push_back({"lines-outlier", true, fmt::format("line {}: {}", in_.line.id, message)});
     }
   }
 
@@ -288,7 +288,8 @@ class Course {
             path.readings, path.first_reading + 1);
       }
       outcome.line.test.provenance.remarks.push_back({!path.tied, message});
-      outcome.findings.push_back({!path.tied, fmt::format("line {}: {}", in_.line.id, message)});
+      outcome.findings.push_back({path.tied ? "lines-dead-path" : "lines-split", !path.tied,
+                                  fmt::format("line {}: {}", in_.line.id, message)});
     }
   }
 
@@ -300,7 +301,7 @@ class Course {
           "reading {} ({}) alone has a dead path of its own, so that it tells nothing of the machine: take it again",
           path.first_reading + 1, reading_name(reading(path.first_reading)));
       outcome.line.test.provenance.remarks.push_back({false, message});
-      outcome.findings.push_back({true, fmt::format("line {}: {}", in_.line.id, message)});
+      outcome.findings.push_back({"lines-lone-reading", true, fmt::format("line {}: {}", in_.line.id, message)});
     }
   }
 
@@ -311,7 +312,7 @@ class Course {
         "enter the deviations",
         format_fixed(geometry_.angle_most_deg, 1), format_fixed(geometry_.miss_mm, 1));
     outcome.line.test.provenance.remarks.push_back({false, message});
-    outcome.findings.push_back({true, fmt::format("line {}: {}", in_.line.id, message)});
+    outcome.findings.push_back({"lines-oblique-beam", true, fmt::format("line {}: {}", in_.line.id, message)});
   }
 
   const LineInput& in_;

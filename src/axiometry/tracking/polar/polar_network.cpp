@@ -266,7 +266,8 @@ class PolarAdjustment {
     if (auto finding = chi_squared_finding(fit_.chi_squared, fit_.degrees_of_freedom()))
       fit_.findings.push_back(*std::move(finding));
     if (fit_.degrees_of_freedom() == 0)
-      fit_.findings.push_back({false, "there are no more readings than unknowns: nothing checks the result"});
+      fit_.findings.push_back(
+          {"polar-nothing-checks", false, "there are no more readings than unknowns: nothing checks the result"});
     std::ranges::stable_partition(fit_.findings, &Finding::serious);
   }
 
@@ -280,14 +281,16 @@ class PolarAdjustment {
       for (const auto& [name, size] : parts) {
         if (!(std::abs(size) > limit) || ++count > most_listed) continue;
         fit_.findings.push_back(
-            {true, fmt::format("the {} of reading {} (station {}, point {}) does not fit the others: {:.1f} times its "
-                               "standard uncertainty",
-                               name, k + 1, polar_station_name(options_, readings_[k].station),
-                               polar_point_name(options_, readings_[k].point), std::abs(size))});
+            {"polar-outliers", true,
+             fmt::format("the {} of reading {} (station {}, point {}) does not fit the others: {:.1f} times its "
+                         "standard uncertainty",
+                         name, k + 1, polar_station_name(options_, readings_[k].station),
+                         polar_point_name(options_, readings_[k].point), std::abs(size))});
       }
     }
     if (count > most_listed)
-      fit_.findings.push_back({true, fmt::format("{} further do not fit the others either", count - most_listed)});
+      fit_.findings.push_back(
+          {"polar-outliers", true, fmt::format("{} further do not fit the others either", count - most_listed)});
   }
 
   std::span<const PolarReading> readings_;

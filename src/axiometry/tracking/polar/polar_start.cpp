@@ -152,10 +152,10 @@ class PolarStart {
     state_.poses[j].at = eigen(start.station_mm);
     state_.poses[j].dead = start.dead_mm;
     if (start.mirror_mm)
-      findings.push_back(
-          {true, fmt::format("the points of station {} lie on a plane, and no length tells on which side "
-                             "of it the station stands: it was taken on the upper side",
-                             polar_station_name(options_, j))});
+      findings.push_back({"polar-station-side", true,
+                          fmt::format("the points of station {} lie on a plane, and no length tells on which side "
+                                      "of it the station stands: it was taken on the upper side",
+                                      polar_station_name(options_, j))});
     return {};
   }
 

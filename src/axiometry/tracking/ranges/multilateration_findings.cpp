@@ -17,10 +17,11 @@ constexpr std::size_t most_listed = 5;
 void tell_breaks(const FindingInput& in, std::vector<Finding>& findings) {
   for (const RangeBreak& b : in.fit.breaks)
     findings.push_back(
-        {false, fmt::format("the lengths of station {} jump by {:.4f} mm before reading {} (point {}): taken as a beam "
-                            "that was broken, with a dead path of its own from there on",
-                            station_name(in.options, b.station), b.jump_mm, b.reading + 1,
-                            point_name(in.options, in.readings[b.reading].point))});
+        {"multilateration-beam-broken", false,
+         fmt::format("the lengths of station {} jump by {:.4f} mm before reading {} (point {}): taken as a beam "
+                     "that was broken, with a dead path of its own from there on",
+                     station_name(in.options, b.station), b.jump_mm, b.reading + 1,
+                     point_name(in.options, in.readings[b.reading].point))});
 }
 
 void tell_outliers(const FindingInput& in, std::vector<Finding>& findings) {
@@ -38,14 +39,15 @@ void tell_outliers(const FindingInput& in, std::vector<Finding>& findings) {
                          k == 0 ? "" : "; ", far[k] + 1, station_name(in.options, r.station),
                          point_name(in.options, r.point), in.fit.residuals_mm[far[k]], std::abs(values[far[k]]));
   }
-  findings.push_back(
-      {true, fmt::format("{} reading{} not fit the others: {}{}", far.size(), far.size() == 1 ? " does" : "s do", which,
-                         far.size() > most_listed ? "; …" : "")});
+  findings.push_back({"multilateration-outliers", true,
+                      fmt::format("{} reading{} not fit the others: {}{}", far.size(),
+                                  far.size() == 1 ? " does" : "s do", which, far.size() > most_listed ? "; …" : "")});
 }
 
 void tell_chi_squared(const FindingInput& in, std::vector<Finding>& findings) {
   if (in.fit.degrees_of_freedom == 0) {
-    findings.push_back({true, "there are no more readings than unknowns: nothing checks the result"});
+    findings.push_back({"multilateration-nothing-checks", true,
+                        "there are no more readings than unknowns: nothing checks the result"});
     return;
   }
   if (auto finding = chi_squared_finding(in.fit.chi_squared, in.fit.degrees_of_freedom))
@@ -57,24 +59,26 @@ void tell_geometry(const FindingInput& in, std::vector<Finding>& findings) {
     std::vector<std::string> names;
     for (std::size_t j : in.mirrored_stations) names.push_back(station_name(in.options, j));
     findings.push_back(
-        {true,
+        {"multilateration-station-side", true,
          fmt::format("the nominal points lie on a plane, and no length tells on which side of it the station{} {} "
                      "stand{}: all were taken on its upper side",
                      names.size() == 1 ? "" : "s", listed(names), names.size() == 1 ? "s" : "")});
   }
   if (in.mirrored)
-    findings.push_back({true,
+    findings.push_back({"multilateration-mirror-image", true,
                         "the lengths fit the mirror image of the nominal points: one of their axes points the "
                         "wrong way, or two are exchanged"});
   if (in.points_seen_by_three > 0)
-    findings.push_back({false, fmt::format("{} point{} seen by three stations only: nothing checks the readings there",
-                                           in.points_seen_by_three, in.points_seen_by_three == 1 ? " is" : "s are")});
+    findings.push_back({"multilateration-points-seen-by-three", false,
+                        fmt::format("{} point{} seen by three stations only: nothing checks the readings there",
+                                    in.points_seen_by_three, in.points_seen_by_three == 1 ? " is" : "s are")});
   const double bend = std::sqrt(in.sigma_mm * in.distance_mm);
   if (in.fit.rank.weakest_mm > bend)
     findings.push_back(
-        {true, fmt::format("station {} has a standard uncertainty of {:.2g} mm along the direction known worst; beyond "
-                           "{:.2g} mm distances bend by more than lengths are known, and no covariance can be trusted",
-                           station_name(in.options, in.weakest_station), in.fit.rank.weakest_mm, bend)});
+        {"multilateration-station-badly-known", true,
+         fmt::format("station {} has a standard uncertainty of {:.2g} mm along the direction known worst; beyond "
+                     "{:.2g} mm distances bend by more than lengths are known, and no covariance can be trusted",
+                     station_name(in.options, in.weakest_station), in.fit.rank.weakest_mm, bend)});
 }
 
 }  // namespace

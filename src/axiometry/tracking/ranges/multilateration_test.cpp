@@ -272,6 +272,7 @@ TEST(Multilateration, finds_a_beam_break_that_nobody_stated) {
     EXPECT_LT(shape_difference(fit->points_mm, truth.points), 0.003);
     EXPECT_NEAR(fit->chi_squared / static_cast<double>(fit->degrees_of_freedom), 1.0, 0.4);
     EXPECT_THAT(fit->findings.front().message, HasSubstr("station 4 jump"));
+    EXPECT_EQ(fit->findings.front().id, "multilateration-beam-broken");
   }
 }
 
@@ -296,6 +297,7 @@ TEST(Multilateration, names_a_reading_that_does_not_fit) {
   ASSERT_TRUE(fit) << error_of(fit);
   ASSERT_FALSE(fit->findings.empty());
   EXPECT_THAT(fit->findings.front().message, HasSubstr("reading 78 (station 2, point 18)"));
+  EXPECT_EQ(fit->findings.front().id, "multilateration-outliers");
   EXPECT_TRUE(fit->breaks.empty());
 }
 
@@ -390,7 +392,9 @@ TEST(Multilateration, tells_that_points_of_a_plane_leave_mirror_images) {
     r.length_mm = distance(truth.points[r.point], truth.stations[r.station]) - truth.dead[r.station];
   const auto fit = solve(truth);
   ASSERT_TRUE(fit) << error_of(fit);
-  EXPECT_TRUE(std::ranges::any_of(fit->findings, [](const Finding& f) { return f.message.contains("on which side"); }));
+  EXPECT_TRUE(std::ranges::any_of(fit->findings, [](const Finding& f) {
+    return f.id == "multilateration-station-side" && f.message.contains("on which side");
+  }));
   EXPECT_LT(shape_difference(fit->points_mm, truth.points), 1e-7);
 }
 

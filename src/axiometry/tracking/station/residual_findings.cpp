@@ -19,13 +19,15 @@ std::optional<Finding> chi_squared_finding(double chi_squared, std::size_t degre
   const double part = 2.0 / (9.0 * nu);
   const auto bound = [&](double z) { return std::pow(std::max(1.0 - part + z * std::sqrt(part), 0.0), 3.0); };
   if (ratio > bound(3.09))
-    return Finding{ratio > 25.0, fmt::format("the residuals are {:.2f} times as large as stated (χ²/ν = {:.2f}, "
-                                             "ν = {}); all covariances were multiplied by {:.2f}",
-                                             std::sqrt(ratio), ratio, degrees_of_freedom, ratio)};
+    return Finding{"tracking-residuals-large", ratio > 25.0,
+                   fmt::format("the residuals are {:.2f} times as large as stated (χ²/ν = {:.2f}, "
+                               "ν = {}); all covariances were multiplied by {:.2f}",
+                               std::sqrt(ratio), ratio, degrees_of_freedom, ratio)};
   if (ratio < bound(-3.09) && nu >= 3.0)
-    return Finding{false, fmt::format("the residuals are {:.2g} times as large as stated (χ²/ν = {:.2g}, ν = {}): "
-                                      "the uncertainty of the readings is stated too large",
-                                      std::sqrt(ratio), ratio, degrees_of_freedom)};
+    return Finding{"tracking-residuals-small", false,
+                   fmt::format("the residuals are {:.2g} times as large as stated (χ²/ν = {:.2g}, ν = {}): "
+                               "the uncertainty of the readings is stated too large",
+                               std::sqrt(ratio), ratio, degrees_of_freedom)};
   return std::nullopt;
 }
 

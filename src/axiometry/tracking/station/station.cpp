@@ -100,7 +100,7 @@ void add_difference_findings(StationLocation& location) {
       worst = std::max(worst, std::abs(location.difference_mm[k]) / location.difference_u_mm[k]);
   if (worst > 4.0 && apart > 1e-6)
     location.findings.push_back(
-        {apart > harmful_offset_mm,
+        {"station-estimators-apart", apart > harmful_offset_mm,
          fmt::format("the linear and the refined station are {} apart, {} times what the stated uncertainties explain: "
                      "the machine's points or a length are wrong (an error of scale does this); neither is better "
                      "known than this",
@@ -108,24 +108,28 @@ void add_difference_findings(StationLocation& location) {
   const double misclosure = std::abs(fit.misclosure_mm2);
   if (fit.misclosure_u_mm2 > 0.0 && misclosure > 4.0 * fit.misclosure_u_mm2 && misclosure > 1e-6)
     location.findings.push_back(
-        {false, fmt::format("ψ of eq. 13 misses |s|² − L0² by {} mm², {} times what the stated uncertainties explain",
-                            format_fixed(fit.misclosure_mm2, 4), format_fixed(misclosure / fit.misclosure_u_mm2, 1))});
+        {"station-misclosure", false,
+         fmt::format("ψ of eq. 13 misses |s|² − L0² by {} mm², {} times what the stated uncertainties explain",
+                     format_fixed(fit.misclosure_mm2, 4), format_fixed(misclosure / fit.misclosure_u_mm2, 1))});
 }
 
 void add_distance_findings(std::span<const double> distances_mm, std::vector<Finding>& findings) {
   const auto [least, most] = std::ranges::minmax(distances_mm);
   if (most > catalogue_range_mm)
-    findings.push_back({true, fmt::format("found points up to {} from the station, expected the range of an instrument "
-                                          "(about 20 m): are units mixed up?",
-                                          shown_mm(most))});
+    findings.push_back({"station-points-far", true,
+                        fmt::format("found points up to {} from the station, expected the range of an instrument "
+                                    "(about 20 m): are units mixed up?",
+                                    shown_mm(most))});
   if (most < 10.0)
-    findings.push_back({true, fmt::format("found all points within {} of the station, expected the range of an "
-                                          "instrument: are units mixed up?",
-                                          shown_mm(most))});
+    findings.push_back({"station-points-near", true,
+                        fmt::format("found all points within {} of the station, expected the range of an "
+                                    "instrument: are units mixed up?",
+                                    shown_mm(most))});
   else if (least < 10.0)
-    findings.push_back({true, fmt::format("found a point only {} from the station, expected at least the radius of "
-                                          "the instrument",
-                                          shown_mm(least))});
+    findings.push_back({"station-point-near", true,
+                        fmt::format("found a point only {} from the station, expected at least the radius of "
+                                    "the instrument",
+                                    shown_mm(least))});
 }
 
 Result<void> check_reading(std::span<const LocationPoint> points, const StationOptions& options,
@@ -151,9 +155,10 @@ void add_place_finding(const StationOptions& options, const RefinedSolution& ref
   if (!options.near_mm) return;
   const double off = distance(refined.fit.station_mm, *options.near_mm);
   if (off > 0.5 * mean(refined.distances_mm))
-    findings.push_back({false, fmt::format("the station is {} mm from where it was said to stand about, {}: are "
-                                           "axes, signs or tools of the two those of the points?",
-                                           format_fixed(off, 0), shown_point(*options.near_mm))});
+    findings.push_back({"station-not-where-said", false,
+                        fmt::format("the station is {} mm from where it was said to stand about, {}: are "
+                                    "axes, signs or tools of the two those of the points?",
+                                    format_fixed(off, 0), shown_point(*options.near_mm))});
 }
 
 }  // namespace
@@ -191,7 +196,7 @@ Result<StationLocation> locate_station(std::span<const LocationPoint> points, co
   add_scatter_findings(refined, location.findings);
   if (location.has_linear()) add_difference_findings(location);
   if (!location.refined.converged && can_be_told(location.surface))
-    location.findings.push_back({true, "the refinement did not converge"});
+    location.findings.push_back({"station-not-converged", true, "the refinement did not converge"});
   std::ranges::stable_partition(location.findings, [](const Finding& f) { return f.serious; });
   return location;
 }

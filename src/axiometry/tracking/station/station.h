@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/named_finding.h"
 #include "axiometry/model/tracking.h"
 
 /// Station location: where the tracking interferometer stands, from six or more points and the changes of length on the
@@ -75,11 +76,9 @@ struct RefinedFit {
   std::optional<Vector3> mirror_mm{};  ///< another station that the lengths do not rule out
 };
 
-/// What the user should know, with the numbers.
-struct Finding {
-  bool serious = false;  ///< the station should not be used as it is
-  std::string message;   ///< a sentence without full stop
-};
+/// Serious: the station should not be used as it is. Ids begin with what was found out: "station-", "lines-", "polar-",
+/// "multilateration-"; "tracking-" where several share it. All stand in docs/findings.md.
+using Finding = NamedFinding;
 
 struct StationOptions {
   RangingUncertainty ranging = {};

@@ -101,8 +101,8 @@ void add_count_findings(std::span<const LocationPoint> points, const StationOpti
                         std::vector<Finding>& findings) {
   const std::size_t different = different_points(points);
   if (different < 6)
-    findings.push_back(
-        {different < 5, fmt::format("found {} different points, expected 6 or more: {}", different,
+    findings.push_back({"station-few-points", different < 5,
+                        fmt::format("found {} different points, expected 6 or more: {}", different,
                                     different == 4 ? "nothing checks the station, and eq. 14 cannot be solved"
                                                    : "nothing checks eq. 14, one equation the refined station")});
   std::map<PlaceUm, std::size_t> first;
@@ -114,7 +114,7 @@ void add_count_findings(std::span<const LocationPoint> points, const StationOpti
     const double sigma = std::sqrt(2.0) * length_sigma_mm(options, 1000.0);
     const bool serious = std::abs(gap) > absurd_error_mm;
     findings.push_back(
-        {serious,
+        {"station-repeated-point", serious,
          fmt::format("point {} stands where point {} stood; it is a check of the lengths, not of the station: they "
                      "differ by {}{}",
                      i + 1, k + 1, shown_um(gap),
@@ -160,7 +160,8 @@ Result<void> check_triangles(std::span<const LocationPoint> points, const Statio
     return fail(sentence(worst_relative) + hint);
   }
   if (worst.apart > 0.001 && worst.excess > slack)
-    findings.push_back({true, sentence(worst) + ", and what instrument and machine may err"});
+    findings.push_back(
+        {"station-impossible-length", true, sentence(worst) + ", and what instrument and machine may err"});
   return {};
 }
 
@@ -203,18 +204,18 @@ void add_scatter_findings(const RefinedSolution& solution, std::vector<Finding>&
     const double ratio = fit.chi_squared / static_cast<double>(nu);
     const double machine = machine_error_mm(fit);
     findings.push_back(
-        {misfit > absurd_error_mm,
+        {"station-residuals-large", misfit > absurd_error_mm,
          fmt::format("the residuals ({} root mean square) are {} times what the stated uncertainties explain "
                      "(chi-squared {} with {} degree{} of freedom): errors of the machine's points of {} each would "
                      "explain them; the covariance is that much larger",
                      shown_um(misfit), format_fixed(std::sqrt(ratio), 1), shown_chi_squared(fit.chi_squared), nu,
                      nu == 1 ? "" : "s", shown_um(machine))});
   } else if (1.0 - fit.chance < 0.001) {
-    findings.push_back(
-        {false, fmt::format("the residuals ({} root mean square) are far smaller than the stated uncertainties "
-                            "(chi-squared {} with {} degree{} of freedom): these are computed data, or the "
-                            "uncertainties are stated too large",
-                            shown_um(misfit), fmt::format("{:.3g}", fit.chi_squared), nu, nu == 1 ? "" : "s")});
+    findings.push_back({"station-residuals-small", false,
+                        fmt::format("the residuals ({} root mean square) are far smaller than the stated uncertainties "
+                                    "(chi-squared {} with {} degree{} of freedom): these are computed data, or the "
+                                    "uncertainties are stated too large",
+                                    shown_um(misfit), fmt::format("{:.3g}", fit.chi_squared), nu, nu == 1 ? "" : "s")});
   }
 }
 

@@ -116,7 +116,7 @@ void add_misreading_findings(std::span<const LocationPoint> points, const Statio
   const bool one_check = fit.degrees_of_freedom == 2;
   if (one_check) message += "; this rests on one redundant length, measure more points";
   const bool by_machine = one_check && machine_error_mm(fit) < usual_machine_error_mm;
-  findings.push_back({std::abs(best.minimum.step_mm) > 0.02 && !by_machine, std::move(message)});
+  findings.push_back({"station-misreading", std::abs(best.minimum.step_mm) > 0.02 && !by_machine, std::move(message)});
 }
 
 }  // namespace axiometry::tracking

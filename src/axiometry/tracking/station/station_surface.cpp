@@ -92,16 +92,18 @@ void add_mirror_finding(const StationOptions& options, StationLocation& location
   const std::string both =
       fmt::format("the lengths fit {} and {} alike", shown_point(fit.station_mm), shown_point(*fit.mirror_mm));
   if (!options.near_mm) {
-    location.findings.push_back({true, fmt::format("{}; the {} was taken: say about where the station stands", both,
-                                                   fit.station_mm.z < fit.mirror_mm->z ? "lower" : "first")});
+    location.findings.push_back({"station-mirror-image", true,
+                                 fmt::format("{}; the {} was taken: say about where the station stands", both,
+                                             fit.station_mm.z < fit.mirror_mm->z ? "lower" : "first")});
     return;
   }
   const double chosen = distance(fit.station_mm, *options.near_mm);
   const double other = distance(*fit.mirror_mm, *options.near_mm);
   const bool unclear = chosen > 0.5 * other;
   location.findings.push_back(
-      {unclear, fmt::format("{}; the first is {} from the place that was said, the other {}{}", both, shown_mm(chosen),
-                            shown_mm(other), unclear ? ", which does not decide" : "")});
+      {"station-mirror-image", unclear,
+       fmt::format("{}; the first is {} from the place that was said, the other {}{}", both, shown_mm(chosen),
+                   shown_mm(other), unclear ? ", which does not decide" : "")});
 }
 
 double largest_amplification(const std::vector<Vector3>& gain) {
@@ -167,36 +169,37 @@ void add_surface_findings(const LinearSolution& linear, const RefinedSolution& r
     const Cone cone = cone_of(refined, points);
     const bool flat = cone.half_angle_deg > 89.9;
     findings.push_back(
-        {true, fmt::format("{}: eq. 14 has rank {} of 5, the refined rows have the condition {:.1e}, and no estimator "
-                           "can tell the station along {}; choose points at different {}",
-                           flat ? std::string("the station lies in the plane of all points")
-                                : fmt::format("all beams lie on a cone about the station with a half angle of {} deg",
-                                              format_fixed(cone.half_angle_deg, 2)),
-                           fit.rank, refined.fit.condition, direction_text(cone.axis),
-                           flat ? "heights above the station" : "elevations")});
+        {"station-points-on-cone", true,
+         fmt::format("{}: eq. 14 has rank {} of 5, the refined rows have the condition {:.1e}, and no estimator "
+                     "can tell the station along {}; choose points at different {}",
+                     flat ? std::string("the station lies in the plane of all points")
+                          : fmt::format("all beams lie on a cone about the station with a half angle of {} deg",
+                                        format_fixed(cone.half_angle_deg, 2)),
+                     fit.rank, refined.fit.condition, direction_text(cone.axis),
+                     flat ? "heights above the station" : "elevations")});
   }
   if (location.surface == CriticalSurface::line)
     findings.push_back(
-        {true,
+        {"station-points-on-line", true,
          fmt::format("all points lie on one line along {}: eq. 14 has rank {} of 5, the station may stand anywhere "
                      "on a circle about that line, and no estimator can tell where; choose points off the line",
                      direction_text(extents_of(points).along), fit.rank)});
   if (can_be_told(location.surface) && location.surface != CriticalSurface::none)
-    findings.push_back(
-        {false, fmt::format("{}: eq. 14 has rank {} of 5 (smallest singular value {:.1e}, below the "
-                            "{:.1e} that noise may produce) and gives no station; the refined one holds",
-                            surface_text(location), fit.rank, fit.singular_values[4], fit.rank_tolerance)});
+    findings.push_back({"station-critical-surface", false,
+                        fmt::format("{}: eq. 14 has rank {} of 5 (smallest singular value {:.1e}, below the "
+                                    "{:.1e} that noise may produce) and gives no station; the refined one holds",
+                                    surface_text(location), fit.rank, fit.singular_values[4], fit.rank_tolerance)});
   if (location.refined.mirror_mm) add_mirror_finding(options, location);
   constexpr double poor = 25.0;  // µm per µm; good layouts have 1 to 4
   if (location.surface == CriticalSurface::none && location.has_linear())
     if (const double worst = largest_amplification(linear.gain); worst > poor)
-      findings.push_back(
-          {false, fmt::format("eq. 14 is nearly critical (condition {}): an error of 1 µm in each length "
-                              "moves its station by {} µm; rely on the refined one",
-                              format_fixed(fit.condition, 0), format_fixed(worst, 0))});
+      findings.push_back({"station-nearly-critical", false,
+                          fmt::format("eq. 14 is nearly critical (condition {}): an error of 1 µm in each length "
+                                      "moves its station by {} µm; rely on the refined one",
+                                      format_fixed(fit.condition, 0), format_fixed(worst, 0))});
   if (can_be_told(location.surface))
     if (const double worst = largest_amplification(refined.gain); worst > poor)
-      findings.push_back({refined.weakest_u_mm > 1.0,
+      findings.push_back({"station-badly-known", refined.weakest_u_mm > 1.0,
                           fmt::format("the points tell the station badly along {} (condition {}): an error of 1 µm in "
                                       "each length moves it by {} µm",
                                       direction_text(refined.weakest), format_fixed(refined.fit.condition, 0),

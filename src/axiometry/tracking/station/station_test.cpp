@@ -39,7 +39,7 @@ std::string error_of(std::span<const LocationPoint> points, const StationOptions
 
 std::string messages(const StationLocation& location) {
   std::string all;
-  for (const Finding& f : location.findings) all += (f.serious ? "! " : "- ") + f.message + "\n";
+  for (const Finding& f : location.findings) all += (f.serious ? "! " : "- ") + f.id + ": " + f.message + "\n";
   return all;
 }
 
@@ -63,6 +63,7 @@ TEST(Station, ExactLengthsGiveTheTruthByBothEstimators) {
   EXPECT_NEAR(location.linear->redundant_residual_mm2, 0.0, 1e-7);
   EXPECT_EQ(location.surface, CriticalSurface::none);
   EXPECT_FALSE(location.is_serious()) << messages(location);
+  EXPECT_TRUE(says(location, "- station-residuals-small: the residuals"));
   EXPECT_TRUE(says(location, "far smaller than the stated uncertainties"));
 }
 
@@ -257,6 +258,7 @@ TEST(Station, PointsOnAPlaneLeaveTwoStations) {
   ASSERT_TRUE(location.refined.mirror_mm);
   expect_near(*location.refined.mirror_mm, mirror, 1e-6);
   EXPECT_TRUE(location.is_serious());
+  EXPECT_TRUE(says(location, "! station-mirror-image: the lengths fit"));
   EXPECT_TRUE(says(location, "the lower was taken"));
 
   const auto near = located(measured(flat), {.near_mm = Vector3{600, 0, 1000}});
@@ -350,6 +352,7 @@ TEST(Station, NoEstimatorKnowsTheStationBelowACone) {
     EXPECT_EQ(location.surface, CriticalSurface::cone);
     EXPECT_TRUE(location.is_serious());
     EXPECT_GT(location.refined.condition, 500.0);
+    EXPECT_TRUE(says(location, "! station-points-on-cone: all beams lie on a cone")) << messages(location);
     EXPECT_TRUE(says(location, "half angle of 36.8")) << messages(location);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(location.refined.covariance_mm2[i][i]));
   }
@@ -363,7 +366,7 @@ TEST(Station, PointsOnOneLineAreNotCalledAPlane) {
     const auto location = located(measured(points));
     EXPECT_EQ(location.surface, CriticalSurface::line);
     EXPECT_TRUE(location.is_serious());
-    EXPECT_TRUE(says(location, "all points lie on one line along")) << messages(location);
+    EXPECT_TRUE(says(location, "station-points-on-line: all points lie on one line along")) << messages(location);
     EXPECT_FALSE(says(location, "plane")) << messages(location);
     EXPECT_FALSE(location.refined.mirror_mm);
   }
@@ -403,7 +406,7 @@ TEST(Station, RepeatedPointsAreChecksOfTheLengths) {
   auto points = measured(six);
   points.push_back(points[1]);
   points.back().length_difference_mm += 0.0001;
-  EXPECT_TRUE(says(located(points), "point 7 stands where point 2 stood"));
+  EXPECT_TRUE(says(located(points), "station-repeated-point: point 7 stands where point 2 stood"));
   points.back().length_difference_mm += 0.3;
   const auto broken = located(points);
   EXPECT_TRUE(says(broken, "the beam was broken or the reflector moved"));
@@ -476,6 +479,7 @@ TEST(Station, ABreakAmongThousandsOfPointsIsFound) {
   auto points = measured(many);
   for (std::size_t k = 3'000; k < points.size(); ++k) points[k].length_difference_mm += 0.5;
   const auto location = located(points);
+  EXPECT_TRUE(says(location, "station-misreading: ")) << messages(location);
   EXPECT_TRUE(says(location, "all lengths from point 3001 on being 0.5000 mm too long")) << messages(location);
 }
 
@@ -513,7 +517,7 @@ TEST(Station, ErrorsOfTheMachineInflateTheCovarianceAndSeparateTheEstimators) {
   const auto location = located(scaled_machine(f, {1, 0.3, 0}));
   EXPECT_GT(location.refined.inflation, 100.0);
   EXPECT_TRUE(says(location, "what the stated uncertainties explain"));
-  EXPECT_TRUE(says(location, "the linear and the refined station are")) << messages(location);
+  EXPECT_TRUE(says(location, "station-estimators-apart: the linear and the refined station are")) << messages(location);
 }
 
 TEST(Station, NumbersThatAreNoneAreRefused) {

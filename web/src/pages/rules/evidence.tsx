@@ -40,7 +40,9 @@ export function Evidence({ rules }: { rules: readonly ComparedRule[] }) {
 export function PlacedFindings({ findings }: { findings: readonly Finding[] }) {
   return (
     <ul class="findings">
-      {findings.map((finding, i) => <li key={i}><p><Formula text={sentence(finding.message)} /> <span class="quiet small">{finding.clause}</span></p></li>)}
+      {findings.map(({ id, message, clause }, i) => (
+        <li key={i}><p><Formula text={sentence(message)} /> <span class="quiet small">{clause}</span> <span class="quiet mono small">{id}</span></p></li>
+      ))}
     </ul>
   );
 }

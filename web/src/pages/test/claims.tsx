@@ -22,7 +22,7 @@ export function Claims({ claims }: { claims: readonly Claim[] }) {
           {claim.missing.length > 0 && (
             <details class="small">
               <summary>{t('missing', { n: claim.missing.length })}</summary>
-              <ul>{claim.missing.map(({ message }, i) => <li key={i}><Formula text={sentence(message)} /></li>)}</ul>
+              <ul>{claim.missing.map(({ id, message }, i) => <li key={i}><Formula text={sentence(message)} /> <span class="quiet mono">{id}</span></li>)}</ul>
             </details>
           )}
         </li>

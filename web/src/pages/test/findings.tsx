@@ -112,7 +112,7 @@ function Missing({ findings, state, vocabulary }: { findings: readonly Finding[]
 
 function Message({ finding, text = sentence(finding.message) }: { finding: Finding; text?: string }) {
   const clause = finding.clause === 'source' ? t('source') : /^\d|^A\.\d/.test(finding.clause) ? t('clause', { clause: finding.clause }) : finding.clause;
-  return <p><Formula text={text} /> <span class="quiet small">{clause}</span></p>;
+  return <p><Formula text={text} /> <span class="quiet small">{clause}</span> <span class="quiet mono small">{finding.id}</span></p>;
 }
 
 const to_fill_in = (state: TestState): boolean => state.test.value.version === state.test.value.latest;

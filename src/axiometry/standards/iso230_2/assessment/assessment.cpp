@@ -23,7 +23,8 @@ std::string_view label_of(const Metadata& metadata, const Series& series) {
 /// How the inputs of the uncertainty were resolved, where that is not plain.
 void add_input_remarks(std::vector<Finding>& findings, const ResolvedInputs& inputs) {
   for (const ResolvedRemark& remark : inputs.remarks)
-    findings.push_back({"8.2.1", remark.missing ? Severity::missing : Severity::note, remark.message});
+    findings.push_back(
+        {"uncertainty-input", "8.2.1", remark.missing ? Severity::missing : Severity::note, remark.message});
 }
 
 /// What the reader of the file had to say and what else must be known of the readings, each among its like. They rest
@@ -35,9 +36,9 @@ void add_remarks(std::vector<Finding>& findings, const Test& test, Depth depth) 
   for (SourceRemark& remark : remarks) {
     if (remark.departs)
       findings.insert(findings.begin() + static_cast<std::ptrdiff_t>(departures++),
-                      {source_clause, Severity::departure, std::move(remark.message)});
+                      {"source-remark", source_clause, Severity::departure, std::move(remark.message)});
     else if (depth == Depth::every_finding)
-      findings.push_back({source_clause, Severity::note, std::move(remark.message)});
+      findings.push_back({"source-remark", source_clause, Severity::note, std::move(remark.message)});
   }
 }
 
@@ -68,8 +69,8 @@ Assessment assess(const Test& test, Depth depth) {
   result.uncorrected = uncorrected_effects(test);
   if (depth == Depth::every_finding)
     for (const UncorrectedEffect& effect : result.uncorrected)
-      result.findings.push_back(
-          {"4.1", Severity::note, effect.reason() + "; no verdict on which it could matter is given"});
+      result.findings.push_back({"uncorrected-effect", "4.1", Severity::note,
+                                 effect.reason() + "; no verdict on which it could matter is given"});
   if (depth == Depth::every_finding) add_input_remarks(result.findings, result.inputs);
   add_remarks(result.findings, test, depth);
   std::ranges::stable_sort(result.findings, {}, &Finding::severity);

@@ -45,21 +45,27 @@ class DirectionFindings {
   }
 
  private:
-  static Finding departure(std::string message) { return {"Annex C", Severity::departure, std::move(message)}; }
-  static Finding note(std::string message) { return {"Annex C", Severity::note, std::move(message)}; }
+  static Finding departure(std::string id, std::string message) {
+    return {std::move(id), "Annex C", Severity::departure, std::move(message)};
+  }
+  static Finding note(std::string id, std::string message) {
+    return {std::move(id), "Annex C", Severity::note, std::move(message)};
+  }
 
   double spacing() const { return period_ / d_.targets_per_period; }
   std::string shown(double x) const { return place(x) + unit_; }
 
   std::optional<Finding> few_periods() const {
     if (d_.periods_covered >= enough_periods - forgiven) return std::nullopt;
-    return departure(fmt::format("found {} periods of {} over {}, expected two or more", figure(d_.periods_covered, 3),
+    return departure("periodic-few-periods",
+                     fmt::format("found {} periods of {} over {}, expected two or more", figure(d_.periods_covered, 3),
                                  shown(period_), shown(d_.periods_covered * period_)));
   }
 
   std::optional<Finding> coarse_targets() const {
     if (d_.targets_per_period >= enough_targets - forgiven) return std::nullopt;
     return departure(
+        "periodic-coarse-targets",
         fmt::format("found targets every {} on average for a period of {}, that is {} per period, expected "
                     "four or more",
                     shown(spacing()), shown(period_), figure(d_.targets_per_period, 3)));
@@ -75,10 +81,10 @@ class DirectionFindings {
     const double frequency = 1.0 / period_;
     const double other = std::abs(frequency - std::round(std::max(frequency * d, 0.5 + forgiven)) / d);
     if (other <= forgiven / d) return std::nullopt;
-    return note(
-        fmt::format("found equally spaced targets (every {}): a period of {} and one of {} give the same "
-                    "readings, expected uneven steps to tell them apart",
-                    shown(d), shown(period_), shown(1.0 / other)));
+    return note("periodic-equal-spacing",
+                fmt::format("found equally spaced targets (every {}): a period of {} and one of {} give the same "
+                            "readings, expected uneven steps to tell them apart",
+                            shown(d), shown(period_), shown(1.0 / other)));
   }
 
   std::optional<Finding> not_significant() const {
@@ -87,19 +93,20 @@ class DirectionFindings {
     const double percent = 100.0 * d_.false_alarm;
     const std::string chance = percent < 10.0 ? figure(percent, 2) : fmt::format("{:.0f}", percent);
     if (d_.period_known)
-      return note(
-          fmt::format("found no significant error of the period {}: noise alone gives an amplitude of {} {} or "
-                      "more in {} % of such tests",
-                      shown(period_), figure(amplitude, 2), deviation_, chance));
-    return note(
-        fmt::format("found no significant periodic error: noise alone gives a peak as high as that at {} in up "
-                    "to {} % of such tests",
-                    shown(period_), chance));
+      return note("periodic-not-significant",
+                  fmt::format("found no significant error of the period {}: noise alone gives an amplitude of {} {} or "
+                              "more in {} % of such tests",
+                              shown(period_), figure(amplitude, 2), deviation_, chance));
+    return note("periodic-not-significant",
+                fmt::format("found no significant periodic error: noise alone gives a peak as high as that at {} in up "
+                            "to {} % of such tests",
+                            shown(period_), chance));
   }
 
   std::optional<Finding> at_end() const {
     if (!d_.peak_at_end || !d_.significant) return std::nullopt;
     return note(
+        "periodic-peak-at-end",
         fmt::format("found the highest peak at the end of the searched band, at {}: the error may have a period "
                     "beyond it, or none (a bow of the axis looks so)",
                     shown(period_)));
@@ -113,7 +120,8 @@ class DirectionFindings {
     constexpr double clearly = 1.5;  // times U: one good test in 400 or so is beyond
     if (difference <= std::max(clearly * U, 1e-3 * stated->in_native())) return std::nullopt;
     if (!d_.period_known && !d_.significant) return std::nullopt;
-    return note(fmt::format("found a period of {}{}, expected {} after axis.expected_period", shown(period_),
+    return note("periodic-other-than-expected",
+                fmt::format("found a period of {}{}, expected {} after axis.expected_period", shown(period_),
                             d_.period_known ? " given" : fmt::format(" ± {}", figure(U, 2) + unit_),
                             shown(stated->in_native())));
   }
@@ -124,6 +132,7 @@ class DirectionFindings {
     const double ratio = other / period_;
     const bool multiple = ratio > 1.5 && std::abs(ratio - std::round(ratio)) < 0.02 * ratio;
     return note(
+        "periodic-further-period",
         fmt::format("found a further period of {} with an amplitude of {} {} in what the curve leaves{}",
                     figure(other) + unit_, figure(d_.further->amplitude.in_native(), 2), deviation_,
                     multiple ? fmt::format("; it is {:.0f} times the first, which may be its harmonic", ratio) : ""));
@@ -136,6 +145,7 @@ class DirectionFindings {
     const double scatter = d_.scatter_of_means->in_native(), sd = d_.residual_sd.in_native();
     if (scatter <= 0.0 || sd <= far_above * scatter) return std::nullopt;
     return note(
+        "periodic-above-scatter",
         fmt::format("found a residual standard deviation of {} {}, where the scatter of the runs lets expect {} "
                     "{}: the deviations hold more than a line and this period",
                     figure(sd, 2), deviation_, figure(scatter, 2), deviation_));
@@ -155,8 +165,8 @@ std::vector<Finding> periodic_findings(const Test& test, std::span<const Periodi
   const bool both = directions.size() > 1;
   for (const PeriodicDirection& d : directions) DirectionFindings(test, d).add(all, both);
   if (both)
-    all.push_back(
-        {"Annex C", Severity::note, "found readings from both directions, expected one: each is evaluated for itself"});
+    all.push_back({"periodic-both-directions", "Annex C", Severity::note,
+                   "found readings from both directions, expected one: each is evaluated for itself"});
   std::ranges::stable_sort(all, {}, &Finding::severity);
   return all;
 }

@@ -196,8 +196,10 @@ TEST(PeriodicFindings, NameFewerThanTwoPeriodsAndFewTargets) {
   const auto few = findings_of(test_of(uneven(16, 1.0, 6), truth, 0.05), known(10.0));
   EXPECT_THAT(few, Contains(Field(&Finding::message, HasSubstr("expected two or more"))));
   EXPECT_EQ(few.front().severity, Severity::departure);
+  EXPECT_EQ(few.front().id, "periodic-few-periods");
   const auto coarse = findings_of(test_of(uneven(20, 3.0, 7), truth, 0.05), known(10.0));
   EXPECT_THAT(coarse, Contains(Field(&Finding::message, HasSubstr("expected four or more"))));
+  EXPECT_THAT(coarse, Contains(Field(&Finding::id, "periodic-coarse-targets")));
 }
 
 TEST(PeriodicFindings, NameTheOtherPeriodThatEqualStepsCannotTellApart) {

@@ -40,13 +40,14 @@ std::optional<Finding> reach_within_travel(const Plan& plan) {
     ends += fmt::format("{}the overrun at {} above the axis travel to {}", ends.empty() ? "" : " and ",
                         position_text(plan, highest.in_native()), position_text(plan, axis.travel_end->in_native()));
   if (ends.empty()) return std::nullopt;
-  return rules::departure("3.2", fmt::format("found {}, expected ends that can be approached from both sides", ends));
+  return rules::departure("plan-reach-within-travel", "3.2",
+                          fmt::format("found {}, expected ends that can be approached from both sides", ends));
 }
 
 std::optional<Finding> travel_known(const Plan& plan) {
   if (plan.axis.travel_begin && plan.axis.travel_end) return std::nullopt;
   const auto [lowest, highest] = reach(plan);
-  return rules::note("3.1",
+  return rules::note("plan-travel-known", "3.1",
                      fmt::format("found no limits of the axis travel; the overruns reach from {} to {}",
                                  position_text(plan, lowest.in_native()), position_text(plan, highest.in_native())));
 }
@@ -56,10 +57,11 @@ std::optional<Finding> line_of_several_axes(const Plan& plan) {
   if (!is_diagonal(plan.axis)) return std::nullopt;
   const auto& direction = plan.axis.line_direction;
   return rules::note(
-      "230-6", fmt::format("found a line that {} axes drive together (direction {} {} {}): a diagonal displacement "
-                           "test, whose programme is judged along the line as that of one axis",
-                           moving_axes(*spatial_line(plan.axis)), rules::figure(direction[0]),
-                           rules::figure(direction[1]), rules::figure(direction[2])));
+      "plan-line-of-several-axes", "230-6",
+      fmt::format("found a line that {} axes drive together (direction {} {} {}): a diagonal displacement "
+                  "test, whose programme is judged along the line as that of one axis",
+                  moving_axes(*spatial_line(plan.axis)), rules::figure(direction[0]), rules::figure(direction[1]),
+                  rules::figure(direction[2])));
 }
 
 /// Which way an axis with rollover goes to an angle is up to its control, and an angle beyond the turn may be refused.
@@ -67,7 +69,7 @@ std::optional<Finding> beyond_one_turn(const Plan& plan) {
   const auto [lowest, highest] = reach(plan);
   if (plan.axis.kind != AxisKind::rotary || (lowest.in_native() >= 0.0 && highest.in_native() < 360.0))
     return std::nullopt;
-  return rules::note(plan.clause.empty() ? "5.3" : plan.clause,
+  return rules::note("plan-beyond-one-turn", plan.clause.empty() ? "5.3" : plan.clause,
                      fmt::format("found a way from {} to {}, beyond one turn from 0°: where the control counts to 360° "
                                  "only, its program is to be written with rollover (axiometry nc --rollover)",
                                  position_text(plan, lowest.in_native()), position_text(plan, highest.in_native())));
@@ -75,12 +77,14 @@ std::optional<Finding> beyond_one_turn(const Plan& plan) {
 
 std::optional<Finding> warm_up_planned(const Plan& plan) {
   if (plan.warm_up_runs > 0) return std::nullopt;
-  return rules::note("4.3", "found no warm-up run, expected the warm-up that was specified or agreed before the test");
+  return rules::note("plan-warm-up-planned", "4.3",
+                     "found no warm-up run, expected the warm-up that was specified or agreed before the test");
 }
 
 std::optional<Finding> rests_at_targets(const Plan& plan) {
   if (plan.dwell.in_s() > 0.0) return std::nullopt;
-  return rules::note("5.1", "found no dwell at the targets, expected a rest long enough to reach and record each");
+  return rules::note("plan-rests-at-targets", "5.1",
+                     "found no dwell at the targets, expected a rest long enough to reach and record each");
 }
 
 std::optional<Finding> period_below_interval(const Plan& plan) {
@@ -90,7 +94,7 @@ std::optional<Finding> period_below_interval(const Plan& plan) {
   const double p = travel_of(plan) / static_cast<double>(plan.targets.size() - 1);
   if (!(period > random_part * p)) return std::nullopt;
   return rules::note(
-      "5.2",
+      "plan-period-below-interval", "5.2",
       fmt::format("found a period of {} beside a mean interval of {}, expected one below 30 % of the interval for "
                   "a random part of a whole period; the random part is 30 % of the interval",
                   position_text(plan, period), position_text(plan, p)));
@@ -108,7 +112,7 @@ std::optional<Finding> period_sampled(const Plan& plan) {
   double gap = phases.front() + 1.0 - phases.back();
   for (std::size_t k = 1; k < phases.size(); ++k) gap = std::max(gap, phases[k] - phases[k - 1]);
   if (1.0 - gap >= least_phases) return std::nullopt;
-  return rules::note("5.2",
+  return rules::note("plan-period-sampled", "5.2",
                      fmt::format("found targets in {} % only of the period of {}, expected them spread over all of "
                                  "it; take another seed or more targets",
                                  rules::figure(std::round(100.0 * (1.0 - gap))), position_text(plan, period)));
@@ -118,7 +122,7 @@ std::optional<Finding> feed_reached(const Plan& plan, double acceleration) {
   const double needed = distance_to_feed(plan, acceleration).in_native();
   if (plan.overrun.in_native() >= needed) return std::nullopt;
   return rules::note(
-      "5.3.2",
+      "plan-feed-reached", "5.3.2",
       fmt::format("found overruns of {}, expected {} to reach the feed of {} {}/min at {} {}/s²",
                   position_text(plan, plan.overrun.in_native()), position_text(plan, needed), rules::figure(plan.feed),
                   position_unit(plan.axis.kind), rules::figure(acceleration), position_unit(plan.axis.kind)));
@@ -126,15 +130,17 @@ std::optional<Finding> feed_reached(const Plan& plan, double acceleration) {
 
 std::optional<Finding> period_given(const Plan& plan) {
   if (plan.axis.expected_period && plan.axis.expected_period->in_native() > 0.0) return std::nullopt;
-  return rules::missing("Annex C", "found no expected period, expected that of the periodic error in question");
+  return rules::missing("plan-period-given", "Annex C",
+                        "found no expected period, expected that of the periodic error in question");
 }
 
 std::optional<Finding> period_covered(const Plan& plan) {
   if (period_given(plan)) return std::nullopt;
   const double period = plan.axis.expected_period->in_native();
   if (travel_of(plan) >= periods_at_least * period - position_slack) return std::nullopt;
-  return rules::departure("Annex C", fmt::format("found targets over {}, expected at least two periods of {}",
-                                                 position_text(plan, travel_of(plan)), position_text(plan, period)));
+  return rules::departure("plan-period-covered", "Annex C",
+                          fmt::format("found targets over {}, expected at least two periods of {}",
+                                      position_text(plan, travel_of(plan)), position_text(plan, period)));
 }
 
 std::optional<Finding> period_resolved(const Plan& plan) {
@@ -143,8 +149,9 @@ std::optional<Finding> period_resolved(const Plan& plan) {
   const double p = travel_of(plan) / static_cast<double>(std::max<std::size_t>(plan.targets.size(), 2) - 1);
   if (p <= period / targets_per_period_least + position_slack) return std::nullopt;
   return rules::departure(
-      "Annex C", fmt::format("found a mean interval of {}, expected one well below the period of {}: a quarter at most",
-                             position_text(plan, p), position_text(plan, period)));
+      "plan-period-resolved", "Annex C",
+      fmt::format("found a mean interval of {}, expected one well below the period of {}: a quarter at most",
+                  position_text(plan, p), position_text(plan, period)));
 }
 
 /// The plan as a test without deviations; nothing when a series cannot hold it.
@@ -190,9 +197,11 @@ class PlanFindings {
   void add_programme(const Plan& plan, bool further) {
     const auto series = as_series(plan);
     if (!series) {
-      add(rules::departure(plan.clause.empty() ? "5.3" : plan.clause,
-                           plan.targets.size() < 2 ? "found one target, expected several over the measurement travel"
-                                                   : "found more approaches than any test has"));
+      const std::string clause = plan.clause.empty() ? "5.3" : plan.clause;
+      add(plan.targets.size() < 2
+              ? rules::departure("plan-one-target", clause,
+                                 "found one target, expected several over the measurement travel")
+              : rules::departure("plan-too-many-approaches", clause, "found more approaches than any test has"));
       return;
     }
     Metadata metadata;

@@ -39,7 +39,8 @@ void add_unless_given(Against& against, const char* clause, std::string_view key
   const Field* field = find_field(key);
   AXIOMETRY_CONTRACT(field != nullptr);
   if (!rules::is_stated(*field, metadata))
-    against.push_back(rules::missing(clause, fmt::format("{} is not stated", rules::within_sentence(field->title))));
+    against.push_back(rules::missing("item-not-stated", clause,
+                                     fmt::format("{} is not stated", rules::within_sentence(field->title))));
 }
 
 // Clause 3
@@ -64,15 +65,17 @@ bool stands_zero_for_a_term(const Evaluation& evaluation) {
 Against against_computed(const Test& test, const Assessment& assessment) {
   Against against;
   for (const SourceRemark& remark : test.provenance.remarks)
-    if (holds_no_approaches(remark)) against.push_back({source_clause, Severity::departure, remark.message});
+    if (holds_no_approaches(remark))
+      against.push_back({"source-remark", source_clause, Severity::departure, remark.message});
   if (stands_zero_for_a_term(assessment.evaluation))
     against.push_back(
-        rules::departure("3.18",
+        rules::departure("zero-for-a-term", "3.18",
                          "found targets without s_i or B_i where others have it: 0 stands for them, and R "
                          "and A are lower bounds"));
   if (test.metadata.conditions.cycle == TestCycle::step)
-    against.push_back(rules::departure(
-        "Annex B", "found the step cycle, whose results may not be published with reference to the standard"));
+    against.push_back(
+        rules::departure("step-cycle", "Annex B",
+                         "found the step cycle, whose results may not be published with reference to the standard"));
   return against;
 }
 
@@ -88,11 +91,13 @@ void add_temperatures(Against& against, const Case& c) {
   const Metadata& m = c.metadata;
   const bool stated = any_temperature(m.environment);
   if (!stated)
-    against.push_back(rules::missing("4.1", "temperatures at the start and the end of the test are not stated"));
+    against.push_back(rules::missing("temperatures-not-stated", "4.1",
+                                     "temperatures at the start and the end of the test are not stated"));
   if (!c.linear()) return;
   add_missing(against, rules::temperature_without_correction(c));
   if (!m.nde.applied && !stated)
-    against.push_back(rules::missing("4.1", "whether differential expansion was corrected is not stated"));
+    against.push_back(rules::missing("temperature-correction-not-stated", "4.1",
+                                     "whether differential expansion was corrected is not stated"));
   if (m.nde.applied != true) return;
   add_unless_given(against, "5.3.1", "nde.machine_expansion_um_per_m_C", m);
   add_unless_given(against, "5.3.1", "nde.routine", m);
@@ -122,7 +127,7 @@ void add_targets(Against& against, const Case& c) {
   const bool unknown_points =
       !axis.compensation.empty() && compensates(axis.compensation) && axis.compensation_points.empty();
   if (unknown_points && rules::may_serve_acceptance(c.metadata.conditions.purpose))
-    against.push_back(rules::missing("5.2",
+    against.push_back(rules::missing("sampling-points-not-stated", "5.2",
                                      "sampling points of the compensation are not stated, so that nobody can tell "
                                      "whether targets lie on them"));
   add_unexplained(against, rules::additional_test(c));
@@ -139,29 +144,31 @@ constexpr std::pair<const char*, std::string_view> items_of_the_test[] = {{"4.2"
 void add_impossible(Against& against, const Metadata& m) {
   const TestConditions& of_test = m.conditions;
   if (of_test.feed && !(*of_test.feed > 0.0))
-    against.push_back(rules::missing("5.1", "found a feed of 0, expected the one that the axis was driven with"));
-  if (of_test.dwell && !(of_test.dwell->in_s() > 0.0))
-    against.push_back(rules::missing("5.1", "found a dwell of 0 s, expected the axis at rest while it is read"));
-  if (!compensates(of_test.warm_up) && !of_test.warm_up.empty())
     against.push_back(
-        rules::missing("4.3", "a warm-up is stated not to have been made; whether that was agreed is not"));
+        rules::missing("feed-of-zero", "5.1", "found a feed of 0, expected the one that the axis was driven with"));
+  if (of_test.dwell && !(of_test.dwell->in_s() > 0.0))
+    against.push_back(
+        rules::missing("dwell-of-zero", "5.1", "found a dwell of 0 s, expected the axis at rest while it is read"));
+  if (!compensates(of_test.warm_up) && !of_test.warm_up.empty())
+    against.push_back(rules::missing("warm-up-not-made", "4.3",
+                                     "a warm-up is stated not to have been made; whether that was agreed is not"));
 }
 
 /// Values that hold what is known to be wrong with them, or lack what the machine did.
 void add_known_errors(Against& against, const Test& test, const Assessment& assessment) {
   if (was_corrected(test, "drift"))
     against.push_back(rules::missing(
-        "5.3.1",
+        "drift-taken-out", "5.3.1",
         "found readings from which a drift was taken, of which nobody can tell that the machine had no part in it"));
   for (const UncorrectedEffect& effect : assessment.uncorrected)
-    against.push_back(rules::missing("4.1", effect.reason()));
+    against.push_back(rules::missing("uncorrected-effect", "4.1", effect.reason()));
 }
 
 Against against_tested(const Case& c, const Test& test, const Assessment& assessment) {
   Against against;
   if (is_diagonal(c.metadata.axis))
     against.push_back(rules::missing(
-        "1",
+        "diagonal-line", "1",
         "found several axes moving at once, which is no test of a single axis; the text of ISO 230-6 was not at hand"));
   std::ranges::copy_if(assessment.findings, std::back_inserter(against),
                        [](const Finding& finding) { return finding.severity == Severity::departure; });
@@ -186,7 +193,7 @@ std::optional<Finding> parameters_missing(const Case& c) {
     if ((repeated || !rests_on_s) && !(c.evaluation.parameters.*parameter.member)) absent.push_back(parameter.symbol);
   }
   if (absent.empty()) return std::nullopt;
-  return rules::missing(repeated ? "8.2.2" : "8.2.3",
+  return rules::missing("parameters-missing", repeated ? "8.2.2" : "8.2.3",
                         fmt::format("no value of the listed parameters {}", fmt::join(absent, ", ")));
 }
 
@@ -198,7 +205,8 @@ std::optional<Finding> uncertainty_of_record_missing(const Assessment& assessmen
     if (assessment.evaluation.parameters.*parameter.member && !uncertainty_of_record(assessment, parameter))
       without.push_back(parameter.symbol);
   if (without.empty()) return std::nullopt;
-  return rules::missing("8.2.1", fmt::format("no uncertainty is stated of {}", fmt::join(without, ", ")));
+  return rules::missing("uncertainty-of-record-missing", "8.2.1",
+                        fmt::format("no uncertainty is stated of {}", fmt::join(without, ", ")));
 }
 
 /// A day that the calendar does not have, written as ISO 8601 has it; other spellings are not judged.
@@ -206,7 +214,8 @@ std::optional<Finding> impossible_date(const Case& c) {
   const std::string& date = c.metadata.conditions.date;
   const bool as_iso = date.size() >= 10 && date[4] == '-' && date[7] == '-';
   if (!as_iso || !iso_date(date).empty()) return std::nullopt;
-  return rules::missing("8.1", fmt::format("the date of the test is given as {}, which is no day", date));
+  return rules::missing("impossible-date", "8.1",
+                        fmt::format("the date of the test is given as {}, which is no day", date));
 }
 
 Against against_reported(const Case& c, const Assessment& assessment) {

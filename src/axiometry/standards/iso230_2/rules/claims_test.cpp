@@ -31,6 +31,13 @@ std::string points(const axiometry::Test& test, ClaimKind kind) {
   return text;
 }
 
+std::vector<std::string> ids_against(const axiometry::Test& test, ClaimKind kind) {
+  std::vector<std::string> ids;
+  const Claims all = claims(test);
+  for (const Finding& f : claim(all, kind).against) ids.push_back(f.id);
+  return ids;
+}
+
 /// Everything stated and kept.
 axiometry::Test whole() { return table2::complete_test(); }
 
@@ -177,6 +184,10 @@ TEST(Claims, OfTheComputationFallWhereNoApproachWasMeasuredOrATermIsMissing) {
   axiometry::Test step = whole();
   step.metadata.conditions.cycle = TestCycle::step;
   EXPECT_FALSE(holds(step, ClaimKind::computed));
+
+  EXPECT_EQ(ids_against(averages, ClaimKind::computed), std::vector<std::string>{"source-remark"});
+  EXPECT_EQ(ids_against(lower_bound, ClaimKind::computed), std::vector<std::string>{"zero-for-a-term"});
+  EXPECT_EQ(ids_against(step, ClaimKind::computed), std::vector<std::string>{"step-cycle"}) << "as the rule's finding";
 }
 
 TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {

@@ -92,7 +92,7 @@ std::optional<Finding> both_ends_from_both_sides(const Case& c) {
   }
   if (ends.empty()) return std::nullopt;
   return departure(
-      "3.2",
+      "both-ends-from-both-sides", "3.2",
       fmt::format("found an end of the measurement travel approached from one side, {}, expected both sides", ends));
 }
 
@@ -106,7 +106,7 @@ std::optional<Finding> targets_within_axis_travel(const Case& c) {
   if (axis.travel_end && last >= axis.travel_end->in_native())
     ends += fmt::format("{}the last target at {}", ends.empty() ? "" : " and ", position_text(c, last));
   if (ends.empty()) return std::nullopt;
-  return note("3.2",
+  return note("targets-within-axis-travel", "3.2",
               fmt::format("found {} at the end of the axis travel, expected room to approach it from beyond", ends));
 }
 
@@ -116,8 +116,9 @@ std::optional<Finding> part_of_axis_travel(const Case& c) {
   const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
   const double stretch = c.linear() ? std::min(whole, 2000.0) : std::min(whole, 360.0);
   if (whole <= 0.0 || c.travel() >= 0.8 * stretch) return std::nullopt;
-  return note("3.2", fmt::format("found {} measured of an axis travel of {}; the results hold for that part only",
-                                 position_text(c, c.travel()), position_text(c, whole)));
+  return note("part-of-axis-travel", "3.2",
+              fmt::format("found {} measured of an axis travel of {}; the results hold for that part only",
+                          position_text(c, c.travel()), position_text(c, whole)));
 }
 
 std::optional<Finding> readings_repeat_exactly(const Case& c) {
@@ -125,7 +126,7 @@ std::optional<Finding> readings_repeat_exactly(const Case& c) {
   for (std::size_t i = 0; i < c.series.target_count(); ++i)
     for (Direction direction : {Direction::up, Direction::down})
       if (!all_equal(c.series.cell(i, direction))) return std::nullopt;
-  return note("3.18",
+  return note("readings-repeat-exactly", "3.18",
               "found the same reading in every run at every target, expected some scatter; copied or coarsely "
               "rounded readings make every repeatability zero");
 }
@@ -137,7 +138,7 @@ std::optional<Finding> straight_slope(const Case& c) {
   const auto slope = slope_of_means(c.evaluation.positions);
   if (!slope || slope->remainder.in_native() > 0.3 * E) return std::nullopt;
   return note(
-      "3.24",
+      "straight-slope", "3.24",
       fmt::format("found a straight slope of {} µm/m, without which E would be {} instead of {}; such a slope "
                   "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
                   size_text(1000.0 * slope->per_position_native), deviation_text(c, slope->remainder.in_native()),
@@ -155,11 +156,12 @@ std::optional<Finding> same_reversal_everywhere(const Case& c) {
   const double measured = (repeated ? p.R : p.E)->in_native();
   const double without = (repeated ? common->without.R : common->without.E)->in_native();
   if (!(measured > 0.0) || without > 0.75 * measured) return std::nullopt;
-  return note("3.17", fmt::format("found nearly the same reversal error at every target, {} on average, without which "
-                                  "{} would be {} instead of {}; such a reversal error comes from play or from its "
-                                  "compensation, and nothing of it is removed",
-                                  deviation_text(c, p.B_mean->in_native()), repeated ? "R" : "E",
-                                  deviation_text(c, without), deviation_text(c, measured)));
+  return note("same-reversal-everywhere", "3.17",
+              fmt::format("found nearly the same reversal error at every target, {} on average, without which "
+                          "{} would be {} instead of {}; such a reversal error comes from play or from its "
+                          "compensation, and nothing of it is removed",
+                          deviation_text(c, p.B_mean->in_native()), repeated ? "R" : "E", deviation_text(c, without),
+                          deviation_text(c, measured)));
 }
 
 std::optional<Finding> temperature_without_correction(const Case& c) {
@@ -175,9 +177,10 @@ std::optional<Finding> temperature_without_correction(const Case& c) {
   const double per_m_K = machine_expansion(c.metadata);
   const std::string found = fmt::format("found {} °C at {}", figure(worst.worst()), worst.name);
   if (!c.metadata.nde.applied)
-    return missing("4.1", found + " and no word whether differential expansion was corrected, expected nde.applied");
+    return missing("temperature-without-correction", "4.1",
+                   found + " and no word whether differential expansion was corrected, expected nde.applied");
   return departure(
-      "4.1",
+      "temperature-without-correction", "4.1",
       fmt::format("{} and no correction for differential expansion, expected one off 20 °C: the machine expands by "
                   "about {} over {} at {} µm/(m·°C)",
                   found, deviation_text(c, std::round(per_m_K * distance(worst) * c.travel() / 100.0) / 10.0),
@@ -191,8 +194,9 @@ std::optional<Finding> temperature_change(const Case& c) {
   const Thermometer& worst = *std::ranges::max_element(thermometers, {}, change);
   if (change(worst) <= change_worth_a_word) return std::nullopt;
   return note(
-      "4.1", fmt::format("found {} going from {} °C to {} °C during the test; the permissible gradient is to be agreed",
-                         worst.name, figure(worst.start), figure(worst.end)));
+      "temperature-change", "4.1",
+      fmt::format("found {} going from {} °C to {} °C during the test; the permissible gradient is to be agreed",
+                  worst.name, figure(worst.start), figure(worst.end)));
 }
 
 std::optional<Finding> ordered_progression(const Case& c) {
@@ -214,7 +218,7 @@ std::optional<Finding> ordered_progression(const Case& c) {
   const std::size_t ordered = std::max(rising, falling);
   if (ordered < 2 || static_cast<double>(ordered) <= share * static_cast<double>(cells)) return std::nullopt;
   return note(
-      progression_clause,
+      "ordered-progression", progression_clause,
       fmt::format("found {} of {} targets and directions {} from run to run, by {} on average from the first run to "
                   "the last, expected no ordered progression: a sign that the machine was not thermally stable",
                   ordered, cells, up ? "rising" : "falling",

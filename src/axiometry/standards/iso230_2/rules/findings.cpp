@@ -101,8 +101,8 @@ std::string deviation_text(AxisKind kind, double x) {
 
 std::string deviation_text(const Case& c, double x) { return deviation_text(c.kind(), x); }
 
-Finding finding(std::string clause, Severity severity, std::string_view marked) {
-  Finding result{std::move(clause), severity, {}};
+Finding finding(std::string id, std::string clause, Severity severity, std::string_view marked) {
+  Finding result{std::move(id), std::move(clause), severity, {}};
   while (!marked.empty()) {
     const std::size_t start = marked.find(text_mark);
     result.message += marked.substr(0, start);

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "tests/support/series.h"
 
@@ -73,6 +75,26 @@ TEST(Findings, CountTargetsAsTheLengthDemands) {
               HasSubstr("expected at least 8 (5 per metre)"));
   EXPECT_EQ(finding(assessed(proper({0, 210, 390, 610, 1000})), "5.3.2"), "")
       << "five per metre are five over one metre";
+}
+
+TEST(Findings, HaveTheIdsOfTheirRules) {
+  const auto id_of = [](const Assessment& a, std::string_view clause, std::string_view part) {
+    const auto f = std::ranges::find_if(
+        a.findings, [&](const Finding& one) { return one.clause == clause && one.message.contains(part); });
+    return f == a.findings.end() ? "" : f->id;
+  };
+  Metadata m;
+  m.conditions.cycle = TestCycle::step;
+  const Assessment few = assessed(proper({0, 110, 240, 390}, 3), m);
+  EXPECT_EQ(id_of(few, "5.3.2", "targets"), "number-of-targets");
+  EXPECT_EQ(id_of(few, "5.3.2", "approaches"), "number-of-approaches");
+  EXPECT_EQ(id_of(few, "Annex B", "step cycle"), "step-cycle");
+  EXPECT_EQ(id_of(few, "8.1", "not given"), "items-of-identification");
+  EXPECT_EQ(id_of(few, "8.2.1", "no uncertainty"), "uncertainty-stated");
+  axiometry::Test averages{{}, proper(half_metre), {}};
+  averages.provenance.remarks.push_back({true, "found averages"});
+  EXPECT_EQ(id_of(assess(averages), source_clause, "averages"), "source-remark");
+  for (const Finding& f : few.findings) EXPECT_NE(f.id, "") << f.message;
 }
 
 TEST(Findings, WantFiveApproachesUpToTwoMetresAndOneAbove) {

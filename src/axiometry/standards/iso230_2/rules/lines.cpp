@@ -12,7 +12,7 @@ namespace axiometry::iso230_2::rules {
 std::optional<Finding> diagonal_line(const Case& c) {
   const auto line = spatial_line(c.metadata.axis);
   if (!line || !is_diagonal(c.metadata.axis)) return std::nullopt;
-  return note("230-6",
+  return note("diagonal-line", "230-6",
               fmt::format("found a line along which {} axes move: a diagonal displacement test after {}, evaluated as "
                           "one of a single axis; the text of that standard was not at hand. Errors of the axes may "
                           "cancel along a diagonal, so that a small E proves little alone",
@@ -23,7 +23,7 @@ std::optional<Finding> line_in_space(const Case& c) {
   const Axis& axis = c.metadata.axis;
   const bool given = !axis.line_origin_mm.empty() || !axis.line_direction.empty();
   if (!given || spatial_line(axis)) return std::nullopt;
-  return missing("8.1",
+  return missing("line-in-space", "8.1",
                  "found axis.line_origin_mm or axis.line_direction that make no line in space, expected three numbers "
                  "each of a linear axis, the direction not zero");
 }
@@ -31,7 +31,7 @@ std::optional<Finding> line_in_space(const Case& c) {
 std::optional<Finding> station_stated(const Case& c) {
   const std::string problem = station_offset_problem(c.metadata);
   if (problem.empty()) return std::nullopt;
-  return missing("8.2.1",
+  return missing("station-stated", "8.2.1",
                  fmt::format("the station of the tracking interferometer is left out of the uncertainty: {}", problem));
 }
 

@@ -42,7 +42,7 @@ std::optional<Finding> equally_spaced_targets(const Case& c) {
     if (std::abs(c.target(i) - c.target(i - 1) - p) > equal_interval * p) return std::nullopt;
   if (m < 3 || !c.metadata.artefact.calibrated_positions.empty()) return std::nullopt;  // a gauge has the steps it has
   return note(
-      "5.2",
+      "equally-spaced-targets", "5.2",
       fmt::format(
           "found {} equally spaced targets (every {}), expected a random shift of each where the positions can be "
           "chosen: equal steps can hide a periodic error",
@@ -57,7 +57,7 @@ std::optional<Finding> gap_between_targets(const Case& c) {
   const double gap = c.target(widest) - c.target(widest - 1);
   if (gap <= 2.0 * p) return std::nullopt;
   return note(
-      "5.2",
+      "gap-between-targets", "5.2",
       fmt::format("found {} between {} and {}, more than twice the mean interval of {}, expected targets spread evenly "
                   "but for the random shift",
                   position_text(c, gap), target_text(c, widest - 1), target_text(c, widest), position_text(c, p)));
@@ -73,15 +73,16 @@ std::optional<Finding> targets_on_compensation(const Case& c) {
   const std::string message = fmt::format("found {} of {} targets on sampling points of the compensation: {}",
                                           same.size(), c.series.target_count(), listed(same));
   if (!may_serve_acceptance(c.metadata.conditions.purpose))
-    return note("5.2", message + "; not for acceptance or reverification");
-  return departure("5.2", message + ", expected other positions for acceptance or reverification");
+    return note("targets-on-compensation", "5.2", message + "; not for acceptance or reverification");
+  return departure("targets-on-compensation", "5.2",
+                   message + ", expected other positions for acceptance or reverification");
 }
 
 std::optional<Finding> number_of_targets(const Case& c) {
   const std::size_t m = c.series.target_count();
   const RequiredTargets required = required_targets(c.programme, Position::native(c.travel()));
   if (m >= required.count) return std::nullopt;
-  return departure(programme_clause(c.programme),
+  return departure("number-of-targets", programme_clause(c.programme),
                    fmt::format("found {} over {}, expected at least {} ({})", counted(m, "target"),
                                position_text(c, c.travel()), required.count, required.reason));
 }
@@ -102,7 +103,7 @@ std::optional<Finding> principal_positions(const Case& c) {
     if (inside && !measured) absent.push_back(figure(principal) + "°");
   }
   if (absent.empty()) return std::nullopt;
-  return note("5.3.4",
+  return note("principal-positions", "5.3.4",
               fmt::format("found no target at {}, expected these principal positions where practical", listed(absent)));
 }
 
@@ -110,7 +111,7 @@ std::optional<Finding> directions_of_approach(const Case& c) {
   if (c.runs.up > 0 && c.runs.down > 0) return std::nullopt;
   const char* only = c.runs.up > 0 ? "↑" : "↓";
   return departure(
-      programme_clause(c.programme),
+      "directions-of-approach", programme_clause(c.programme),
       fmt::format(
           "found approaches from one direction only ({}), expected {} from each; bidirectional parameters do not "
           "exist",
@@ -132,7 +133,7 @@ std::optional<Finding> number_of_approaches(const Case& c) {
                                                        : "↓");
   const std::string_view consequence =
       expected == 1 && either > 1 ? "; R and A over such a travel are no parameters of the standard" : "";
-  return departure(programme_clause(c.programme),
+  return departure("number-of-approaches", programme_clause(c.programme),
                    fmt::format("found {} over {}, expected {} in each direction{}", found, position_text(c, c.travel()),
                                expected, consequence));
 }
@@ -157,28 +158,29 @@ std::optional<Finding> missing_readings(const Case& c) {
     }
   }
   if (absent.empty()) return std::nullopt;
-  return departure(programme_clause(c.programme),
+  return departure("missing-readings", programme_clause(c.programme),
                    fmt::format("found no reading at {}, expected one from every approach", listed(absent)));
 }
 
 std::optional<Finding> more_than_five_turns(const Case& c) {
   if (c.programme != Programme::many_turns || c.travel() <= 1800.0 + 1e-6) return std::nullopt;
-  return note("5.3.5", fmt::format("found {} measured, more than the five revolutions that the test covers",
-                                   position_text(c, c.travel())));
+  return note("more-than-five-turns", "5.3.5",
+              fmt::format("found {} measured, more than the five revolutions that the test covers",
+                          position_text(c, c.travel())));
 }
 
 std::optional<Finding> cycle_declared_otherwise(const Case& c) {
   const bool both = c.runs.up > 0 && c.runs.down > 0;
   switch (c.metadata.conditions.cycle) {
     case TestCycle::pilgrim:
-      return departure(programme_clause(c.programme),
+      return departure("cycle-declared-otherwise", programme_clause(c.programme),
                        "found the pilgrim cycle, expected the standard test cycle (Figure 1)");
     case TestCycle::user_defined:
-      return departure(programme_clause(c.programme),
+      return departure("cycle-declared-otherwise", programme_clause(c.programme),
                        "found a user-defined cycle, expected the standard test cycle (Figure 1)");
     case TestCycle::unidirectional:
       if (!both) return std::nullopt;  // directions_of_approach speaks
-      return departure(programme_clause(c.programme),
+      return departure("cycle-declared-otherwise", programme_clause(c.programme),
                        "found the cycle declared unidirectional and readings from both directions, expected "
                        "the standard test cycle (Figure 1)");
     case TestCycle::standard:
@@ -190,18 +192,19 @@ std::optional<Finding> cycle_declared_otherwise(const Case& c) {
 std::optional<Finding> additional_test(const Case& c) {
   if (c.programme == Programme::long_linear)
     return note(
-        "5.3.3",
+        "additional-test", "5.3.3",
         c.travel() > 4000.0
             ? "the test with five approaches over one stretch of 2 000 mm, or several as agreed, is also needed (6.2)"
             : "the test with five approaches over 2 000 mm of the normal working area is also needed (6.2)");
   if (c.programme == Programme::many_turns)
-    return note("5.3.5", "the test with five approaches over 360° of the normal working area is also needed (6.2)");
+    return note("additional-test", "5.3.5",
+                "the test with five approaches over 360° of the normal working area is also needed (6.2)");
   const Axis& axis = c.metadata.axis;
   if (!axis.travel_begin || !axis.travel_end) return std::nullopt;
   const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
   if (c.linear() ? whole <= 2000.0 : whole <= 360.0) return std::nullopt;
   return note(
-      c.linear() ? "5.3.3" : "5.3.5",
+      "additional-test", c.linear() ? "5.3.3" : "5.3.5",
       fmt::format(
           "the axis travels {}: the test over its whole travel with one approach from each direction is also needed",
           position_text(c, whole)));
@@ -210,7 +213,7 @@ std::optional<Finding> additional_test(const Case& c) {
 std::optional<Finding> step_cycle(const Case& c) {
   if (c.metadata.conditions.cycle != TestCycle::step) return std::nullopt;
   return departure(
-      "Annex B",
+      "step-cycle", "Annex B",
       "found the step cycle, expected the standard test cycle (Figure 1): not for acceptance without special "
       "written agreement");
 }

@@ -78,7 +78,8 @@ std::string within_sentence(std::string_view title) {
 
 std::optional<Finding> parameters_not_applicable(const Case& c) {
   if (std::max(c.runs.up, c.runs.down) != 1) return std::nullopt;
-  return note("6.2", "with one approach from each direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable");
+  return note("parameters-not-applicable", "6.2",
+              "with one approach from each direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable");
 }
 
 bool is_stated(const Field& field, const Metadata& metadata) {
@@ -110,7 +111,8 @@ std::optional<Finding> items_of_identification(const Case& c) {
   std::vector<std::string> groups;
   for (const Group& group : absent)
     groups.push_back(fmt::format("{}: {}", group_title(group.key), fmt::join(group.items, ", ")));
-  return missing("8.1", fmt::format("not given, but expected in the report – {}", fmt::join(groups, "; ")));
+  return missing("items-of-identification", "8.1",
+                 fmt::format("not given, but expected in the report – {}", fmt::join(groups, "; ")));
 }
 
 std::optional<Finding> equipment_identified(const Case& c) {
@@ -126,7 +128,8 @@ std::optional<Finding> equipment_identified(const Case& c) {
                                      fmt::join(lacks, " and ")));
   }
   if (incomplete.empty()) return std::nullopt;
-  return missing("8.1", fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));
+  return missing("equipment-identified", "8.1",
+                 fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));
 }
 
 std::optional<Finding> equipment_calibrated(const Case& c) {
@@ -143,8 +146,9 @@ std::optional<Finding> equipment_calibrated(const Case& c) {
     outside.push_back(fmt::format("{} ({} – {})", name, from.empty() ? "…" : from, due.empty() ? "…" : due));
   }
   if (outside.empty()) return std::nullopt;
-  return note("8.2.1", fmt::format("found a test on {}, when its equipment was out of calibration: {}", day,
-                                   fmt::join(outside, "; ")));
+  return note(
+      "equipment-calibrated", "8.2.1",
+      fmt::format("found a test on {}, when its equipment was out of calibration: {}", day, fmt::join(outside, "; ")));
 }
 
 std::optional<Finding> sensors_complete(const Case& c) {
@@ -166,22 +170,24 @@ std::optional<Finding> sensors_complete(const Case& c) {
                                           : "start and the end"));
   }
   if (lacks.empty()) return std::nullopt;
-  return missing("8.1", fmt::format("found an NDE correction with {}", fmt::join(lacks, ", ")));
+  return missing("sensors-complete", "8.1", fmt::format("found an NDE correction with {}", fmt::join(lacks, ", ")));
 }
 
 std::optional<Finding> uncertainty_stated(const Case& c) {
   const std::vector<std::string> absent = contributors_left_out(c);
   if (absent.empty()) return std::nullopt;
   if (!c.uncertainty)
-    return missing("8.2.1", fmt::format("no uncertainty is stated: nothing was given of {}", fmt::join(absent, ", ")));
-  return missing("8.2.1", fmt::format("the uncertainty is incomplete and too small: nothing was given of {}",
-                                      fmt::join(absent, ", ")));
+    return missing("uncertainty-stated", "8.2.1",
+                   fmt::format("no uncertainty is stated: nothing was given of {}", fmt::join(absent, ", ")));
+  return missing(
+      "uncertainty-stated", "8.2.1",
+      fmt::format("the uncertainty is incomplete and too small: nothing was given of {}", fmt::join(absent, ", ")));
 }
 
 std::optional<Finding> repeatability_below_variation(const Case& c) {
   if (!c.uncertainty || !c.uncertainty->corrected || c.uncertainty->corrected->floored.empty()) return std::nullopt;
   const auto& floored = c.uncertainty->corrected->floored;
-  return note("A.2.6",
+  return note("repeatability-below-variation", "A.2.6",
               fmt::format("found s_i smaller than U_EVE/2 at target{} {}; the corrected repeatability takes 0 there",
                           floored.size() == 1 ? "" : "s", fmt::join(stretches(floored), ", ")));
 }

@@ -107,17 +107,17 @@ std::string position_text(const Case& c, double position);
 /// "target 3 (353.834 mm)".
 std::string target_text(const Case& c, std::size_t target);
 
-/// Of a message whose deviations are marked.
-Finding finding(std::string clause, Severity severity, std::string_view marked);
+/// Of a message whose deviations are marked. The id of a rule's finding is the name of its function.
+Finding finding(std::string id, std::string clause, Severity severity, std::string_view marked);
 
-inline Finding departure(std::string clause, std::string_view message) {
-  return finding(std::move(clause), Severity::departure, message);
+inline Finding departure(std::string id, std::string clause, std::string_view message) {
+  return finding(std::move(id), std::move(clause), Severity::departure, message);
 }
-inline Finding missing(std::string clause, std::string_view message) {
-  return finding(std::move(clause), Severity::missing, message);
+inline Finding missing(std::string id, std::string clause, std::string_view message) {
+  return finding(std::move(id), std::move(clause), Severity::missing, message);
 }
-inline Finding note(std::string clause, std::string_view message) {
-  return finding(std::move(clause), Severity::note, message);
+inline Finding note(std::string id, std::string clause, std::string_view message) {
+  return finding(std::move(id), std::move(clause), Severity::note, message);
 }
 
 }  // namespace axiometry::iso230_2::rules

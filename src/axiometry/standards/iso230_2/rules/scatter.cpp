@@ -59,13 +59,12 @@ PositionResult position_without(const Series& series, const OutlyingReading& out
 Finding outlier_finding(const Case& c, const OutlyingReading& outlier, const AxisParameters& without) {
   const double distance = outlier.distance.in_native();
   return note(
-      "3.18",
+      "outlying-reading", "3.18",
       fmt::format("found an outlier at {} {} run {}: a reading of {}, which lies {} {} what the other readings of "
                   "target and run let expect ({}); {}, and nothing is removed",
                   target_text(c, outlier.target), arrow(outlier.direction), outlier.run + 1,
                   deviation_text(c, outlier.deviation.in_native()), deviation_text(c, std::abs(distance)),
-                  distance > 0.0 ? "above" : "below", chance_text(outlier.p),
-                  consequence(c, without, "it")));
+                  distance > 0.0 ? "above" : "below", chance_text(outlier.p), consequence(c, without, "it")));
 }
 
 /// The positions without those of the part that scatters more, for R of the rest.
@@ -106,17 +105,18 @@ Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
   const bool whole = uneven.first == 0 && uneven.last + 1 == c.evaluation.positions.size();
   if (whole && uneven.direction) {
     const AxisParameters& p = c.evaluation.parameters;
-    return note("3.18", fmt::format("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}; {}",
-                                    deviation_text(c, within), arrow(*uneven.direction), deviation_text(c, elsewhere),
-                                    uneven.direction == Direction::up ? "↓" : "↑", chance,
-                                    deviation_text(c, p.R_up->in_native()), deviation_text(c, p.R_down->in_native()),
-                                    range_text(c)));
+    return note(
+        "uneven-scatter", "3.18",
+        fmt::format("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}; {}",
+                    deviation_text(c, within), arrow(*uneven.direction), deviation_text(c, elsewhere),
+                    uneven.direction == Direction::up ? "↓" : "↑", chance, deviation_text(c, p.R_up->in_native()),
+                    deviation_text(c, p.R_down->in_native()), range_text(c)));
   }
   const std::string times = elsewhere > 0.0 ? fmt::format("{} times as much as the {} elsewhere",
                                                           size_text(within / elsewhere), deviation_text(c, elsewhere))
                                             : std::string("where they do not scatter elsewhere");
   const std::string_view of = uneven.first == uneven.last ? "this target" : "these targets";
-  return note("3.18",
+  return note("uneven-scatter", "3.18",
               fmt::format("found readings that scatter by {} at {}, {} ({}); {}; {}", deviation_text(c, within),
                           place_text(c, uneven), times, chance, range_text(c), consequence(c, rest_of(c, uneven), of)));
 }
@@ -128,7 +128,7 @@ Finding shifts_finding(const Case& c, const RunShifts& shifts) {
   if (shifts.ordered) {
     const double drift = shifts.drift.in_native();
     return note(
-        progression_clause,
+        "ordered-progression", progression_clause,
         fmt::format("found the readings {} from run to run, by {} from the first run to the last, where they "
                     "scatter by {} about target and run ({}): a sign that the machine was not thermally stable; "
                     "{}, and nothing is removed",
@@ -136,7 +136,7 @@ Finding shifts_finding(const Case& c, const RunShifts& shifts) {
                     chance_text(shifts.p), effect));
   }
   const double shift = shifts.shift.in_native();
-  return note("3.18",
+  return note("shifted-runs", "3.18",
               fmt::format("found the readings of a run shifted as a whole, by {} from run to run (standard deviation), "
                           "where they scatter by {} about target and run ({}); run {} lies {} {} the mean; {}, and "
                           "nothing is removed",

@@ -27,18 +27,19 @@ std::optional<Finding> variation_against_readings(const Test& test) {
       rules::deviation_text(kind, variation->in_native()), rules::deviation_text(kind, white),
       rules::deviation_text(kind, within.sd()), shown_chance(p));
   if (test.metadata.gum.environment_kind == EnvironmentKind::white)
-    return rules::missing("A.2.5",
+    return rules::missing("variation-against-readings", "A.2.5",
                           fmt::format("{}: it cannot be the white noise that it is stated to be, and counts as "
                                       "a slow drift or a random walk",
                                       found));
-  return rules::note("A.2.5", fmt::format("{}: it is a slow variation, or much overstated", found));
+  return rules::note("variation-against-readings", "A.2.5",
+                     fmt::format("{}: it is a slow variation, or much overstated", found));
 }
 
 std::optional<Finding> no_interval(const Assessment& assessment) {
   if (!assessment.monte_carlo) return std::nullopt;
   for (const auto& found : assessment.monte_carlo->distributions)
     if (found && !found->refusal.empty())
-      return rules::missing("8.2.1", std::string(refusal_sentence) + found->refusal);
+      return rules::missing("no-interval", "8.2.1", std::string(refusal_sentence) + found->refusal);
   return std::nullopt;
 }
 
@@ -47,7 +48,7 @@ std::optional<Finding> measurand_not_reached(const Test& test, const Assessment&
       method_of_record(assessment) != UncertaintyMethod::annex_a)
     return std::nullopt;
   return rules::missing(
-      "8.2.1",
+      "measurand-not-reached", "8.2.1",
       "uncertainty.measurand = this-machine does not reach Annex A, whose U is that of the value of this "
       "test; GUM and Monte Carlo know it");
 }
