@@ -184,8 +184,9 @@ TEST_F(VolumetricRoutes, tell_what_speaks_against_the_result_in_everything_made_
   EXPECT_EQ(told(value_of(send("compensation", of_model(found, with + table))).find("result")->find("findings")),
             expected);
   const std::string model = json::dump(*found.find("model"));
-  const Value difference = value_of(send(
-      "difference", fmt::format(R"({{"before": {}, "after": {}, "findings_after": {}, "nodes": 3}})", model, model, given)));
+  const Value difference =
+      value_of(send("difference", fmt::format(R"({{"before": {}, "after": {}, "findings_after": {}, "nodes": 3}})",
+                                              model, model, given)));
   EXPECT_EQ(told(difference.find("after")->find("findings")), expected);
   EXPECT_TRUE(told(difference.find("before")->find("findings")).empty());
   EXPECT_THAT(refusal(send("field", of_model(found, R"(, "findings": [{"id": "x"}])"))), HasSubstr("severity"));
@@ -197,9 +198,10 @@ TEST_F(VolumetricRoutes, keep_a_finding_that_is_in_the_readers_language_already)
   const Value field = value_of(send("field", of_model(result(7), R"(, "nodes": 3, "findings":
     [{"id": "volumetric-few-places", "severity": "serious", "message": "Z wurde nur an 3,5 Orten gelesen: Kurven"}])"),
                                     {}, json_type, language::Language::german));
-  EXPECT_EQ(field.find("findings")->items().front().find("message")->text(),
-            "das Ergebnis, aus dem dies gemacht ist, sollte nicht so verwendet werden: Z wurde nur an 3,5 Orten gelesen: "
-            "Kurven");
+  EXPECT_EQ(
+      field.find("findings")->items().front().find("message")->text(),
+      "das Ergebnis, aus dem dies gemacht ist, sollte nicht so verwendet werden: Z wurde nur an 3,5 Orten gelesen: "
+      "Kurven");
 }
 
 TEST_F(VolumetricRoutes, tell_what_has_changed_between_two_results) {

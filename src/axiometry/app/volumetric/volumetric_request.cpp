@@ -158,7 +158,8 @@ Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const
     AXIOMETRY_TRY_VOID(in_file(check_plan_size(plan), files.plan->name));
   }
   const auto& sizes = choices.model.sizes;
-  AXIOMETRY_TRY_VOID(check_count("spans", std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}), most_spans_of_axes));
+  AXIOMETRY_TRY_VOID(
+      check_count("spans", std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}), most_spans_of_axes));
   IdentifyChoices in_one_thread = choices;
   in_one_thread.model.threads = 1;
   const std::string name = files.lengths.size() == 1 ? files.lengths.front().name : std::string();
