@@ -57,7 +57,7 @@ std::string shown_message(const iso230_2::Finding& finding, const iso230_2::Asse
 
 iso230_2::Finding shown_finding(const iso230_2::Finding& finding, const iso230_2::Assessment& assessment, AxisKind kind,
                                 const Options& options) {
-  return {finding.clause, finding.severity, shown_message(finding, assessment, kind, options)};
+  return {finding.id, finding.clause, finding.severity, shown_message(finding, assessment, kind, options)};
 }
 
 std::vector<iso230_2::Finding> shown_findings(std::span<const iso230_2::Finding> findings,
