@@ -85,12 +85,18 @@ function Facts({ calibration }: { calibration: KeptCalibration }) {
   );
 }
 
+/** Of further files of one kind, "lengths-2", with its number. */
+function role_name(role: string): string {
+  const [name, number] = role.split('-');
+  return `${t(`role_${name as 'lengths'}`)}${number ? ` ${number}` : ''}`;
+}
+
 function Files({ calibration }: { calibration: KeptCalibration }) {
   return (
     <section class="panel">
       <header><h2>{t('files')}</h2></header>
       <DataTable<KeptCalibration['files'][number]> caption={t('files')} rows={calibration.files} row_key={({ role }) => role} columns={[
-        { key: 'role', head: t('role'), row_head: true, cell: ({ role }) => t(`role_${role as 'lengths'}`) },
+        { key: 'role', head: t('role'), row_head: true, cell: ({ role }) => role_name(role) },
         { key: 'name', head: t('file'), cell: ({ role, name }) => <a href={`/api/calibrations/${calibration.id}/files/${role}`} download>{name}</a> },
         { key: 'sha256', head: 'SHA-256', cell: ({ sha256 }) => <Hash hash={sha256} /> },
       ]} />
