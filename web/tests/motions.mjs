@@ -71,6 +71,33 @@ export const motions = {
     await shows(page.locator('main'), /Squareness.*C0Y −25\.07 µrad/s);
   },
 
+  async 'motions: the same error of a machine stands over time, and no other beside it'(world) {
+    await world.api('POST', '/api/machines', { name: 'Mill 5' });
+    const keep = async (page, name, text, measured_on) => page.evaluate(async ({ name, text, measured_on }) => {
+      const form = new FormData();
+      form.append('kind', 'straightness');
+      form.append('about', JSON.stringify({ measured_on }));
+      form.append('readings', new File([text], name));
+      return (await fetch('/api/calibrations', { method: 'POST', body: form })).status;
+    }, { name, text, measured_on });
+    const page = await world.page();
+    await page.goto('/calibrations');
+    const readings = measured('z-of-x.csv').toString();
+    assert.equal(await keep(page, 'first.csv', readings, '2025-11-26'), 201);
+    await page.goto('/calibrations/1');
+    await shows(page.locator('main'), 'EZX');
+    assert.equal(await page.locator('.motion-history').count(), 0, 'one point is no course');
+    assert.equal(await keep(page, 'second.csv', readings.replaceAll('EZX', 'EYX'), '2026-05-26'), 201);
+    await page.reload();
+    await shows(page.locator('main'), 'EZX');
+    await settle(page);
+    assert.equal(await page.locator('.motion-history').count(), 0, 'EYX is another error');
+    assert.equal(await keep(page, 'third.csv', `${readings.trim()}\n`, '2026-11-26'), 201);
+    await page.reload();
+    await shows(page.locator('.motion-history'), /Over time.*EZX: Straightness, µm/s);
+    await page.locator('.motion-history canvas').waitFor();
+  },
+
   async 'motions: the rotations of an axis, and what they do at another point'(world) {
     const page = await world.page();
     await page.goto('/motions');

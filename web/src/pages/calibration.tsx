@@ -17,6 +17,8 @@ import { ComparePanel } from './calibrations/comparison';
 import { EditCalibration, EvaluateAgain, WithdrawCalibration } from './calibrations/dialogs';
 import { CalibrationResult } from './calibrations/result';
 import { t } from './calibrations/texts';
+import { is_motion_kind } from './motions/form';
+import { MotionHistory } from './motions/history';
 
 /** One calibration at one of its versions: figures, findings, files, versions, and what may be done with it. */
 export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
@@ -47,6 +49,7 @@ export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
       {found.version !== latest && <p class="notice caution">{t('older', { n: found.version, latest })} <a href={`/calibrations/${found.id}`}>{t('to_latest')}</a></p>}
       <Facts calibration={found} />
       <CalibrationResult calibration={found} />
+      {is_motion_kind(found.kind) && <MotionHistory calibration={found} />}
       <ComparePanel calibration={found} />
       <Files calibration={found} />
       <Versions calibration={found} />

@@ -37,12 +37,19 @@ const find = (row: Pick<CalibrationRow, 'figures'>, parameter: string) => row.fi
 const worst = (figures: readonly CalibrationFigure[]): CalibrationFigure | null =>
   figures.reduce<CalibrationFigure | null>((most, one) => (most === null || one.value > most.value ? one : most), null);
 
+const is_location = (parameter: string): boolean => /^[ABC]0[YZ]$/.test(parameter);
+
+/** What a straightness, an angle or a squareness is known by: with its location error first, and without its lines. */
+export function is_main_figure({ parameter }: CalibrationFigure, _: number, figures: readonly CalibrationFigure[]): boolean {
+  if (figures.some((one) => one.parameter === 'squareness'))
+    return is_location(parameter) || (parameter === 'squareness' && !figures.some((one) => is_location(one.parameter)));
+  return parameter === 'straightness' || parameter === 'angle_range';
+}
+
 /** Of squareness C0Y and its like where the sign is known, else S; of the others the range of each error. */
 function motion_headline({ kind, figures }: Pick<CalibrationRow, 'kind' | 'figures'>): string {
-  const shown = kind === 'squareness'
-    ? figures.filter(({ parameter }) => /^[ABC]0[YZ]$/.test(parameter) || parameter === 'squareness').slice(0, 1)
-    : figures.filter(({ parameter }) => parameter === 'straightness' || parameter === 'angle_range');
-  return shown.map(({ parameter, of, value, unit }) => `${of === '' ? figure_name(parameter, of) : of} ${figure_text(parameter, unit, value)} ${sign_of(unit)}`).join(', ');
+  const shown = figures.filter(is_main_figure);
+  return (kind === 'squareness' ? shown.slice(0, 1) : shown).map(({ parameter, of, value, unit }) => `${of === '' ? figure_name(parameter, of) : of} ${figure_text(parameter, unit, value)} ${sign_of(unit)}`).join(', ');
 }
 
 /** What a list shows: of lines how many and the worst A and E, of the 21 errors the volume, χ²/ν and what is not told. */
