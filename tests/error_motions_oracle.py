@@ -177,6 +177,34 @@ def check_squareness(found, lines, square, square_U):
     near(found["squareness_arcsec"]["u"], math.sqrt(scatter ** 2 + instrument ** 2 + square_U ** 2 / 4), "u of S", 1e-6)
 
 
+def check_senses(folder, rng):
+    """Two axes of a machine as directions in space, read by sensors that are positive either way: the angle between both and
+    which rotation about the third axis that is."""
+    first, second = rng.choice(3, 2, replace=False)
+    third = 3 - first - second
+    x = np.arange(0.0, 501.0, 100.0)
+    directions = np.eye(3)
+    for a, b in ((first, second), (second, first)):
+        directions[a][b] = rng.uniform(-3e-5, 3e-5)
+    files, senses = [], []
+    for a, b in ((first, second), (second, first)):
+        sign = int(rng.choice([-1, 1]))
+        bow = rng.normal(0, 0.2) * ((x - 250) ** 2 - 250 ** 2) / 250 ** 2  # symmetrical: no slope
+        files.append(write(folder, f"sense{len(files)}.csv", x, sign * (1e3 * directions[a][b] * x + bow)[None, None, :],
+                           f"E{'XYZ'[b]}{'XYZ'[a]}_um", rng))
+        senses.append(("+" if sign > 0 else "-") + "XYZ"[b])
+    found = program("squareness", *files, f"--positive={','.join(senses)}")
+    angle = math.acos(np.dot(directions[first], directions[second]) /
+                      np.linalg.norm(directions[first]) / np.linalg.norm(directions[second]))
+    near(found["squareness_arcsec"]["value"], (angle - math.pi / 2) * ARCSEC, "squareness in axes", 1e-6)
+    early, late = sorted((int(first), int(second)))
+    normal = np.eye(3)[third]
+    turned = [math.atan2(np.dot(normal, np.cross(np.eye(3)[a], directions[a])), directions[a][a]) for a in (late, early)]
+    location = found["location_error"]
+    assert location["name"] == "ABC"[third] + "0" + "XYZ"[late], location["name"]
+    near(location["urad"]["value"], 1e6 * (turned[0] - turned[1]), "location error", 1e-6)
+
+
 def check_angles(folder, rng):
     x = np.arange(0.0, 500.0, 100.0)
     angles = np.round(rng.normal(0, 20, (3, len(x))), 3)
@@ -229,6 +257,7 @@ def main():
             assert alone["courses"] == found["lines"][0]["courses"]
         for _ in range(10):
             check_angles(folder, rng)
+            check_senses(folder, rng)
         coverage(folder, rng)
     print(f"error motions: {TESTS} tests agree")
 

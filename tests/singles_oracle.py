@@ -8,7 +8,8 @@ The script has the first-order kinematics of its own: δ = Σ E_a + ω_a × r_a 
 instruments would read along one line for each axis, rotations with an unknown zero, straightness with an unknown zero and
 slope, and squareness as the angle between the lines' best straight directions. `axiometry volumetric assemble` and `field --at`
 must give the error of the tool point anywhere, but for a motion of the whole machine; and standard uncertainties that agree
-with the scatter of the same chain under noise.
+with the scatter of the same chain under noise. The same once more from the JSON of `axiometry straightness`, `angles` and
+`squareness`, to which the instruments' signs are told.
 """
 import json
 import subprocess
@@ -72,7 +73,7 @@ def measure(machine, rng, noise):
     return readings, {k: v + rng.normal(0, noise) for k, v in square.items()}
 
 
-def program_field(program, machine, readings, square, places, folder, noise):
+def program_field(program, machine, readings, square, places, folder, noise, results=None):
     with open(folder + "/machine.json", "w", encoding="utf-8") as out:
         json.dump({"chain": machine["chain"], "travel_mm": {a: [LOWER[k], UPPER[k]] for k, a in enumerate("XYZ")},
                    "tools_mm": {"T": list(TOOL)},
@@ -91,6 +92,9 @@ def program_field(program, machine, readings, square, places, folder, noise):
                 out.writelines(f"{q:.17g},{v:.17g},up\n" for q, v in zip(machine["nodes"][a], values))
         items.append(f"{name}={file}")
         instruments += ["--instrument", f"{name}={2 * noise:.17g}"]
+    if results is not None:  # positions stay as they are
+        kept = [item for item in items if item[0] == "E" and item[1] == item[2]]
+        items, instruments = kept + results, [f"--instrument={item[:3]}=1" for item in kept]
     stood = [f"--at={a}={','.join(f'{x:.17g}' for x in machine['stood'][k])}@T" for k, a in enumerate("XYZ")]
     with open(folder + "/points.csv", "w", encoding="utf-8") as out:
         out.write("tool,x_mm,y_mm,z_mm\n")
@@ -104,6 +108,38 @@ def program_field(program, machine, readings, square, places, folder, noise):
     if done.returncode != 0:
         sys.exit(f"field: {done.returncode}: {done.stderr}")
     return json.loads(done.stdout)
+
+
+def results_of(program, machine, readings, rng, folder):
+    """The errors as JSON of their own verbs, out of readings by sensors that are positive either way."""
+    def run(verb, files, senses, out, *more):
+        done = subprocess.run([program, verb, *files, f"--positive={','.join(senses)}", "--json", out, "-q", *more],
+                              capture_output=True, text=True, timeout=120)
+        if done.returncode != 0:
+            sys.exit(f"{verb}: {done.returncode}: {done.stderr}")
+        return out
+
+    def read(name):
+        sign = rng.choice([-1, 1])
+        file = f"{folder}/sensor-{name}.csv"
+        with open(file, "w", encoding="utf-8") as out:
+            out.write(f"position_mm,run,direction,{name}_{'um' if name[1] in 'XYZ' else 'urad'}\n")
+            out.writelines(f"{q:.17g},{run},up,{sign * v:.17g}\n" for run in (1, 2)
+                           for q, v in zip(machine["nodes"]["XYZ".index(name[2])], readings[name]))
+        return file, ("+" if sign > 0 else "-") + name[1]
+
+    items = []
+    for name in readings:
+        if name[1] != name[2]:
+            file, sense = read(name)
+            verb = "straightness" if name[1] in "XYZ" else "angles"
+            items.append(f"{name}={run(verb, [file], [sense], f'{folder}/{name}.json')}")
+    for name, pair in (("C0Y", ("EYX", "EXY")), ("B0Z", ("EXZ", "EZX")), ("A0Z", ("EYZ", "EZY"))):
+        lines = [read(line) for line in (pair if rng.random() < 0.5 else pair[::-1])]
+        reference = str(rng.choice(["least-squares", "end-points"]))
+        items.append(f"{name}=" + run("squareness", [f for f, _ in lines], [s for _, s in lines], f"{folder}/{name}.json",
+                                      "--reference", reference))
+    return items
 
 
 def without_motion(places, d):
@@ -129,6 +165,15 @@ def main():
             true = np.array([field(machine, q) for q in places])
             rest = without_motion(places, got - true)
             assert np.abs(rest).max() < 2e-3, (machine["chain"], np.abs(rest).max())  # slopes of a fine grid
+            # Without a slope of the straightedge: each line of the squareness is read against the same one.
+            level = {name: values - (3.0 + 0.02 * machine["nodes"]["XYZ".index(name[2])]
+                                     if name[1] in "XYZ" and name[1] != name[2] else 0.0)
+                     for name, values in readings.items()}
+            told = program_field(program, machine, level, square, places, folder, 0.5,
+                                 results_of(program, machine, level, np.random.default_rng(k), folder))
+            told = told["points"] if isinstance(told, dict) else told
+            rest = without_motion(places, np.array([p["error_um"] for p in told], dtype=float) - true)
+            assert np.abs(rest).max() < 1e-6, (machine["chain"], "from results", np.abs(rest).max())
             if k < 2:
                 u = np.array([np.sqrt(np.diag(np.reshape(p["covariance_um2"], (3, 3)))) for p in points])
                 trials = []

@@ -57,6 +57,7 @@ export async function visited(world) {
   });
   const lines = await calibrated(world, 'lines', { lengths: 'tracking-evaluate.files/lengths.csv', plan: 'tracking-evaluate.files/seven.json' });
   const volume = await calibrated(world, 'volumetric', { lengths: 'volumetric.files/lengths.csv', machine: 'volumetric.files/machine.json' });
+  const square = await calibrated(world, 'squareness', { readings: 'error-motions.files/x-in-y.csv', 'readings-2': 'error-motions.files/y-in-x.csv' });
   const table = await corrected(world, third, { control: 'linuxcnc' }, second);
   await corrected(world, first, { control: 'heidenhain', turned_sign: true });
   const { machines } = await world.api('GET', '/api/machines');
@@ -67,7 +68,7 @@ export async function visited(world) {
     '/', `/tests/${first}`, `/tests/${second}`, `/tests/${first}/report`, `/compare?tests=${first},${second},${third}`,
     '/machines', ...(machine ? [`/machines/${machine.id}`] : []), ...(axis ? [`/axes/${axis.id}`] : []),
     '/instruments', `/instruments/${instruments[0].id}`, '/plans', '/plans/new', `/plans/${plan}`,
-    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, '/compensations', `/compensations/${table}`, `/tests/${third}/table`, `/tests/${first}/rules`, '/tables', '/captures', '/captures/new', `/captures/${capture.id}`, `/captures/${lengths.id}`, '/settings', '/audit', '/no/such/page',
+    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, `/calibrations/${square}`, '/motions', '/compensations', `/compensations/${table}`, `/tests/${third}/table`, `/tests/${first}/rules`, '/tables', '/captures', '/captures/new', `/captures/${capture.id}`, `/captures/${lengths.id}`, '/settings', '/audit', '/no/such/page',
   ];
 }
 

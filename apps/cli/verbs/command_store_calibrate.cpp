@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -14,11 +13,10 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/volumetric/plan_volume.h"
-#include "axiometry/app/workbench/calibration_json.h"
 #include "axiometry/app/workbench/calibrations.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/report/drawing/utf8.h"
 #include "cli/failure.h"
+#include "cli/flags/about_flags.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/length_flags.h"
 #include "cli/flags/option_text.h"
@@ -44,24 +42,12 @@ struct CalibrateArguments {
   std::string address;
   std::vector<std::string> lengths;
   std::string plan, station, machine, tolerance_table, options;  // files
-  std::string title, measured_on, notes;
-  std::int64_t machine_id = 0, instrument_id = 0;
+  AboutCalibration about;
   app::TrackingEvaluateOptions lines;
   app::IdentifyChoices volume;
   std::optional<Verb> verb;                      ///< this one, whose flags were given
   std::vector<std::string> of_lines, of_volume;  ///< flags of one kind alone
 };
-
-/// What is said beside the files, checked as a request would be.
-json::Value about_calibration(const CalibrateArguments& a) {
-  json::Value said = json::Value::object();
-  said.add("title", a.title);
-  said.add("measured_on", a.measured_on);
-  said.add("notes", a.notes);
-  if (a.machine_id != 0) said.add("machine", static_cast<double>(a.machine_id));
-  if (a.instrument_id != 0) said.add("instrument", static_cast<double>(a.instrument_id));
-  return said;
-}
 
 /// "lines" or "volumetric". Fails where the files do not say which.
 Result<std::string> kind_of_calibration(const CalibrateArguments& a) {
@@ -127,7 +113,7 @@ Result<int> keep_lengths(const CalibrateArguments& given) {
     tolerances = std::move(table.file);
     a.lines.tolerance.table_name = std::move(table.name);
   }
-  AXIOMETRY_TRY(app::NewCalibration calibration, app::new_calibration_from(about_calibration(a)));
+  AXIOMETRY_TRY(app::NewCalibration calibration, new_calibration(a.about));
   calibration.kind = kind;
   AXIOMETRY_TRY(calibration.options, options_of(kind, a));
   const std::vector<NamedPart> parts = parts_of_calibration(a, tolerances);
@@ -141,9 +127,7 @@ Result<int> keep_lengths(const CalibrateArguments& given) {
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {}));
   AXIOMETRY_TRY(const auto kept, app::keep_calibration(*archive, calibration, {"import", "axiometry store calibrate"}));
   const store::Calibration& c = kept.calibration.value;
-  fmt::print("calibration {}: {}\n", kept.calibration.id, report::printable(c.title));
-  if (!kept.same_files->empty())
-    fmt::print("the same files are kept as calibration {} already\n", fmt::join(*kept.same_files, ", "));
+  print_kept_calibration(kept);
   if (c.serious > 0) fmt::print("{}: the result should not be used as it is\n", counted(c.serious, "serious finding"));
   return c.serious > 0 || c.verdict == "does not conform" ? exit_exceeded
          : c.verdict == "undecided"                       ? exit_undecided
@@ -174,12 +158,7 @@ void add_store_calibrate(const Verb& store, int& exit_code) {
   verb->add_option("--plan", made->plan, "The plan whose lines were measured, or that of 'volumetric plan'")
       ->check(fault_of_empty_name)
       ->type_name("FILE");
-  verb->add_option("--title", made->title, "Title (as the files say)");
-  verb->add_option("--measured-on", made->measured_on, "Date, 2026-01-31 (as the files say)")->type_name("DATE");
-  verb->add_option("--notes", made->notes, "Notes");
-  verb->add_option("--of-machine", made->machine_id, "Number of the machine in the archive (the one the files name)")
-      ->type_name("N");
-  verb->add_option("--instrument", made->instrument_id, "Number of the instrument in the archive")->type_name("N");
+  add_about_flags(*verb, made->about, "--instrument");
   verb->add_option("--options", made->options,
                    "How it is evaluated, as JSON in place of the flags below (docs/howto/keep-a-calibration.md)")
       ->check(fault_of_empty_name)

@@ -13,6 +13,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
+#include "axiometry/store/kept/calibration_kinds.h"
 #include "axiometry/store/store.h"
 #include "cli/failure.h"
 #include "cli/flags/store_flags.h"
@@ -39,21 +40,22 @@ using SharedCalibration = std::shared_ptr<CalibrationArguments>;
 std::string last_part(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
 /// "A x 10.2 µm", and of numbers without a unit "chi2_per_dof 1.122".
-std::string kept_figure_text(const store::KeptFigure& figure) {
+std::string kept_figure_text(std::string_view kind, const store::KeptFigure& figure) {
   const std::string unit = figure.unit == "um"     ? " µm"
                            : figure.unit == "urad" ? " µrad"
                                                    : (figure.unit.empty() ? "" : " ″");
+  const bool is_small = app::is_motion_kind(kind);  // straightness is often below 1 µm
   return fmt::format("{}{}{} {}{}", figure.parameter, figure.of.empty() ? "" : " ", report::printable(figure.of),
                      figure.parameter == "chi2_per_dof" ? format_fixed(figure.value, 3)
                      : unit.empty()                     ? format_exact(figure.value)
-                                                        : format_fixed(figure.value, 1),
+                                                        : format_fixed(figure.value, is_small ? 2 : 1),
                      unit);
 }
 
 void print_line(const store::CalibrationRow& row) {
   const Calibration& c = row.calibration.value;
   fmt::print("{} {} {} {} {} {}{}\n", left(fmt::format("{}", row.calibration.id), 7),
-             left(report::printable(c.measured_on), 11), left(c.kind, 11),
+             left(report::printable(c.measured_on), 11), left(c.kind, 12),
              left(report::printable(row.machine_name), 24), left(c.verdict, 17), report::printable(c.title),
              c.withdrawn ? " (withdrawn)" : "");
 }
@@ -89,7 +91,7 @@ void print_kept(const app::KeptCalibration& kept) {
     if (!text.empty()) fmt::print("  {}{}\n", left(name, 18), report::printable(text));
   for (const store::KeptFile& file : c.files)
     fmt::print("  {}{} {}\n", left(file.role, 18), file.content.substr(0, 12), report::printable(file.name));
-  for (const store::KeptFigure& figure : c.figures) fmt::print("    {}\n", kept_figure_text(figure));
+  for (const store::KeptFigure& figure : c.figures) fmt::print("    {}\n", kept_figure_text(c.kind, figure));
 }
 
 /// The files under their own names, none of which is there.
@@ -125,10 +127,12 @@ Result<int> show(const CalibrationArguments& a) {
 
 void add_store_calibrations(const Verb& store, int& exit_code) {
   add_store_calibrate(store, exit_code);
+  add_store_motions(store, exit_code);
   auto made = std::make_shared<CalibrationArguments>();
   Verb listed = store_verb(store, {"calibrations", "List calibrations, the newest first"}, exit_code, made, list_kept);
   listed->add_option("--text", made->text, "Only those with these words in title, notes, files or machine");
-  listed->add_option("--kind", made->kind, "Only lines, or volumetric");
+  listed->add_option("--kind", made->kind, "Only lines, volumetric, straightness, angles or squareness")
+      ->check_among({store::calibration_kinds.begin(), store::calibration_kinds.end()});
   listed->add_flag("--withdrawn", made->withdrawn, "Withdrawn ones, too");
   listed->add_option("--limit", made->limit, "How many (50)")->check_range(1, 1000);
   made = std::make_shared<CalibrationArguments>();

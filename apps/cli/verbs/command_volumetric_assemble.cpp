@@ -23,7 +23,8 @@ namespace {
 
 constexpr const char* assemble_examples =
     R"(Items are NAME=FILE: EXX, EYY, EZZ with a test of positions in any format, straightness (EYX, …) and rotations
-(EAX, …) as axiometry straightness and angles read them; and squareness in µrad with its U (k = 2): C0Y=-12.5,1.2.
+(EAX, …) as axiometry straightness and angles read them, or as their --json OUT; squareness as the JSON of axiometry
+squareness --positive …: C0Y=square.json, or in µrad with its U (k = 2): C0Y=-12.5,1.2.
 C0Y turns Y about Z, B0Z turns Z about Y, A0Z turns Z about X. --at says for each axis where the axes stood and
 with which tool while it was measured: rotations act on displacements by the lever from there.
 Examples:
@@ -57,7 +58,7 @@ Result<void> put_stand(const std::string& text, app::AssembleRequest& request) {
 Result<void> put_instrument(const std::string& text, app::AssembleRequest& request) {
   const std::size_t mark = std::min(text.find('='), text.size());
   const auto item = std::ranges::find(request.items, text.substr(0, mark), &app::SingleItem::name);
-  if (item == request.items.end() || item->file.empty() || item->instrument)
+  if (item == request.items.end() || item->file.empty() || item->name[0] != 'E' || item->instrument)
     return fail(fmt::format("found an instrument of {}, expected one of an error that is given, and once",
                             text::quoted(text.substr(0, mark))));
   const std::string amount = text.substr(std::min(mark + 1, text.size()));
@@ -107,7 +108,7 @@ void add_volumetric_assemble(const Verb& volumetric, int& exit_code) {
   Verb verb = volumetric.add_subcommand("assemble", "The model of a machine from its errors measured one by one");
   verb->footer(assemble_examples);
   auto arguments = std::make_shared<AssembleArguments>();
-  verb->add_option("ITEM", arguments->items, "Errors: NAME=FILE, or squareness NAME=VALUE,U")->required();
+  verb->add_option("ITEM", arguments->items, "Errors: NAME=FILE, or of squareness also NAME=VALUE,U")->required();
   verb->add_option("--machine", arguments->request.machine, "The machine as JSON (axiometry schema machine)")
       ->type_name("FILE")
       ->required();

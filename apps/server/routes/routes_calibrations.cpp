@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Calibrations: lines and the 21 errors that are kept, evaluated again, compared.
+// Calibrations: lines, the 21 errors, straightness, angles and squareness that are kept, evaluated again, compared.
 #include <fmt/format.h>
 
 #include <array>
@@ -11,7 +11,9 @@
 #include "axiometry/app/workbench/calibration_json.h"
 #include "axiometry/app/workbench/calibrations.h"
 #include "axiometry/app/workbench/equipment_json.h"
+#include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/text.h"
+#include "axiometry/store/kept/calibration_kinds.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"
@@ -43,8 +45,9 @@ Result<store::CalibrationFilter> calibration_filter(const Request& request) {
   if (const std::size_t words = text::words(filter.text).size(); words > words_max)
     return fail(fmt::format("found {} words to search for, expected at most {}", words, words_max));
   filter.kind = request.parameter("kind").value_or("");
-  if (!filter.kind.empty() && filter.kind != "lines" && filter.kind != "volumetric")
-    return fail(fmt::format("found the kind {}, expected lines or volumetric", text::quoted(filter.kind)));
+  if (!filter.kind.empty() && !store::is_calibration_kind(filter.kind))
+    return fail(
+        fmt::format("found the kind {}, expected {}", text::quoted(filter.kind), store::calibration_kinds_text));
   AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", store::id_max));
   AXIOMETRY_TRY(filter.instrument, whole_of(request, "instrument", store::id_max));
   AXIOMETRY_TRY(filter.measured_from, date_of(request, "from"));
@@ -84,12 +87,43 @@ Result<void> take_calibration_part(CalibrationForm& form, const FormPart& part) 
   return {};
 }
 
-Result<app::NewCalibration> new_calibration_of(const Request& request) {
+Result<CalibrationForm> calibration_form_of(const Request& request) {
   const std::string_view type = request.header("content-type").value_or("");
   if (!is_form(type)) return fail("found no form, expected one with kind and files");
   AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
   CalibrationForm form;
   for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_calibration_part(form, part));
+  return form;
+}
+
+/// Straightness, angles or squareness that is only looked at. Without a kind, as the readings are.
+Result<app::EvaluatedCalibration> motions_of(const Request& request) {
+  AXIOMETRY_TRY(CalibrationForm form, calibration_form_of(request));
+  if (!form.about.members().empty()) return fail("found the part about in the form, expected it where it is kept");
+  if (form.kind.empty() && !form.files.empty()) {
+    form.kind = app::motion_kind_of(form.files.front().bytes).value_or("straightness");
+    if (form.kind == "straightness" && form.files.size() == 2) form.kind = "squareness";
+  }
+  if (!app::is_motion_kind(form.kind))
+    return fail(fmt::format("found the kind {}, expected straightness, angles or squareness", text::quoted(form.kind)));
+  return app::evaluate_calibration(form.kind, form.files, form.options);
+}
+
+Result<Response> motions(const Store&, const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const app::EvaluatedCalibration evaluated, motions_of(request));
+  return json_response(app::localised_result(app::result_of(evaluated), reader));
+}
+
+Result<Response> motions_report(const Store&, const Request& request) {
+  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const app::EvaluatedCalibration evaluated, motions_of(request));
+  if (wants_json(request)) return json_file(app::result_of(evaluated), "motions");
+  return document_response(app::document_of(evaluated, options), request, options, "motions");
+}
+
+Result<app::NewCalibration> new_calibration_of(const Request& request) {
+  AXIOMETRY_TRY(CalibrationForm form, calibration_form_of(request));
   AXIOMETRY_TRY(app::NewCalibration calibration, app::new_calibration_from(form.about));
   calibration.kind = std::move(form.kind);
   calibration.files = std::move(form.files);
@@ -174,6 +208,9 @@ void add_calibration_routes(Router& router, const Context& context) {
     router.add(
         method, pattern, [&store, handler](const Request& request) { return handler(store, request); }, weight, terms);
   };
+  const Terms looked_at{.sent = Sent::files, .only_looks = true, .body_max = calibration_bytes_max};
+  add("POST", "/api/motions", motions, Weight::heavy, looked_at);
+  add("POST", "/api/motions/report.{extension}", motions_report, Weight::heavy, looked_at);
   add("GET", "/api/calibrations", list_calibrations);
   add("POST", "/api/calibrations", keep_calibration, Weight::heavy,
       {.sent = Sent::files, .body_max = calibration_bytes_max});

@@ -145,7 +145,8 @@ TEST_F(CalibrationRoutes, are_listed_by_kind_words_and_date_and_withdrawn) {
   EXPECT_THAT(listed({{"kind", "lines"}}), ElementsAre(1));
   EXPECT_THAT(listed({{"text", "BEFORE"}}), ElementsAre(1));
   EXPECT_THAT(listed({{"from", "2026-01-01"}, {"to", "2026-01-02"}}), ElementsAre(1));
-  EXPECT_THAT(refusal(send("GET", "", {}, {{"kind", "other"}})), HasSubstr("lines or volumetric"));
+  EXPECT_THAT(refusal(send("GET", "", {}, {{"kind", "other"}})),
+              HasSubstr("lines, volumetric, straightness, angles or squareness"));
   EXPECT_THAT(refusal(send("GET", "", {}, {{"order", "size"}})), HasSubstr("received, measured or title"));
   const Value gone = value_of(send("POST", "/1/withdraw", R"({"reason": "wrong plan"})"));
   EXPECT_TRUE(gone.find("withdrawn")->boolean());
@@ -241,9 +242,117 @@ TEST_F(CalibrationRoutes, take_several_files_of_lengths_of_the_21_errors_alone) 
   EXPECT_THAT(refusal(keep_volume(R"({"reversed": true})")), HasSubstr("continuous recording"));
 }
 
+/// Readings of an error over 0 to 200 mm in both directions, with a slope in 1e-3.
+std::string readings(const std::string& head, double slope) {
+  std::string text = head + "\n";
+  for (const int run : {1, 2})
+    for (const char* direction : {"up", "down"})
+      for (const double at : {0.0, 100.0, 200.0})
+        text += fmt::format("{},{},{},{}\n", at, run, direction,
+                            slope * at + (at == 100.0 ? 0.5 : 0.0) + 0.01 * run + (*direction == 'u' ? 0.1 : 0.0));
+  return text;
+}
+const std::string eyx_head = "# machine.name: Mill 5\nposition_mm,run,direction,EYX_um";
+const std::string exy_head = "position_mm,run,direction,EXY_um";
+
+TEST_F(CalibrationRoutes, keep_straightness_angles_and_squareness_apart_from_tests) {
+  store::Machine mill;
+  mill.name = "Mill 5";
+  ASSERT_TRUE(archive.store().add(mill, {"Anna", ""}));
+  const std::string eyx = readings(eyx_head, 0.02), exy = readings(exy_head, 0.01);
+  const Value one = value_of(keep({{"readings", eyx}}, {{"kind", "straightness"}}), 201);
+  EXPECT_EQ(one.find("title")->text(), "EYX");
+  EXPECT_EQ(one.find("machine")->find("name")->text(), "Mill 5");
+  EXPECT_NEAR(*figure_of(one, "straightness", "EYX"), 0.5, 1e-9);
+  EXPECT_NEAR(*figure_of(one, "motion_reversal", "EYX"), 0.1, 1e-9);
+  EXPECT_FALSE(figure_of(one, "E", "EYX"));
+  EXPECT_FALSE(figure_of(one, "E", ""));
+  const Value square = value_of(keep({{"readings", eyx}, {"readings-2", exy}},
+                                     {{"kind", "squareness"}, {"options", R"({"positive": ["+Y", "-X"]})"}}),
+                                201);
+  // X turns about Z by +20 µrad; the sensor of Y counts towards −X, so Y turns by +10 µrad.
+  EXPECT_NEAR(*figure_of(square, "C0Y", ""), 10.0 - 20.0, 1e-6);
+  const Value angles = value_of(keep({{"readings", readings("position_mm,run,direction,EAX_urad", 0.0)}},
+                                     {{"kind", "angles"}, {"about", R"({"title": "roll"})"}}),
+                                201);
+  EXPECT_NEAR(*figure_of(angles, "angle_range", "EAX"), 0.5, 1e-9);
+  EXPECT_THAT(listed(), ElementsAre(3, 2, 1));
+  EXPECT_THAT(listed({{"kind", "squareness"}}), ElementsAre(2));
+  EXPECT_EQ(archive.store().counts()->tests, 0);
+  EXPECT_EQ(send("GET", "/2/files/readings-2").body, exy);
+  const Response report = send("GET", "/2/report.html");
+  EXPECT_EQ(report.status, 200);
+  EXPECT_THAT(report.body, HasSubstr("Location error C0Y"));
+  // Evaluated again with a square that is 2″ too large.
+  const Value again = value_of(send("POST", "/2/versions",
+                                    R"({"base_version": 1, "reason": "the certificate of the square",
+                                        "options": {"positive": ["+Y", "-X"], "square_error_arcsec": 2}})"),
+                               201);
+  EXPECT_NEAR(*figure_of(again, "C0Y", ""), -10.0 + 2 * 4.84813681, 1e-6);
+}
+
+TEST_F(CalibrationRoutes, compare_figures_of_one_unit_alone) {
+  keep({{"readings", readings("position_mm,run,direction,EAX_urad", 0.0)}}, {{"kind", "angles"}});
+  keep({{"readings", readings("position_mm,run,direction,EAX_arcsec", 0.0)}}, {{"kind", "angles"}});
+  const Value comparison = value_of(send("GET", "/1/comparison", {}, {{"with", "2"}}));
+  for (const Value& row : comparison.find("rows")->items())
+    EXPECT_TRUE(row.find("difference")->is(json::Kind::null)) << json::dump(row);
+}
+
+TEST_F(CalibrationRoutes, refuse_motions_that_are_none) {
+  const std::string eyx = readings(eyx_head, 0.02), exy = readings(exy_head, 0.01);
+  const auto refused = [&](const Pairs& files, const std::string& kind, const std::string& options = "{}") {
+    return refusal(keep(files, {{"kind", kind}, {"options", options}}));
+  };
+  EXPECT_THAT(refused({{"readings", eyx}}, "squareness"), HasSubstr("found 1 files of readings for squareness"));
+  EXPECT_THAT(refused({{"readings", eyx}, {"readings-2", exy}}, "straightness"), HasSubstr("expected 1"));
+  EXPECT_THAT(refused({{"lengths", eyx}}, "straightness"), HasSubstr("found no file readings"));
+  EXPECT_THAT(refused({{"readings", eyx}, {"readings-3", exy}}, "squareness"), HasSubstr("found no file readings-2"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "angles"), HasSubstr("found readings in µm"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"offset_mm": [0, 0, 1]})"), HasSubstr("no use for"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"square_error_arcsec": 1})"), HasSubstr("no use for"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"reference": "none"})"), HasSubstr("no use for"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"instrument": [-1]})"), HasSubstr("from 0 to"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"instrument": []})"), HasSubstr("found 0 numbers"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"positive": ["Y"]})"), HasSubstr("found \"Y\""));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"positive": ["+Y", "+Y"]})"),
+              HasSubstr("found 2 senses"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"spans": 3})"), HasSubstr("spans"));
+  EXPECT_THAT(listed({{"withdrawn", "1"}}), IsEmpty());
+}
+
+class MotionRoutes : public RouteTest {
+ protected:
+  MotionRoutes() : RouteTest("/api/motions") {
+    auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
+    add_calibration_routes(router, {archive.store(), workbench, captures});
+  }
+  Response look(const Pairs& files, const Pairs& texts = {}, std::string_view path = "") const {
+    return ask("POST", path, form_of(files, texts), {}, form_type);
+  }
+  testing_support::Archive archive;
+  app::Workbench workbench{archive.store()};
+};
+
+TEST_F(MotionRoutes, tell_what_readings_are_and_keep_nothing) {
+  const std::string eyx = readings(eyx_head, 0.02), exy = readings(exy_head, 0.01);
+  EXPECT_EQ(value_of(look({{"readings", eyx}})).find("result")->text(), "straightness");
+  EXPECT_EQ(value_of(look({{"readings", eyx}, {"readings-2", exy}})).find("result")->text(), "squareness");
+  EXPECT_EQ(value_of(look({{"readings", readings("position_mm,run,direction,EAX_urad", 0.0)}})).find("result")->text(),
+            "angles");
+  EXPECT_THAT(refusal(look({{"readings", "no table"}})), HasSubstr("found no column position_mm"));
+  EXPECT_THAT(refusal(look({{"readings", eyx}}, {{"kind", "lines"}})), HasSubstr("straightness, angles or squareness"));
+  EXPECT_THAT(refusal(look({{"readings", eyx}}, {{"about", R"({"title": "x"})"}})), HasSubstr("found the part about"));
+  const Response report = look({{"readings", eyx}}, {}, "/report.html");
+  EXPECT_EQ(report.status, 200);
+  EXPECT_THAT(report.body, HasSubstr("Straightness EYX"));
+  EXPECT_EQ(archive.store().counts()->content_bytes, 0);
+}
+
 TEST_F(CalibrationRoutes, refuse_what_cannot_be_evaluated_and_keep_nothing) {
   EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "lines"}})), HasSubstr("found no file plan"));
-  EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "other"}})), HasSubstr("lines or volumetric"));
+  EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "other"}})),
+              HasSubstr("lines, volumetric, straightness, angles or squareness"));
   EXPECT_THAT(refusal(keep({{"photo", "x"}}, {{"kind", "lines"}})), HasSubstr("lengths, plan, station"));
   EXPECT_THAT(refusal(keep_lines(R"({"name": "x"})")), HasSubstr("name"));
   EXPECT_THAT(refusal(keep_lines("{}", R"({"tolerances": ["Q=1um"]})")), HasSubstr("Q"));

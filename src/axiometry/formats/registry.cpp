@@ -3,6 +3,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_source.h"
@@ -41,6 +42,7 @@ const Format* find_format(std::string_view id) {
 }
 
 Result<const Format*> recognise(std::string_view head) {
+  AXIOMETRY_TRY_VOID(check_no_other_error(head));
   const auto readable = readable_text(head);
   if (!readable) {
     // UTF-16 and the line ends of old Macs: some readers decode them, the others say what is wrong.

@@ -23,6 +23,8 @@ constexpr Phrase rows[] = {
     {"At / s", "Bei / s"},
     {"At / °", "Bei / °"},
     {"At another point", "An einem anderen Punkt"},
+    {"C0Y turns Y about Z, B0Z turns Z about Y, A0Z turns Z about X, positive by the right-hand rule.",
+     "C0Y dreht Y um Z, B0Z dreht Z um Y, A0Z dreht Z um X, positiv nach der Rechte-Hand-Regel."},
     {"Change of the errors at an offset of {0#} mm from the measured line",
      "Änderung der Abweichungen bei einem Versatz von {0} mm von der gemessenen Geraden"},
     {"Course", "Verlauf"},
@@ -41,9 +43,14 @@ constexpr Phrase rows[] = {
     {"From / °", "Von / °"},
     {"Highest acceleration", "Höchste Beschleunigung"},
     {"Highest velocity", "Höchste Geschwindigkeit"},
+    {"In axes of the machine: squareness is by how much the angle between the positive directions of both axes is "
+     "larger than 90°.",
+     "In Achsen der Maschine: Die Rechtwinkligkeit ist, um wie viel der Winkel zwischen den positiven Richtungen "
+     "beider Achsen größer ist als 90°."},
     {"Largest change, µm", "Größte Änderung, µm"},
     {"Largest reversal, ↑ less ↓", "Größte Umkehrspanne, ↑ minus ↓"},
     {"Line at position 0", "Gerade an Position 0"},
+    {"Location error {0=}", "Lageabweichung {0}"},
     {"Lowest acceleration", "Niedrigste Beschleunigung"},
     {"Lowest velocity", "Niedrigste Geschwindigkeit"},
     {"Mean reversal", "Mittlere Umkehrspanne"},
@@ -118,6 +125,7 @@ constexpr Phrase rows[] = {
     {"Squareness of two axes {0=}", "Rechtwinkligkeit zweier Achsen {0}"},
     {"Squareness over one metre", "Rechtwinkligkeit über einen Meter"},
     {"Squareness, θ₂ − θ₁ + error of the square", "Rechtwinkligkeit, θ₂ − θ₁ + Abweichung des Winkels"},
+    {"Squareness, −θ₂ − θ₁ + error of the square", "Rechtwinkligkeit, −θ₂ − θ₁ + Abweichung des Winkels"},
     {"Standstills at targets are not looked for, and nobody knows when the control wanted a moving axis where. What is "
      "told is how far it strays from an even motion: errors of position, control and feed alike, as the instrument saw "
      "them. An error of scale, a lag and a reversal error cannot be told, nor A, E, R, B and M.",
@@ -180,6 +188,12 @@ constexpr Phrase rows[] = {
      "keine Unsicherheit des Messgeräts ist angegeben: U enthält sie nicht"},
     {"no uncertainty of the optical square is stated: U does not hold it",
      "keine Unsicherheit des optischen Winkels ist angegeben: U enthält sie nicht"},
+    {"nothing states which way the readings of both lines are positive (--positive, or # positive: +Y in each file): "
+     "θ₂ − θ₁ is their squareness where the optical square turned that way with the beam; where both are positive "
+     "along the axes of the machine it is −θ₂ − θ₁",
+     "nichts sagt, in welcher Richtung die Messwerte beider Geraden positiv sind (--positive, oder # positive: +Y in "
+     "jeder Datei): θ₂ − θ₁ ist ihre Rechtwinkligkeit, wo der optische Winkel diese Richtung mit dem Strahl gedreht "
+     "hat; sind beide längs der Achsen der Maschine positiv, so ist es −θ₂ − θ₁"},
     {"one run: what does not repeat cannot be told from the shape, and there is no repeatability",
      "ein Durchlauf: Was sich nicht wiederholt, ist von der Form nicht zu unterscheiden, und es gibt keine "
      "Wiederholpräzision"},
@@ -193,6 +207,8 @@ constexpr Phrase rows[] = {
      "der verlangte Vorschub ist nicht angegeben (--feed): Wie weit die Achse davon entfernt ist, ist nicht bekannt"},
     {"the files do not both name their error: whether they are of one plane was not checked",
      "nicht beide Dateien nennen ihre Abweichung: Ob sie in einer Ebene liegen, wurde nicht geprüft"},
+    {"the readings are positive towards {0=}: their signs are turned",
+     "die Messwerte sind positiv in Richtung {0}: ihre Vorzeichen sind umgekehrt"},
     {"{0#} less its line", "{0} ohne seine Gerade"},
 };
 

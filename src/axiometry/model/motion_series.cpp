@@ -64,6 +64,20 @@ Result<MotionName> motion_name(std::string_view name) {
                           text::quoted(name)));
 }
 
+Result<ReadingSense> reading_sense(std::string_view given) {
+  constexpr std::string_view minus = "−";
+  const bool is_minus = given.starts_with(minus);
+  const std::string_view letter = given.substr(std::min(given.size(), is_minus ? minus.size() : std::size_t{1}));
+  if (letter.size() == 1 && (is_minus || given[0] == '-' || given[0] == '+')) {
+    const char upper = letter[0] >= 'a' ? static_cast<char>(letter[0] - 'a' + 'A') : letter[0];
+    if ((upper >= 'A' && upper <= 'C') || (upper >= 'X' && upper <= 'Z')) return ReadingSense{upper, given[0] != '+'};
+  }
+  return fail(
+      fmt::format("found {} as the way readings are positive, expected a sign and X, Y, Z, A, B or C, such as "
+                  "+Y or -A",
+                  text::quoted(given)));
+}
+
 Result<MotionSeries> MotionSeries::make(std::vector<MotionReading> readings, MotionUnit unit,
                                         std::size_t positions_least) {
   if (readings.empty()) return fail("found no readings, expected one on each line");

@@ -37,6 +37,21 @@ struct MotionName {
 /// Of "EYX" in any case. Fails on all but the 18 names of three linear axes.
 Result<MotionName> motion_name(std::string_view text);
 
+/// Which way a reading is positive, in axes of the machine: towards +Y or −Y of a displacement; of a rotation +A by the
+/// right-hand rule about X, −A against it.
+struct ReadingSense {
+  char coordinate = 'Y';  ///< as that of MotionName
+  bool negative = false;
+
+  std::string text() const { return {negative ? '-' : '+', coordinate}; }
+
+  friend bool operator==(const ReadingSense&, const ReadingSense&) = default;
+};
+
+/// Of "+Y", "-A" in any case, the sign written as hyphen or minus. Fails on all else: a sign that is not written is not
+/// guessed.
+Result<ReadingSense> reading_sense(std::string_view text);
+
 struct MotionReading {
   double position_mm = 0.0;
   Direction direction = Direction::up;

@@ -134,14 +134,18 @@ export interface components {
             unit: "um" | "arcsec" | "urad" | "";
         };
         CalibrationForm: {
-            /** @enum {string} */
-            kind: "lines" | "volumetric";
+            kind: components["schemas"]["CalibrationKind"];
             /** @description JSON: title, machine, instrument, measured_on, notes; all may be left out. */
             about?: string;
-            /** @description JSON: LengthsOptions. */
+            /** @description JSON: KeptOptions. */
             options?: string;
+            /**
+             * Format: binary
+             * @description Of straightness, angles and squareness, as in MotionForm, with readings-2 and so on.
+             */
+            readings?: string;
             /** Format: binary */
-            lengths: string;
+            lengths?: string;
             /**
              * Format: binary
              * @description Of the 21 errors, a second file of lengths; further ones are lengths-3 and so on.
@@ -185,7 +189,7 @@ export interface components {
             figures: components["schemas"]["CalibrationFigure"][];
         };
         /** @enum {string} */
-        CalibrationKind: "lines" | "volumetric";
+        CalibrationKind: "lines" | "volumetric" | "straightness" | "angles" | "squareness";
         CalibrationPage: {
             calibrations: components["schemas"]["CalibrationRow"][];
             total: number;
@@ -194,7 +198,7 @@ export interface components {
             /** @description The version that was looked at. */
             base_version: number;
             reason?: string;
-            options?: components["schemas"]["LengthsOptions"];
+            options?: components["schemas"]["KeptOptions"];
             title?: string;
             machine?: components["schemas"]["Id"] | null;
             instrument?: components["schemas"]["Id"] | null;
@@ -1112,8 +1116,8 @@ export interface components {
             /** @description Only where it is kept. */
             notes?: string;
         };
-        /** @description Of lines, or of the 21 errors, as the kind of the calibration says. */
-        LengthsOptions: components["schemas"]["LinesOptions"] | components["schemas"]["ErrorsOptions"];
+        /** @description Of lines, of the 21 errors, or of straightness, angles and squareness, as the kind of the calibration says. */
+        KeptOptions: components["schemas"]["LinesOptions"] | components["schemas"]["ErrorsOptions"] | components["schemas"]["MotionOptions"];
         /** @description How lengths along lines are evaluated, by the names of the flags of `axiometry tracking evaluate`; all may be left out. */
         LinesOptions: {
             /** @description `A=10um` of all lines, `xy:E=20um` of one. */
@@ -1135,6 +1139,24 @@ export interface components {
             /** @enum {unknown} */
             type_a?: "pooled" | "t-scaled" | "resampled" | null;
             recording?: components["schemas"]["RecordingOptions"];
+        };
+        /** @description How readings of straightness, angles and squareness are evaluated; all may be left out. */
+        MotionOptions: {
+            /**
+             * @description `none` of angles alone.
+             * @enum {unknown}
+             */
+            reference?: "least-squares" | "end-points" | "none";
+            /** @description A and B of its uncertainty A + B L, k = 2. */
+            instrument?: number[];
+            /** @description Of one file: `EYX`. */
+            error?: string;
+            /** @description Of each file which way its readings are positive: `+Y`. */
+            positive?: string[];
+            /** @description Of angles: a tool point, whose displacement is told. */
+            offset_mm?: number[];
+            square_error_arcsec?: number;
+            square_uncertainty_arcsec?: number;
         };
         /** @description What a continuous recording does not say itself, by the names of the flags of `axiometry capture`. */
         RecordingOptions: {
@@ -1377,7 +1399,7 @@ export interface components {
             program: string;
             /** @description Only in the answer that it was kept: the others of exactly these files, withdrawn ones too. */
             same_files?: components["schemas"]["Id"][];
-            options: components["schemas"]["LengthsOptions"];
+            options: components["schemas"]["KeptOptions"];
             versions: {
                 version: number;
                 change: components["schemas"]["Change"];
@@ -1386,7 +1408,7 @@ export interface components {
                 /** @description Another one where it was evaluated again. */
                 result_sha256: string;
             }[];
-            /** @description As `axiometry tracking evaluate --json` or `axiometry volumetric identify --json` writes it, in the reader's language; docs/results.md explains it. */
+            /** @description As `axiometry tracking evaluate --json`, `axiometry volumetric identify --json` or the verb of its kind writes it, in the reader's language; docs/results.md explains it. */
             result: Record<string, never>;
         };
         LengthPart: {
@@ -1852,6 +1874,115 @@ export interface components {
                 u: components["schemas"]["ParameterNumbers"];
             }[];
             notes: string[];
+        };
+        /** @description Lists of numbers, one for each position. */
+        MotionCourse: {
+            mean: number[];
+            /** @description About its own line. */
+            residual: number[];
+            /** @description Over the runs. */
+            s?: (number | null)[];
+        };
+        MotionEstimate: {
+            value: number;
+            /** @description Standard uncertainty. */
+            u: number | null;
+            k: number | null;
+            /** @description About 95 %. */
+            U: number | null;
+            /** @enum {string|null} */
+            scatter?: "runs" | "noise" | "residuals" | null;
+            u_scatter?: number | null;
+            degrees_of_freedom?: number | null;
+            u_instrument?: number | null;
+        };
+        MotionForm: {
+            /**
+             * @description Without it straightness or angles, as the readings are; of two files of straightness squareness.
+             * @enum {string}
+             */
+            kind?: "straightness" | "angles" | "squareness";
+            /** @description JSON: MotionOptions. */
+            options?: string;
+            /**
+             * Format: binary
+             * @description CSV: position_mm, run, direction, straightness_um or angle_urad.
+             */
+            readings: string;
+            /**
+             * Format: binary
+             * @description A second file; further ones are readings-3 and so on.
+             */
+            "readings-2"?: string;
+        };
+        /** @description One file, evaluated; docs/results.md explains it. */
+        MotionOfFile: {
+            /** @description EYX, EAX. */
+            error: string | null;
+            /** @description Which way its readings were positive: +Y, -Y; of - all numbers are turned. */
+            read_positive: string | null;
+            /** @enum {string} */
+            unit: "um" | "urad" | "arcsec";
+            /** @enum {string} */
+            reference: "least-squares" | "end-points" | "none";
+            runs: number;
+            instrument?: Record<string, never> | null;
+            courses: {
+                /** @enum {string} */
+                course: "up" | "down" | "mean";
+                range: components["schemas"]["MotionEstimate"];
+                highest_mm: number;
+                lowest_mm: number;
+                slope_per_m?: components["schemas"]["MotionEstimate"];
+                theta_arcsec?: number;
+                intercept?: components["schemas"]["MotionEstimate"];
+            }[];
+            range_both: components["schemas"]["MotionEstimate"] | null;
+            reversal: components["schemas"]["MotionEstimate"] | null;
+            reversal_mean: number | null;
+            repeatability_up: number | null;
+            repeatability_down: number | null;
+            repeatability: number | null;
+            positions: {
+                position_mm: number[];
+                up?: components["schemas"]["MotionCourse"];
+                down?: components["schemas"]["MotionCourse"];
+                mean?: components["schemas"]["MotionCourse"];
+                reversal?: (number | null)[];
+                repeatability?: (number | null)[];
+            };
+            remarks: string[];
+            metadata?: Record<string, never>;
+            source: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+            };
+        };
+        /** @description As `axiometry straightness`, `angles` and `squareness` write it with `--json`; docs/results.md explains it. Texts in the language of the request. */
+        MotionResult: {
+            /** @enum {string} */
+            result: "straightness" | "angles" | "squareness";
+            straightness?: components["schemas"]["MotionOfFile"];
+            angles?: components["schemas"]["MotionOfFile"][];
+            lines?: components["schemas"]["MotionOfFile"][];
+            theta_1_arcsec?: components["schemas"]["MotionEstimate"];
+            theta_2_arcsec?: components["schemas"]["MotionEstimate"];
+            squareness_arcsec?: components["schemas"]["MotionEstimate"];
+            in_axes?: boolean;
+            location_error?: {
+                /** @enum {string} */
+                name: "C0Y" | "B0Z" | "A0Z";
+                urad: components["schemas"]["MotionEstimate"];
+            } | null;
+            square_error_arcsec?: number | null;
+            square_uncertainty_arcsec?: number | null;
+            abbe?: {
+                offset_mm: number[];
+                change_um: Record<string, never>;
+                missing: Record<string, never>;
+            } | null;
+            remarks?: string[];
+            program: Record<string, never>;
         };
         Named: {
             id: string;
@@ -3464,8 +3595,9 @@ export type CompensationResult = components['schemas']['CompensationResult'];
 export type CompensationOptions = components['schemas']['CompensationOptions'];
 export type CompensationNode = components['schemas']['CompensationNode'];
 export type CompensationForm = components['schemas']['CompensationForm'];
-export type LengthsOptions = components['schemas']['LengthsOptions'];
+export type KeptOptions = components['schemas']['KeptOptions'];
 export type LinesOptions = components['schemas']['LinesOptions'];
+export type MotionOptions = components['schemas']['MotionOptions'];
 export type RecordingOptions = components['schemas']['RecordingOptions'];
 export type TableForm = components['schemas']['TableForm'];
 export type ReadTable = components['schemas']['ReadTable'];
@@ -3502,6 +3634,11 @@ export type Method = components['schemas']['Method'];
 export type MonteCarloOutput = components['schemas']['MonteCarloOutput'];
 export type MonteCarloOutputs = components['schemas']['MonteCarloOutputs'];
 export type MonteCarloRun = components['schemas']['MonteCarloRun'];
+export type MotionCourse = components['schemas']['MotionCourse'];
+export type MotionEstimate = components['schemas']['MotionEstimate'];
+export type MotionForm = components['schemas']['MotionForm'];
+export type MotionOfFile = components['schemas']['MotionOfFile'];
+export type MotionResult = components['schemas']['MotionResult'];
 export type Named = components['schemas']['Named'];
 export type Nothing = components['schemas']['Nothing'];
 export type Options = components['schemas']['Options'];

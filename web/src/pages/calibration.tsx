@@ -17,6 +17,8 @@ import { ComparePanel } from './calibrations/comparison';
 import { EditCalibration, EvaluateAgain, WithdrawCalibration } from './calibrations/dialogs';
 import { CalibrationResult } from './calibrations/result';
 import { t } from './calibrations/texts';
+import { is_motion_kind } from './motions/form';
+import { MotionHistory } from './motions/history';
 
 /** One calibration at one of its versions: figures, findings, files, versions, and what may be done with it. */
 export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
@@ -47,6 +49,7 @@ export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
       {found.version !== latest && <p class="notice caution">{t('older', { n: found.version, latest })} <a href={`/calibrations/${found.id}`}>{t('to_latest')}</a></p>}
       <Facts calibration={found} />
       <CalibrationResult calibration={found} />
+      {is_motion_kind(found.kind) && <MotionHistory calibration={found} />}
       <ComparePanel calibration={found} />
       <Files calibration={found} />
       <Versions calibration={found} />
@@ -85,12 +88,18 @@ function Facts({ calibration }: { calibration: KeptCalibration }) {
   );
 }
 
+/** Of further files of one kind, "lengths-2", with its number. */
+function role_name(role: string): string {
+  const [name, number] = role.split('-');
+  return `${t(`role_${name as 'lengths'}`)}${number ? ` ${number}` : ''}`;
+}
+
 function Files({ calibration }: { calibration: KeptCalibration }) {
   return (
     <section class="panel">
       <header><h2>{t('files')}</h2></header>
       <DataTable<KeptCalibration['files'][number]> caption={t('files')} rows={calibration.files} row_key={({ role }) => role} columns={[
-        { key: 'role', head: t('role'), row_head: true, cell: ({ role }) => t(`role_${role as 'lengths'}`) },
+        { key: 'role', head: t('role'), row_head: true, cell: ({ role }) => role_name(role) },
         { key: 'name', head: t('file'), cell: ({ role, name }) => <a href={`/api/calibrations/${calibration.id}/files/${role}`} download>{name}</a> },
         { key: 'sha256', head: 'SHA-256', cell: ({ sha256 }) => <Hash hash={sha256} /> },
       ]} />

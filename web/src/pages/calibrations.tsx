@@ -25,7 +25,10 @@ export function CalibrationsPage() {
   const order = { by: asked.get('order') ?? 'received', descending: asked.get('descending') !== '0' };
   return (
     <>
-      <div class="page-head"><h1 tabIndex={-1}>{t('title')}</h1></div>
+      <div class="page-head">
+        <h1 tabIndex={-1}>{t('title')}</h1>
+        <a class="button no-print" href="/motions">{t('to_motions')}</a>
+      </div>
       <Filters />
       {page.error && <FailureNotice error={page.error} retry={page.reload} />}
       {found?.total === 0 && <p class="panel quiet">{t(narrowed ? 'none_found' : 'none')}</p>}
@@ -51,7 +54,7 @@ function Filters() {
         {(ids) => (
           <select {...ids} value={asked.get('kind') ?? ''} onChange={(event) => set({ kind: event.currentTarget.value || null })}>
             <option value="">{t('all')}</option>
-            {(['lines', 'volumetric'] as const).map((kind) => <option key={kind} value={kind}>{t(kind)}</option>)}
+            {(['lines', 'volumetric', 'straightness', 'angles', 'squareness'] as const).map((kind) => <option key={kind} value={kind}>{t(kind)}</option>)}
           </select>
         )}
       </Field>

@@ -15,6 +15,7 @@ import { InstrumentPage } from './instrument';
 import { InstrumentsPage } from './instruments';
 import { MachinePage } from './machine';
 import { MachinesPage } from './machines';
+import { MotionsPage } from './motions';
 import { PlanPage } from './plan';
 import { PlansPage } from './plans';
 import { ReportPage } from './report';
@@ -46,6 +47,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/tests/:id/rules', RulesPage],
   ['/tracking', TrackingPage],
   ['/volume', VolumePage],
+  ['/motions', MotionsPage],
   ['/plans', PlansPage],
   ['/plans/new', PlanPage],
   ['/plans/:id', PlanPage],

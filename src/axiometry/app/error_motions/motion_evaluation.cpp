@@ -27,11 +27,32 @@ Result<void> put_name(MeasuredMotion& measured, const std::optional<MotionName>&
                           angle ? "a rotation such as EAX" : "a straightness such as EYX"));
 }
 
+/// The sense of the readings, and those of a negative one turned.
+Result<void> put_sense(MeasuredMotion& measured, const std::optional<ReadingSense>& stated, formats::MotionFile& file) {
+  if (stated && file.sense && *stated != *file.sense)
+    return fail(fmt::format("found readings positive towards {} in the file, expected {} as given", file.sense->text(),
+                            stated->text()));
+  measured.sense = stated ? stated : file.sense;
+  if (!measured.sense) return {};
+  const char along = measured.sense->coordinate;
+  if (measured.error ? along != measured.error->coordinate : (along <= 'C') != is_angle(file.unit))
+    return fail(fmt::format(
+        "found readings positive towards {}, expected {}", measured.sense->text(),
+        measured.error ? fmt::format("+{0} or -{0} as {1} is", measured.error->coordinate, measured.error->text())
+        : is_angle(file.unit) ? "a rotation such as +A, as angles are"
+                              : "a direction such as +Y, as lengths are"));
+  if (!measured.sense->negative) return {};
+  for (MotionReading& reading : file.readings) reading.value = 0.0 - reading.value;  // 0 keeps its sign
+  measured.remarks.push_back(
+      fmt::format("the readings are positive towards {}: their signs are turned", measured.sense->text()));
+  return {};
+}
+
 void add_gaps(MeasuredMotion& measured) {
   if (measured.motion.runs == 1)
     measured.remarks.push_back(
         "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
-  if (!measured.instrument_stated)
+  if (!measured.instrument)
     measured.remarks.push_back("no uncertainty of the instrument is stated: U does not hold it");
 }
 
@@ -42,19 +63,25 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
   MeasuredMotion measured{.file = request.file, .error = file.error, .metadata = std::move(file.metadata)};
   AXIOMETRY_TRY_VOID(put_name(measured, request.error, angle));
   for (const SourceRemark& remark : file.remarks) measured.remarks.push_back(remark.message);
+  AXIOMETRY_TRY_VOID(put_sense(measured, request.sense, file));
   AXIOMETRY_TRY(const MotionSeries series, MotionSeries::make(std::move(file.readings), file.unit, angle ? 2 : 3));
   measured.motion = error_motions::axis_motion(series, request.options);
-  measured.instrument_stated = request.options.instrument.has_value();
+  measured.instrument = request.options.instrument;
   add_gaps(measured);
   return measured;
 }
 
-Result<MeasuredMotion> measure(const MotionRequest& request, bool angle) {
-  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.file));
+Result<MeasuredMotion> measure(const MotionRequest& request, std::string_view bytes, bool angle) {
   AXIOMETRY_TRY(formats::MotionFile file, in_file(formats::read_motion_csv(bytes), request.file));
   AXIOMETRY_TRY(MeasuredMotion measured, in_file(evaluated(request, std::move(file), angle), request.file));
   measured.sha256 = sha256(bytes);
   return measured;
+}
+
+Result<MeasuredMotion> measure(const MotionRequest& request, bool angle) {
+  if (request.bytes) return measure(request, *request.bytes, angle);
+  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.file));
+  return measure(request, bytes, angle);
 }
 
 /// ε of each angle at each position, µrad, of the mean of both directions.
@@ -90,12 +117,27 @@ Result<MeasuredMotion> measure_angle(const MotionRequest& request) { return meas
 
 Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& request) {
   SquarenessMeasurement s;
-  AXIOMETRY_TRY(s.first, measure_straightness({.file = request.first, .options = request.options}));
-  AXIOMETRY_TRY(s.second, measure_straightness({.file = request.second, .options = request.options}));
+  MotionRequest first{.file = request.first, .options = request.options}, second = first;
+  second.file = request.second;
+  first.bytes = request.bytes[0];
+  second.bytes = request.bytes[1];
+  if (request.senses) {
+    const auto& [one, two] = *request.senses;
+    first.sense = one;
+    second.sense = two;
+    AXIOMETRY_TRY_VOID(
+        error_motions::check_square_pair({one.coordinate, two.coordinate}, {two.coordinate, one.coordinate}));
+    first.error = MotionName{one.coordinate, two.coordinate};
+    second.error = MotionName{two.coordinate, one.coordinate};
+  }
+  AXIOMETRY_TRY(s.first, measure_straightness(first));
+  AXIOMETRY_TRY(s.second, measure_straightness(second));
   if (s.first.error && s.second.error)
     AXIOMETRY_TRY_VOID(error_motions::check_square_pair(*s.first.error, *s.second.error));
   s.square = request.square;
-  AXIOMETRY_TRY(s.result, error_motions::measured_squareness(s.first.motion, s.second.motion, request.square));
+  s.square.in_axes = s.first.in_axes() && s.second.in_axes();
+  AXIOMETRY_TRY(s.result, error_motions::measured_squareness(s.first.motion, s.second.motion, s.square));
+  if (s.square.in_axes) s.location = error_motions::location_error(*s.first.error, s.result);
   return s;
 }
 

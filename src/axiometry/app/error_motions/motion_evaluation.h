@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
@@ -15,9 +17,11 @@
 namespace axiometry::app {
 
 struct MotionRequest {
-  std::string file;                   ///< or "-"
-  std::optional<MotionName> error{};  ///< what the file holds, where it does not say so itself
+  std::string file;                     ///< or "-"
+  std::optional<MotionName> error{};    ///< what the file holds, where it does not say so itself
+  std::optional<ReadingSense> sense{};  ///< likewise which way its readings are positive
   error_motions::MotionOptions options;
+  std::optional<std::string_view> bytes{};  ///< those of `file` where they are at hand; they must outlive the call
 };
 
 /// One file, evaluated.
@@ -25,27 +29,34 @@ struct MeasuredMotion {
   std::string file;
   std::string sha256;
   std::optional<MotionName> error;
+  std::optional<ReadingSense> sense;  ///< as read; readings of a negative one are turned, so that `motion` is positive
   Metadata metadata;
   std::vector<std::string> remarks;  ///< of its reading, and what its figures lack
   error_motions::AxisMotion motion;
-  bool instrument_stated = false;
+  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< in the unit of the readings
+
+  /// Whether its numbers are stated to be those of the named error, in axes of the machine.
+  bool in_axes() const { return error && sense; }
 };
 
-/// Fails, with the file's name, as reading and MotionSeries::make() do, on readings of the other kind, and on an error
-/// that contradicts the file's.
+/// Fails, with the file's name, as reading and MotionSeries::make() do, on readings of the other kind, on an error or a
+/// sense that contradicts the file's, and on a sense along another coordinate than that of the error.
 Result<MeasuredMotion> measure_straightness(const MotionRequest& request);
 Result<MeasuredMotion> measure_angle(const MotionRequest& request);
 
 /// Straightness of two axes.
 struct SquarenessRequest {
   std::string first, second;
+  std::array<std::optional<std::string_view>, 2> bytes{};  ///< likewise
+  std::optional<std::array<ReadingSense, 2>> senses{};  ///< of both lines; they name the errors too
   error_motions::MotionOptions options;
-  error_motions::SquarenessOptions square;
+  error_motions::SquarenessOptions square;  ///< whether readings are in axes is found out
 };
 struct SquarenessMeasurement {
   MeasuredMotion first, second;
   error_motions::SquarenessOptions square;
   error_motions::MeasuredSquareness result;
+  std::optional<error_motions::LocationError> location;  ///< where both lines are in axes of the machine
 };
 Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& request);
 

@@ -88,13 +88,23 @@ Value estimate_to_json(const MotionEstimate& e) {
   return object;
 }
 
+Value instrument_to_json(const std::optional<error_motions::InstrumentUncertainty>& instrument) {
+  if (!instrument) return {};
+  Value object = Value::object();
+  object.add("U_constant", instrument->a);
+  object.add("U_per_m", instrument->b_per_m);
+  return object;
+}
+
 Value motion_to_json(const MeasuredMotion& measured) {
   const error_motions::AxisMotion& motion = measured.motion;
   Value object = Value::object();
   object.add("error", measured.error ? Value(measured.error->text()) : Value());
+  object.add("read_positive", measured.sense ? Value(measured.sense->text()) : Value());
   object.add("unit", motion_unit_name(motion.unit));
   object.add("reference", error_motions::reference_key(motion.reference));
   object.add("runs", motion.runs);
+  object.add("instrument", instrument_to_json(measured.instrument));
   Value& courses = object.add("courses", Value::array());
   for (const auto& path : motion.paths) courses.push(course_to_json(motion, path));
   object.add("range_both", motion.range_both ? estimate_to_json(*motion.range_both) : Value());

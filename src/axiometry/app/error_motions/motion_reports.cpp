@@ -35,6 +35,11 @@ std::vector<std::string> square_remarks(const SquarenessMeasurement& s) {
     remarks.push_back("no error of the optical square is stated: it counts as 0, and the squareness holds it");
   if (!s.square.square_uncertainty_arcsec)
     remarks.push_back("no uncertainty of the optical square is stated: U does not hold it");
+  if (!s.square.in_axes)
+    remarks.push_back(
+        "nothing states which way the readings of both lines are positive (--positive, or # positive: +Y in each "
+        "file): θ₂ − θ₁ is their squareness where the optical square turned that way with the beam; where both are "
+        "positive along the axes of the machine it is −θ₂ − θ₁");
   if (!s.first.error || !s.second.error)
     remarks.push_back("the files do not both name their error: whether they are of one plane was not checked");
   return remarks;
@@ -55,15 +60,32 @@ report::Section square_section(const SquarenessMeasurement& s, const report::Opt
                                                                  *s.square.square_uncertainty_arcsec, options))}
                                                            : report::TableCell{plain("–"), report::Tone::quiet},
                         word_cell("″")});
-  table.rows.push_back(
-      estimate_row("Squareness, θ₂ − θ₁ + error of the square", "", s.result.squareness_arcsec, "″", options));
+  table.rows.push_back(estimate_row(
+      s.square.in_axes ? "Squareness, −θ₂ − θ₁ + error of the square" : "Squareness, θ₂ − θ₁ + error of the square", "",
+      s.result.squareness_arcsec, "″", options));
   error_motions::MotionEstimate per_m = s.result.squareness_arcsec;
   const double um_per_arcsec = 1.0 / error_motions::slope_arcsec(1.0);
   per_m.value *= um_per_arcsec;
   if (per_m.u) *per_m.u *= um_per_arcsec;
   table.rows.push_back(estimate_row("Squareness over one metre", "", per_m, "µm/m", options));
+  if (s.location) {
+    table.rows.push_back(
+        estimate_row(fmt::format("Location error {}", s.location->name), "", s.location->urad, "µrad", options));
+    table.notes.push_back(
+        plain("In axes of the machine: squareness is by how much the angle between the positive directions of both "
+              "axes is larger than 90°. C0Y turns Y about Z, B0Z turns Z about Y, A0Z turns Z about X, positive by the "
+              "right-hand rule."));
+  }
   section.blocks.emplace_back(std::move(table));
   return section;
+}
+
+Value location_to_json(const std::optional<error_motions::LocationError>& location) {
+  if (!location) return {};
+  Value object = Value::object();
+  object.add("name", location->name);
+  object.add("urad", estimate_to_json(location->urad));
+  return object;
 }
 
 /// Of the largest magnitude, with its sign.
@@ -174,6 +196,8 @@ Experiment present(const SquarenessMeasurement& s, const report::Options& option
   json.add("square_uncertainty_arcsec",
            s.square.square_uncertainty_arcsec ? Value(*s.square.square_uncertainty_arcsec) : Value());
   json.add("squareness_arcsec", estimate_to_json(s.result.squareness_arcsec));
+  json.add("in_axes", s.square.in_axes);
+  json.add("location_error", location_to_json(s.location));
   json.add("remarks", texts_to_json(remarks));
   Value& lines = json.add("lines", Value::array());
   for (const MeasuredMotion* f : files) lines.push(motion_to_json(*f));

@@ -81,7 +81,7 @@ void add_both(report::Table& table, const AxisMotion& motion, const report::Opti
 
 /// What U of these figures holds.
 std::string_view uncertainty_note(const MeasuredMotion& measured) {
-  const bool instrument = measured.instrument_stated;
+  const bool instrument = measured.instrument.has_value();
   if (measured.motion.runs > 1)
     return instrument ? "U for about 95 %, from the scatter of the runs and the instrument."
                       : "U for about 95 %, from the scatter of the runs alone.";

@@ -39,6 +39,7 @@ report::Section motion_method(const MeasuredMotion& measured);
 std::string name_of(const MeasuredMotion& measured);
 
 json::Value estimate_to_json(const error_motions::MotionEstimate& estimate);
+json::Value instrument_to_json(const std::optional<error_motions::InstrumentUncertainty>& instrument);
 json::Value motion_to_json(const MeasuredMotion& measured);
 json::Value texts_to_json(const std::vector<std::string>& texts);
 

@@ -12,6 +12,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/read_recording.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
@@ -34,6 +35,7 @@ Result<const formats::Format*> format_of_id(std::string_view head, const std::st
                               (*recording)->title));
     return recognised;
   }
+  AXIOMETRY_TRY_VOID(formats::check_no_other_error(head));
   const formats::Format* format = formats::find_format(forced);
   if (format == nullptr)
     return fail(fmt::format("found the unknown format \"{}\", expected one that 'axiometry formats' lists", forced));

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "axiometry/app/error_motions/motion_evaluation.h"
-#include "axiometry/app/evaluate/evaluate.h"
-#include "axiometry/app/files/source.h"
+#include "axiometry/app/error_motions/motion_tables.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/app/volumetric/single_reading.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -28,141 +26,6 @@ using json::Value;
 using report::Align;
 using report::plain;
 using volumetric::ErrorMotion;
-using volumetric::SingleMotion;
-
-/// As measured motions remark it, to which no instrument is told here.
-constexpr std::string_view no_instrument_remark = "no uncertainty of the instrument is stated: U does not hold it";
-constexpr double single_urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
-
-std::optional<volumetric::Squareness> squareness_named(std::string_view name) {
-  const auto found = std::ranges::find(volumetric::squareness_names, name);
-  if (found == volumetric::squareness_names.end()) return std::nullopt;
-  return static_cast<volumetric::Squareness>(found - volumetric::squareness_names.begin());
-}
-
-/// Standard uncertainty of a mean: the scatter of n runs in each direction there is, and the instrument's.
-std::optional<double> mean_u(const std::optional<double>& s_up, const std::optional<double>& s_down, std::size_t n_up,
-                             std::size_t n_down, double instrument) {
-  double variance = 0.0;
-  int directions = 0;
-  for (const auto& [s, n] : {std::pair{s_up, n_up}, std::pair{s_down, n_down}}) {
-    if (n == 0) continue;
-    ++directions;
-    if (!s && instrument == 0.0) return std::nullopt;
-    if (s) variance += *s * *s / static_cast<double>(n);
-  }
-  const double both = static_cast<double>(directions * directions);
-  return std::sqrt(variance / both + instrument * instrument);
-}
-
-struct ReadSingle {
-  SingleMotion motion;
-  AssembledItem item;
-  std::vector<std::string> remarks;
-};
-
-Error no_uncertainty(std::string_view name) {
-  return Error{fmt::format("found one run of {} and no uncertainty of its instrument, expected more runs or that "
-                           "uncertainty: nothing tells how well it is known",
-                           name),
-               {},
-               {}};
-}
-
-Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
-  AXIOMETRY_TRY(Test test, read_test(item.file));
-  const Metadata& metadata = test.metadata;
-  if (metadata.axis.kind != AxisKind::linear)
-    return std::unexpected(in_file(Error{"found a rotary axis, expected a test of a linear one", {}, {}}, item.file));
-  const char letter = static_cast<char>('X' + error.axis);
-  if (!metadata.axis.name.empty() && metadata.axis.name != std::string(1, letter))
-    return std::unexpected(in_file(Error{fmt::format("found a test of axis {}, expected one of {} as {} is",
-                                                     text::quoted(metadata.axis.name), letter, item.name),
-                                         {},
-                                         {}},
-                                   item.file));
-  ReadSingle read{{error, {}, {}, {}}, {item.name, item.file, test.provenance.sha256, test.series.run_count()}, {}};
-  const iso230_2::Evaluation evaluation = iso230_2::evaluate(test.series);
-  const auto number = [](const std::optional<Deviation>& d) {
-    return d ? std::optional(d->in_native()) : std::optional<double>();
-  };
-  if (!item.instrument) read.remarks.emplace_back(no_instrument_remark);
-  const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
-  const double first = evaluation.positions.front().target.in_native();
-  for (const iso230_2::PositionResult& p : evaluation.positions) {
-    if (!p.mean_up && !p.mean_down) continue;
-    const double at = p.target.in_native();
-    if (both && !(p.mean_up && p.mean_down))
-      return std::unexpected(in_file(
-          Error{fmt::format("found {} mm approached from one side alone, expected both as at the other targets", at),
-                {},
-                {}},
-          item.file));
-    const double instrument = item.instrument ? item.instrument->standard(std::abs(at - first)) : 0.0;
-    const auto u = mean_u(number(p.s_up), number(p.s_down), p.count_up, p.count_down, instrument);
-    if (!u) return std::unexpected(in_file(no_uncertainty(item.name), item.file));
-    read.motion.positions_mm.push_back(at);
-    read.motion.values.push_back((p.mean ? *p.mean : p.mean_up ? *p.mean_up : *p.mean_down).in_native());
-    read.motion.u.push_back(*u);
-  }
-  return read;
-}
-
-Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error) {
-  MotionRequest request;
-  request.file = item.file;
-  AXIOMETRY_TRY(request.error, motion_name(item.name));
-  AXIOMETRY_TRY(const MeasuredMotion measured,
-                error.is_rotation() ? measure_angle(request) : measure_straightness(request));
-  const double factor = measured.motion.unit == MotionUnit::arcsec ? single_urad_per_arcsec : 1.0;
-  ReadSingle read{{error, {}, {}, {}}, {item.name, item.file, measured.sha256, measured.motion.runs}, {}};
-  const auto& path = measured.motion.principal();
-  const bool both = measured.motion.paths.size() > 1;
-  const std::size_t n = measured.motion.runs;
-  const double first = measured.motion.positions.front().position_mm;
-  for (std::size_t i = 0; i < measured.motion.positions.size(); ++i) {
-    const error_motions::MotionPosition& p = measured.motion.positions[i];
-    const double instrument = item.instrument ? item.instrument->standard(std::abs(p.position_mm - first)) : 0.0;
-    const auto scaled = [&](const std::optional<double>& s) {
-      return s ? std::optional(factor * *s) : std::optional<double>();
-    };
-    const bool up = both || path.kind == error_motions::PathKind::up;
-    const bool down = both || path.kind == error_motions::PathKind::down;
-    const auto u = mean_u(scaled(p.s_up), scaled(p.s_down), up ? n : 0, down ? n : 0, instrument);
-    if (!u) return std::unexpected(in_file(no_uncertainty(item.name), item.file));
-    read.motion.positions_mm.push_back(p.position_mm);
-    read.motion.values.push_back(factor * path.means[i]);
-    read.motion.u.push_back(*u);
-  }
-  read.remarks = measured.remarks;
-  if (item.instrument) std::erase(read.remarks, no_instrument_remark);
-  return read;
-}
-
-/// Positions ascend; a test in the order of its targets may descend.
-Result<void> put_in_order(SingleMotion& motion, const SingleItem& item) {
-  if (motion.positions_mm.size() < 2)
-    return std::unexpected(in_file(Error{"found one position, expected two or more", {}, {}}, item.file));
-  std::vector<std::size_t> order(motion.positions_mm.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::ranges::sort(order, {}, [&](std::size_t k) { return motion.positions_mm[k]; });
-  SingleMotion sorted{motion.error, {}, {}, {}};
-  for (const std::size_t k : order) {
-    sorted.positions_mm.push_back(motion.positions_mm[k]);
-    sorted.values.push_back(motion.values[k]);
-    sorted.u.push_back(motion.u[k]);
-  }
-  motion = std::move(sorted);
-  return {};
-}
-
-Value instrument_to_json(const std::optional<error_motions::InstrumentUncertainty>& instrument) {
-  if (!instrument) return {};
-  Value object = Value::object();
-  object.add("U_constant", instrument->a);
-  object.add("U_per_m", instrument->b_per_m);
-  return object;
-}
 
 /// Where the axes stood while each of them was measured.
 Value stands_to_json(const std::array<std::optional<SingleStand>, 3>& stands) {
@@ -181,15 +44,14 @@ Value singles_to_json(const Assembled& a) {
   Value object = Value::object();
   object.add("result", "volumetric-assembled");
   Value& errors = object.add("errors", Value::array());
-  for (std::size_t k = 0; k < a.items.size(); ++k) {
-    const AssembledItem& item = a.items[k];
+  for (const AssembledItem& item : a.items) {
     Value& value = errors.push(Value::object());
     value.add("name", item.name);
     value.add("file", item.file.empty() ? Value() : Value(item.file));
     value.add("sha256", item.sha256.empty() ? Value() : Value(item.sha256));
     value.add("runs", item.runs > 0 ? Value(item.runs) : Value());
     value.add("u_largest", item.u_largest);
-    value.add("instrument", instrument_to_json(a.request.items[k].instrument));
+    value.add("instrument", instrument_to_json(item.instrument));
   }
   object.add("at", stands_to_json(a.request.stands));
   Value& findings = object.add("findings", Value::array());
@@ -277,6 +139,10 @@ Result<SingleItem> parse_single(std::string_view text) {
   const std::string_view rest = text.substr(mark + 1);
   if (squareness_named(item.name)) {
     const std::size_t comma = rest.find(',');
+    if (!parse_number(rest.substr(0, comma))) {
+      item.file = std::string(rest);
+      return item;
+    }
     if (comma == std::string_view::npos) return unknown();
     const auto value = parse_number(rest.substr(0, comma)), U = parse_number(rest.substr(comma + 1));
     if (!value || !U || !(*U > 0.0) || !(std::abs(*value) <= 1e5) || !(*U <= 1e5)) return unknown();
@@ -292,25 +158,9 @@ Result<SingleItem> parse_single(std::string_view text) {
 Result<Assembled> assemble_singles(const AssembleRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.machine));
   AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(bytes), request.machine));
-  std::vector<std::string> remarks = machine.remarks;
-  std::vector<AssembledItem> items;
-  volumetric::SingleErrors errors;
-  for (const SingleItem& item : request.items) {
-    if (std::ranges::find(items, item.name, &AssembledItem::name) != items.end())
-      return fail(fmt::format("found {} twice, expected each error once", item.name));
-    if (const auto which = squareness_named(item.name)) {
-      errors.squareness.push_back({*which, item.urad, 0.5 * item.U_urad});
-      items.push_back({item.name, {}, {}, 0, 0.5 * item.U_urad});
-      continue;
-    }
-    const ErrorMotion error = *volumetric::error_motion_named(item.name);
-    AXIOMETRY_TRY(ReadSingle read, error.is_positioning() ? read_positioning(item, error) : read_other(item, error));
-    AXIOMETRY_TRY_VOID(put_in_order(read.motion, item));
-    read.item.u_largest = *std::ranges::max_element(read.motion.u);
-    for (const std::string& remark : read.remarks) remarks.push_back(fmt::format("{}: {}", item.name, remark));
-    errors.motions.push_back(std::move(read.motion));
-    items.push_back(std::move(read.item));
-  }
+  AXIOMETRY_TRY(ReadSingles read, read_singles(request.items));
+  volumetric::SingleErrors& errors = read.errors;
+  read.remarks.insert(read.remarks.begin(), machine.remarks.begin(), machine.remarks.end());
   for (std::size_t a = 0; a < 3; ++a) {
     if (!request.stands[a]) continue;
     const auto& tools = machine.machine.tools;
@@ -323,7 +173,7 @@ Result<Assembled> assemble_singles(const AssembleRequest& request) {
     errors.places[a] = volumetric::SinglePlace{request.stands[a]->axes_mm, tools[*tool].offset_mm};
   }
   AXIOMETRY_TRY(volumetric::SingleModel made, volumetric::model_of_singles(std::move(machine.machine), errors));
-  return Assembled{request, sha256(bytes), std::move(items), std::move(remarks), std::move(made)};
+  return Assembled{request, sha256(bytes), std::move(read.items), std::move(read.remarks), std::move(made)};
 }
 
 Experiment present(const Assembled& a, const report::Options& options) {

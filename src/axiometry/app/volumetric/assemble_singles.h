@@ -15,9 +15,9 @@ namespace axiometry::app {
 
 struct SingleItem {
   std::string name;                                                  ///< "EYX", "C0Y"
-  std::string file;                                                  ///< of an error motion
+  std::string file;                                                  ///< of squareness empty where it is a number
   std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< of its readings, in µm or µrad
-  double urad = 0.0;                                                 ///< of squareness
+  double urad = 0.0;                                                 ///< of squareness as a number
   double U_urad = 0.0;                                               ///< k = 2
 };
 
@@ -35,10 +35,11 @@ struct AssembleRequest {
 
 struct AssembledItem {
   std::string name;
-  std::string file;        ///< empty of squareness
+  std::string file;        ///< empty of squareness as a number
   std::string sha256;      ///< likewise
-  std::size_t runs = 0;    ///< likewise 0
-  double u_largest = 0.0;  ///< of its readings, µm or µrad, k = 1
+  std::size_t runs = 0;    ///< likewise 0; of squareness the larger of both lines
+  double u_largest = 0.0;  ///< of its readings, or of the squareness, µm or µrad, k = 1
+  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< µm or µrad: as given, or as its file states
 };
 
 struct Assembled {
@@ -49,13 +50,17 @@ struct Assembled {
   volumetric::SingleModel made;
 };
 
-/// "EYX=FILE" or "C0Y=VALUE,U" in µrad with U for k = 2. Fails on anything else.
+/// "EYX=FILE", "C0Y=FILE", or "C0Y=VALUE,U" in µrad with U for k = 2: what begins with a number is one. Fails on
+/// anything else.
 Result<SingleItem> parse_single(std::string_view text);
 
-/// Positioning (EXX, EYY, EZZ) from a test of the axis in any format, the others as read_motion_csv() has them. Fails,
-/// with the file's name, as reading does, on an error named twice, on a file that names another error or axis, on a
-/// test of a rotary axis, on a target approached from one side where others were from both, on readings whose
-/// uncertainty nothing tells (one run and no instrument), and as model_of_singles().
+/// Positioning (EXX, EYY, EZZ) from a test of the axis in any format, the others as read_motion_csv() has them or as
+/// read_motion_result() reads what `axiometry straightness`, `angles` and `squareness` wrote; squareness from the last
+/// of these, by its lines over the range that all errors of each axis have in common (measured_square.h). Fails, with
+/// the file's name, as reading does, on an error named twice, on a file that names another error or axis, on squareness
+/// whose lines do not tell its sign in the machine, on two uncertainties of one instrument, on a test of a rotary axis,
+/// on a target approached from one side where others were from both, on readings whose uncertainty nothing tells (one
+/// run and no instrument), and as model_of_singles().
 Result<Assembled> assemble_singles(const AssembleRequest& request);
 
 /// The 21 errors, and as JSON everything, with the member "model" that `volumetric field` and the others read.

@@ -51,12 +51,12 @@ std::vector<KeptFigure> compared_figures(const KeptCalibration& kept) {
   return figures;
 }
 
-std::vector<ComparedFigure> compared(const std::vector<KeptFigure>& before,
-                                     const std::vector<KeptFigure>& after) {
+std::vector<ComparedFigure> compared(const std::vector<KeptFigure>& before, const std::vector<KeptFigure>& after) {
   std::vector<ComparedFigure> rows;
   const auto row_of = [&](const KeptFigure& figure) -> ComparedFigure& {
-    const auto found = std::ranges::find_if(
-        rows, [&](const ComparedFigure& row) { return row.parameter == figure.parameter && row.of == figure.of; });
+    const auto found = std::ranges::find_if(rows, [&](const ComparedFigure& row) {
+      return row.parameter == figure.parameter && row.of == figure.of && row.unit == figure.unit;
+    });
     if (found != rows.end()) return *found;
     return rows.emplace_back(ComparedFigure{figure.parameter, figure.of, figure.unit, {}, {}, {}, {}});
   };

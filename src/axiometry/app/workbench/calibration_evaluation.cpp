@@ -19,6 +19,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/store/kept/calibration_kinds.h"
 #include "axiometry/volumetric/field/tool_fields.h"
 #include "axiometry/volumetric/field/volume_statistics.h"
 
@@ -27,6 +28,10 @@ namespace {
 
 using json::Value;
 using store::KeptFigure;
+
+std::string numbered_role(std::string_view role, std::size_t number) {
+  return number == 1 ? std::string(role) : fmt::format("{}-{}", role, number);
+}
 
 /// Whether it is "lengths-2", "lengths-3", …, the second and further files of lengths of the 21 errors.
 bool is_further_lengths(std::string_view role) {
@@ -102,11 +107,63 @@ Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSourc
   AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles, Sources::Lengths::several));
   IdentifyFiles given{.lengths = sources.lengths(), .machine = sources.find("machine"), .plan = sources.find("plan")};
   if (given.lengths.empty()) return fail("found no file lengths, expected one");
-  if (!given.machine && !given.plan)
-    return fail("found neither a file machine nor a file plan, expected one of them");
+  if (!given.machine && !given.plan) return fail("found neither a file machine nor a file plan, expected one of them");
   AXIOMETRY_TRY(const IdentifyChoices asked, identify_choices_from(options));
   AXIOMETRY_TRY(IdentifiedMachine found, identify_presentable(given, asked));
   return EvaluatedCalibration(std::move(found));
+}
+
+Result<EvaluatedCalibration> evaluated_motion(std::string_view kind, std::span<const CalibrationSource> files,
+                                              const Value& options) {
+  std::vector<GivenFile> given;
+  for (std::size_t k = 1; k <= files.size(); ++k) {
+    const auto file = std::ranges::find(files, readings_role(k), &CalibrationSource::role);
+    if (file == files.end())
+      return fail(
+          fmt::format("found no file {}, expected readings, and of several readings-2 and so on", readings_role(k)));
+    given.push_back({file->name, file->bytes});
+  }
+  AXIOMETRY_TRY(const MotionChoices choices, motion_choices_from(options));
+  AXIOMETRY_TRY(EvaluatedMotion evaluated, evaluate_motion(kind, given, choices));
+  return EvaluatedCalibration(std::move(evaluated));
+}
+
+/// A figure with the unit's key.
+void add_estimate(std::vector<KeptFigure>& figures, std::string parameter, const std::string& of,
+                  const error_motions::MotionEstimate& estimate, std::string_view unit) {
+  figures.push_back({std::move(parameter), of, estimate.value, estimate.u, std::string(unit)});
+}
+
+void add_motion_figures(std::vector<KeptFigure>& figures, const MeasuredMotion& measured) {
+  const error_motions::AxisMotion& motion = measured.motion;
+  const std::string of = measured.error ? measured.error->text() : std::string();
+  const std::string range = is_angle(motion.unit) ? "angle_range" : "straightness";
+  const std::string_view unit = motion_unit_name(motion.unit);
+  add_estimate(figures, range, of, motion.principal().range, unit);
+  if (motion.range_both) add_estimate(figures, range + "_both", of, *motion.range_both, unit);
+  if (motion.reversal) add_estimate(figures, "motion_reversal", of, *motion.reversal, unit);
+  const auto repeatability = motion.repeatability      ? motion.repeatability
+                             : motion.repeatability_up ? motion.repeatability_up
+                                                       : motion.repeatability_down;
+  if (repeatability) figures.push_back({"motion_repeatability", of, *repeatability, {}, std::string(unit)});
+}
+
+std::vector<KeptFigure> motion_figures(const EvaluatedMotion& evaluated) {
+  std::vector<KeptFigure> figures;
+  if (const auto* square = std::get_if<SquarenessMeasurement>(&evaluated)) {
+    if (square->location)
+      add_estimate(figures, std::string(square->location->name), "", square->location->urad, "urad");
+    add_estimate(figures, "squareness", "", square->result.squareness_arcsec, "arcsec");
+  }
+  for (const MeasuredMotion* measured : measured_files(evaluated)) add_motion_figures(figures, *measured);
+  return figures;
+}
+
+std::string names_of(const EvaluatedMotion& evaluated) {
+  std::string names;
+  for (const MeasuredMotion* measured : measured_files(evaluated))
+    if (measured->error) names += (names.empty() ? "" : ", ") + measured->error->text();
+  return names;
 }
 
 std::vector<KeptFigure> line_figures(const EvaluatedLines& lines) {
@@ -168,28 +225,37 @@ int serious_among(const Findings& findings) {
 
 }  // namespace
 
-std::string lengths_role(std::size_t number) {
-  return number == 1 ? std::string("lengths") : fmt::format("lengths-{}", number);
-}
+std::string lengths_role(std::size_t number) { return numbered_role("lengths", number); }
+std::string readings_role(std::size_t number) { return numbered_role("readings", number); }
 
 Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,
                                                   const Value& options) {
   if (kind == "lines") return evaluated_lines(files, options);
   if (kind == "volumetric") return identified_machine(files, options);
-  return fail(fmt::format("found the kind of calibration {}, expected lines or volumetric", text::quoted(kind)));
+  if (is_motion_kind(kind)) return evaluated_motion(kind, files, options);
+  return fail(
+      fmt::format("found the kind of calibration {}, expected {}", text::quoted(kind), store::calibration_kinds_text));
 }
 
 Value result_of(const EvaluatedCalibration& evaluated) {
-  return std::visit([](const auto& each) { return to_json(each); }, evaluated);
+  if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) return to_json(*lines);
+  if (const auto* motion = std::get_if<EvaluatedMotion>(&evaluated)) {
+    return present_motion(*motion, {}, {.report = false, .json = true}).json;
+  }
+  return to_json(std::get<IdentifiedMachine>(evaluated));
 }
 
 report::Document document_of(const EvaluatedCalibration& evaluated, const report::Options& options) {
   if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) return lines_document(*lines, options);
+  if (const auto* motion = std::get_if<EvaluatedMotion>(&evaluated)) {
+    return present_motion(*motion, options, {.report = true, .json = false}).document;
+  }
   return present(std::get<IdentifiedMachine>(evaluated), options).document;
 }
 
 std::vector<KeptFigure> figures_of(const EvaluatedCalibration& evaluated) {
   if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) return line_figures(*lines);
+  if (const auto* motion = std::get_if<EvaluatedMotion>(&evaluated)) return motion_figures(*motion);
   return volume_figures(std::get<IdentifiedMachine>(evaluated));
 }
 
@@ -198,6 +264,12 @@ SuggestedText suggested(const EvaluatedCalibration& evaluated) {
     const std::string date = lines->tests.empty() ? "" : lines->tests[0].test.metadata.conditions.date;
     const std::string& title = lines->plan.title;
     return {title.empty() ? stem_of(lines->lengths.file) : title, lines->plan.machine, iso_date(date)};
+  }
+  if (const auto* motion = std::get_if<EvaluatedMotion>(&evaluated)) {
+    const MeasuredMotion& first = *measured_files(*motion).front();
+    const std::string names = names_of(*motion);
+    return {names.empty() ? stem_of(first.file) : names, first.metadata.machine.name,
+            iso_date(first.metadata.conditions.date)};
   }
   const auto& found = std::get<IdentifiedMachine>(evaluated);
   return {stem_of(found.request.lengths.files.front()), found.machine.name, ""};
@@ -211,8 +283,8 @@ store::Calibration calibration_of(std::string_view kind, const EvaluatedCalibrat
   if (const auto* lines = std::get_if<EvaluatedLines>(&evaluated)) {
     calibration.verdict = verdict_of(*lines);
     calibration.serious = serious_among(lines->evaluation.findings);
-  } else {
-    calibration.serious = serious_among(std::get<IdentifiedMachine>(evaluated).identification.findings);
+  } else if (const auto* found = std::get_if<IdentifiedMachine>(&evaluated)) {
+    calibration.serious = serious_among(found->identification.findings);
   }
   return calibration;
 }

@@ -18,7 +18,7 @@
 namespace axiometry::app {
 
 struct NewCalibration {
-  std::string kind;  ///< "lines" or "volumetric"
+  std::string kind;  ///< store/kept/calibration_kinds.h
   std::vector<CalibrationSource> files;
   json::Value options = json::Value::object();
   std::string title;                   ///< empty: as the files suggest

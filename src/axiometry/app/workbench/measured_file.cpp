@@ -10,6 +10,7 @@
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/table/guessed_read.h"
@@ -145,6 +146,7 @@ Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& n
   };
   const auto read = [&]() -> Result<void> {
     if (profile) {
+      AXIOMETRY_TRY_VOID(formats::check_no_other_error(bytes.substr(0, read_budget::head_bytes)));
       AXIOMETRY_TRY(Test test, read_by_profile(bytes, *profile));
       return take_table(std::move(test));
     }
@@ -169,7 +171,8 @@ std::string recognised_format(std::string_view bytes) {
 }
 
 std::optional<formats::Guess> guess_measured(std::string_view bytes) {
-  if (formats::recognise_recording(bytes.substr(0, read_budget::head_bytes))) return {};
+  const std::string_view head = bytes.substr(0, read_budget::head_bytes);
+  if (formats::recognise_recording(head) || !formats::check_no_other_error(head)) return {};
   auto found = formats::guess(bytes);
   if (!found) return {};
   return *std::move(found);

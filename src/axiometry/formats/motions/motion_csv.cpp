@@ -182,6 +182,15 @@ Result<void> put_error(MotionFile& file, const MotionName& error, std::size_t li
   return {};
 }
 
+Result<void> put_sense(MotionFile& file, const ReadingSense& sense, std::size_t line) {
+  if (file.sense && *file.sense != sense)
+    return fail(fmt::format("found readings positive towards {} after {}, expected one way in a file", sense.text(),
+                            file.sense->text()),
+                {line, 1});
+  file.sense = sense;
+  return {};
+}
+
 Result<void> take_motion_comment(std::string_view content, std::size_t line, MotionFile& file) {
   const std::string_view plain = text::trim(content.substr(1));
   const std::size_t colon = plain.find(':');
@@ -190,6 +199,10 @@ Result<void> take_motion_comment(std::string_view content, std::size_t line, Mot
   if (text::equal_ignoring_case(key, "error")) {
     AXIOMETRY_TRY(const MotionName error, placed(motion_name(value), {line, 1}));
     return put_error(file, error, line);
+  }
+  if (text::equal_ignoring_case(key, "positive")) {
+    AXIOMETRY_TRY(const ReadingSense sense, placed(reading_sense(value), {line, 1}));
+    return put_sense(file, sense, line);
   }
   const Field* field = find_field(key);
   if (field == nullptr) return {};
@@ -204,7 +217,53 @@ Result<void> check_kind(const MotionFile& file, std::size_t line) {
               {line, 1});
 }
 
+/// Whether a name is one that no deviation of positions has.
+bool names_other_error(std::string_view name) {
+  if (const auto error = motion_name(name)) return error->rotation() || error->straightness();
+  return name.ends_with("straightness") || name == "roll" || name == "pitch" || name == "yaw";
+}
+
+/// "EYX", "straightness", or nothing; of the comments above a table and its header.
+std::string other_error_in(std::string_view text) {
+  std::string found;
+  const auto stop = fail("seen enough");
+  const auto looked = for_table_lines(text, [&](const TableLine& line) -> Result<void> {
+    if (line.content.starts_with('#')) {
+      const std::string_view plain = text::trim(line.content.substr(1));
+      const std::size_t colon = std::min(plain.find(':'), plain.size());
+      const std::string_view value = text::trim(plain.substr(std::min(colon + 1, plain.size())));
+      if (!text::equal_ignoring_case(text::trim(plain.substr(0, colon)), "error") || !names_other_error(value))
+        return {};
+      const auto error = motion_name(value);
+      found = error ? error->text() : std::string(value);
+      return stop;
+    }
+    const auto columns = motion_columns(line.text, line.number);
+    if (!columns) return stop;
+    const auto heads = split_row(line.text, columns->delimiter, line.number);
+    const std::string name = table_head((*heads)[*columns->at[value_column]].text).name;
+    if (names_other_error(name)) found = columns->error ? columns->error->text() : name;
+    return stop;
+  });
+  return found;
+}
+
 }  // namespace
+
+Result<void> check_no_other_error(std::string_view head) {
+  const auto readable = readable_text(head);
+  const auto decoded = readable ? Result<DecodedText>(fail("it is readable"))
+                                : decoded_text(head.substr(0, head.size() / 2 * 2));  // UTF-16 cut between two bytes
+  if (!readable && !decoded) return {};
+  const std::string error = other_error_in(readable ? *readable : std::string_view(decoded->text));
+  if (error.empty()) return {};
+  const auto name = motion_name(error);
+  const bool angle = name ? name->rotation() : !error.ends_with("straightness");
+  return fail(fmt::format("found readings of the error {}, expected deviations of positions; axiometry {} evaluates "
+                          "these",
+                          error, angle ? "angles" : "straightness"),
+              {1, 1});
+}
 
 Result<MotionFile> read_motion_csv(std::string_view bytes) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));

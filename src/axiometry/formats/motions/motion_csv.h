@@ -14,9 +14,10 @@ namespace axiometry::formats {
 
 struct MotionFile {
   std::vector<MotionReading> readings;
-  MotionUnit unit = MotionUnit::um;  ///< lengths as µm, ″ and ° as ″, µrad, mrad and rad as µrad
-  std::optional<MotionName> error;   ///< stated by `# error: EYX` or the column's name
-  Metadata metadata;                 ///< of `# key: value` lines
+  MotionUnit unit = MotionUnit::um;   ///< lengths as µm, ″ and ° as ″, µrad, mrad and rad as µrad
+  std::optional<MotionName> error;    ///< stated by `# error: EYX` or the column's name
+  std::optional<ReadingSense> sense;  ///< stated by `# positive: -Y`
+  Metadata metadata;                  ///< of `# key: value` lines
   std::vector<SourceRemark> remarks{};
 };
 
@@ -25,14 +26,20 @@ struct MotionFile {
 /// reading is the column `straightness` (a length), `angle`, `roll`, `pitch`, `yaw` (an angle), `deviation` or
 /// `reading` (either), or the name of the error: `EYX_um`, `EAX_urad`. `direction` in the usual words and signs.
 /// Without `run` the approaches to a position in a direction count themselves in the order of the rows; without
-/// `direction` all are taken as positive approaches, with a remark. Lines that begin with # and hold `error` or a known
-/// key and a colon are metadata, others comments. An empty cell, "-" or "NA" is a reading that was not taken. Other
-/// columns are passed over with a remark.
+/// `direction` all are taken as positive approaches, with a remark. Lines that begin with # and hold `error`,
+/// `positive` (which way the readings are) or a known key and a colon are metadata, others comments. An empty cell, "-"
+/// or "NA" is a reading that was not taken. Other columns are passed over with a remark.
 ///
 /// Fails, with line and column, on a column that is missing, there twice or without a unit of its kind, on a second
-/// error that contradicts the first, on a position twice where neither run nor direction tell which is which, on cells
-/// that are no finite number, rows that are cut off, and as decoded_text() does. What belongs together is
-/// MotionSeries::make()'s question. Time grows as n log n with the rows.
+/// error or a second `positive` that contradicts the first, on a position twice where neither run nor direction tell
+/// which is which, on cells that are no finite number, rows that are cut off, and as decoded_text() does. What belongs
+/// together is MotionSeries::make()'s question. Time grows as n log n with the rows.
 Result<MotionFile> read_motion_csv(std::string_view bytes);
+
+/// A test of positions must not be read out of such a table: its E, R and A would be taken for those of the positions.
+/// Fails on a beginning of a file that names a straightness or a rotation: by `# error: EYX` above its first row, or by
+/// the only column of readings beside positions, "straightness", "roll", "pitch", "yaw" or "EYX" with a unit. A column
+/// "deviation", "reading" or "angle" alone says nothing. What cannot be decoded is nobody's table.
+Result<void> check_no_other_error(std::string_view head);
 
 }  // namespace axiometry::formats

@@ -45,6 +45,40 @@ TEST(MotionCsv, KeepsAnglesInTheUnitTheyAreStatedIn) {
   EXPECT_EQ(read_motions("position_mm,direction,angle_deg\n0,up,0.001\n").readings[0].value, 3.6);
 }
 
+TEST(MotionCsv, ReadsWhichWayReadingsArePositive) {
+  constexpr std::string_view rows = "position_mm,direction,deviation_um\n0,up,0.1\n";
+  const auto file = read_motions("# positive: -y\n" + std::string(rows));
+  EXPECT_EQ(file.sense->text(), "-Y");
+  EXPECT_EQ(file.readings[0].value, 0.1);  // as it stands there
+  EXPECT_EQ(read_motions("# Positive: −A\n" + std::string(rows)).sense->text(), "-A");
+  EXPECT_FALSE(read_motions(rows).sense);
+  for (const char* wrong : {"Y", "+", "+YZ", "+D", "", "up", "−"})
+    EXPECT_THAT(motion_fault("# positive: " + std::string(wrong) + "\n" + std::string(rows)),
+                HasSubstr("as the way readings are positive"))
+        << wrong;
+  EXPECT_THAT(motion_fault("# positive: +Y\n# positive: -Y\n" + std::string(rows)), HasSubstr("2:1: found readings"));
+}
+
+TEST(MotionCsv, AreNoDeviationsOfPositions) {
+  const auto fault = [](std::string_view head) {
+    const auto checked = check_no_other_error(head);
+    return checked ? std::string() : checked.error().message;
+  };
+  EXPECT_THAT(fault("# error: eyx\ntarget_mm,run,direction,deviation_um\n0,1,up,1\n"),
+              HasSubstr("found readings of the error EYX, expected deviations of positions; axiometry straightness"));
+  EXPECT_THAT(fault("position_mm;pitch_arcsec\n0;1\n"),
+              HasSubstr("pitch, expected deviations of positions; axiometry an"));
+  EXPECT_THAT(fault("position_mm,EYX_um\n0,1\n"), HasSubstr("EYX"));
+  EXPECT_THAT(fault("a\xFF\n# Error: EAX\n"), "");  // below another line it is none
+  EXPECT_THAT(fault(std::string("#\0 \0e\0r\0r\0o\0r\0:\0 \0E\0Y\0X\0\n\0p\0", 30)), HasSubstr("EYX"));
+  for (const char* position :
+       {"# error: EXX\ntarget_mm,run,direction,deviation_um\n0,1,up,1\n", "position_mm,EXX_um\n0,1\n",
+        "position_mm,deviation_um\n0,1\n", "target_deg,angle_arcsec\n0,1\n",
+        "position_mm,deviation_um,straightness_um\n0,1,2\n", "# errors: EYX and others\ntarget_mm,deviation_um\n", "",
+        "{\"a\": 1}", "\x7f\x45\x4c\x46\0"})
+    EXPECT_EQ(fault(position), "") << position;
+}
+
 TEST(MotionCsv, CountsApproachesWhereNothingElseDoes) {
   const auto file = read_motions("position_mm,direction,straightness_um\n0,up,1\n0,down,2\n0,up,3\n");
   EXPECT_EQ(file.readings[1].run, 1u);

@@ -59,6 +59,24 @@ TEST(ErrorMotions, GiveTheFiguresOfAMakersManual) {
   }
 }
 
+TEST(ErrorMotions, HaveTheSquarenessOfTheMachineInEitherOrder) {
+  const AxisMotion one = axis_motion(one_run(100, first_axis), {}), two = axis_motion(one_run(50, second_axis), {});
+  const SquarenessOptions in_axes{.square_error_arcsec = 1.5, .square_uncertainty_arcsec = 0.4, .in_axes = true};
+  const auto s = measured_squareness(one, two, in_axes);
+  // −1.579″ + 3.593″ of the golden example, + 1.5″.
+  EXPECT_NEAR(s->squareness_arcsec.value, 2.014 + 1.5, 1e-3);
+  EXPECT_NEAR(measured_squareness(two, one, in_axes)->squareness_arcsec.value, s->squareness_arcsec.value, 1e-12);
+  for (const auto& [first, name, sign] :
+       {std::tuple("EYX", "C0Y", 1.0), std::tuple("EXY", "C0Y", 1.0), std::tuple("EZX", "B0Z", -1.0),
+        std::tuple("EXZ", "B0Z", -1.0), std::tuple("EZY", "A0Z", 1.0), std::tuple("EYZ", "A0Z", 1.0)}) {
+    const LocationError error = location_error(*motion_name(first), *s);
+    EXPECT_EQ(error.name, name);
+    EXPECT_NEAR(error.urad.value, sign * 4.84813681 * s->squareness_arcsec.value, 1e-6) << first;
+    EXPECT_NEAR(*error.urad.u, 4.84813681 * *s->squareness_arcsec.u, 1e-6);
+    EXPECT_NEAR(error.urad.k, s->squareness_arcsec.k, 1e-12);
+  }
+}
+
 TEST(ErrorMotions, AddTheErrorOfTheSquareInThatOrder) {
   const AxisMotion one = axis_motion(one_run(100, first_axis), {});
   const AxisMotion two = axis_motion(one_run(50, second_axis), {});

@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "axiometry/base/contract.h"
+
 namespace axiometry::error_motions {
 namespace {
 
@@ -32,7 +34,7 @@ Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const Ax
   s.theta_2_arcsec = slope_angle(second.principal().slope_per_m);
   const MotionEstimate &one = s.theta_1_arcsec, &two = s.theta_2_arcsec;
   MotionEstimate sum;
-  sum.value = two.value - one.value + options.square_error_arcsec.value_or(0.0);
+  sum.value = (options.in_axes ? -two.value : two.value) - one.value + options.square_error_arcsec.value_or(0.0);
   using Scatter = MotionEstimate::Scatter;
   const bool single = one.scatter == Scatter::residuals || two.scatter == Scatter::residuals;
   sum.scatter = single ? Scatter::residuals : Scatter::runs;
@@ -45,6 +47,20 @@ Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const Ax
   if (options.square_uncertainty_arcsec) sum.other_u = *options.square_uncertainty_arcsec / 2.0;
   s.squareness_arcsec = combined(sum);
   return s;
+}
+
+LocationError location_error(const MotionName& first, const MeasuredSquareness& squareness) {
+  AXIOMETRY_CONTRACT(first.straightness());
+  const auto in_plane = [&](char letter) { return first.coordinate == letter || first.axis == letter; };
+  LocationError error{!in_plane('Z') ? "C0Y" : in_plane('X') ? "B0Z" : "A0Z", 1.0, squareness.squareness_arcsec};
+  if (error.name == "B0Z") error.sign = -1.0;
+  const double urad = 1.0 / slope_arcsec(1.0);
+  error.urad.value *= error.sign * urad;
+  error.urad.scatter_u *= urad;
+  if (error.urad.instrument_u) *error.urad.instrument_u *= urad;
+  if (error.urad.other_u) *error.urad.other_u *= urad;
+  error.urad = combined(error.urad);
+  return error;
 }
 
 Result<void> check_square_pair(const MotionName& first, const MotionName& second) {

@@ -7,6 +7,7 @@
 #include "axiometry/base/json.h"
 #include "axiometry/base/text.h"
 #include "axiometry/store/kept/asset_tables.h"
+#include "axiometry/store/kept/calibration_kinds.h"
 #include "axiometry/store/kept/kept_lists.h"
 
 namespace axiometry::store {
@@ -15,8 +16,9 @@ namespace {
 constexpr std::size_t longest_measured_on = 200;  // as of a test
 
 Result<void> check_values(const Calibration& c) {
-  if (c.kind != "lines" && c.kind != "volumetric")
-    return fail(fmt::format("found the kind of calibration {}, expected lines or volumetric", text::quoted(c.kind)));
+  if (!is_calibration_kind(c.kind))
+    return fail(
+        fmt::format("found the kind of calibration {}, expected {}", text::quoted(c.kind), calibration_kinds_text));
   if (text::trim(c.title).empty()) return fail("found a calibration without a title, expected one");
   if (c.measured_on.size() > longest_measured_on)
     return fail(

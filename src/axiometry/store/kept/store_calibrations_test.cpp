@@ -139,7 +139,8 @@ TEST_P(StoreCalibrationsTest, AreRefusedWhereSomethingIsMissing) {
     edit(c);
     return why(store_->add(c, by_anna));
   };
-  EXPECT_THAT(refused([](Calibration& c) { c.kind = "other"; }), HasSubstr("expected lines or volumetric"));
+  EXPECT_THAT(refused([](Calibration& c) { c.kind = "other"; }),
+              HasSubstr("expected lines, volumetric, straightness, angles or squareness"));
   EXPECT_THAT(refused([](Calibration& c) { c.title = " "; }), HasSubstr("without a title"));
   EXPECT_THAT(refused([](Calibration& c) { c.machine = 9; }), HasSubstr("found no machine 9"));
   EXPECT_THAT(refused([](Calibration& c) { c.instrument = 9; }), HasSubstr("found no instrument 9"));

@@ -7,26 +7,13 @@
 #include <cmath>
 
 #include "axiometry/numeric/dense/dense.h"
+#include "axiometry/volumetric/singles/measured_square.h"
 #include "axiometry/volumetric/singles/single_places.h"
 
 namespace axiometry::volumetric {
 namespace {
 
 constexpr double lever_least_mm = 1e-6;  // µrad at this lever move by 1e-9 µm
-
-/// By what each value counts in the slope, per mm, of the straight line that is best for the curve through them:
-/// 12/L³ ∫ (q − middle) y dq.
-std::vector<double> curve_slope_weights(const std::vector<double>& at_mm) {
-  const double length = at_mm.back() - at_mm.front(), middle = 0.5 * (at_mm.front() + at_mm.back());
-  std::vector<double> weights(at_mm.size(), 0.0);
-  for (std::size_t k = 1; k < at_mm.size(); ++k) {
-    const double step = at_mm[k] - at_mm[k - 1], from_middle = at_mm[k - 1] - middle;
-    const double scale = 12.0 * step / (length * length * length);
-    weights[k - 1] += scale * (from_middle / 2.0 + step / 6.0);
-    weights[k] += scale * (from_middle / 2.0 + step / 3.0);
-  }
-  return weights;
-}
 
 /// Every coefficient as a sum of readings, and how it comes to its value.
 class SingleAssembly {
@@ -314,7 +301,8 @@ class SingleAssembly {
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
     sum[static_cast<Eigen::Index>(first_square_ + item)] = 1.0;
     for (const ErrorMotion line : {square_lines[k].first, square_lines[k].second}) {
-      if (is_of_unknown_range(line)) {
+      const bool common = errors_.squareness[item].over_common_range;
+      if (!common && is_of_unknown_range(line)) {
         findings_.push_back(
             fmt::format("{} has no number: the errors of {} were read over different ranges, and without {} nothing "
                         "tells over which the squareness was",
@@ -324,7 +312,8 @@ class SingleAssembly {
       Eigen::MatrixXd effect = lever_effect(c, line, lacks);
       sum -= square_lines[k].sign *
              (urad_per_um(line.axis) * to_gauge(line.axis, effect, false) + turned_by_others(c, line, lacks));
-      if (const auto given = of_error_[index(line)]) sum += square_lines[k].sign * slope_gained_by_cut(*given);
+      if (const auto given = of_error_[index(line)]; given && !common)
+        sum += square_lines[k].sign * slope_gained_by_cut(*given);
     }
     if (!lacks.empty()) {
       findings_.push_back(fmt::format("{} has no number: its lines hold {}, not measured", squareness_names[k], lacks));

@@ -32,6 +32,9 @@ struct SingleSquareness {
   Squareness which = Squareness::C0Y;
   double urad = 0.0;
   double u_urad = 0.0;
+  /// Its lines are those over the range that all errors of their axis have in common (measured_square.h); else those of
+  /// the straightness as it was read.
+  bool over_common_range = false;
 };
 
 /// Where the axes stood, and which point was measured, while the errors of one axis were.

@@ -5,6 +5,8 @@ import { send } from '../../api/client';
 import type { KeptCalibration } from '../../api/types';
 import { CalibrationFields, type CalibrationWords } from '../../components/calibration_fields';
 import { OptionsFields, form_of, options_of, type Options, type OptionsForm } from '../../components/evaluation_options';
+import { MotionFields } from '../motions/fields';
+import { is_motion_kind, motion_form_of, motion_options } from '../motions/form';
 import { ReasonDialog } from '../test/reason_dialog';
 import { t } from './texts';
 
@@ -36,15 +38,17 @@ export function EditCalibration({ calibration, on_done, on_close }: Props) {
 }
 
 export function EvaluateAgain({ calibration, on_done, on_close }: Props) {
+  const { kind } = calibration;
   const [form, set_form] = useState<OptionsForm>(() => form_of(calibration.options as Options));
-  const options = options_of(calibration.kind, form);
+  const [motion, set_motion] = useState(() => motion_form_of(calibration.options as Options));
+  const options = is_motion_kind(kind) ? motion_options(kind, motion) : options_of(kind, form);
   const act = async (reason: string) => {
     on_done(await send<KeptCalibration>('POST', `${path_of(calibration)}/versions`, { options, base_version: calibration.version, reason }));
   };
   return (
     <ReasonDialog title={t('again_title')} action={t('save', { n: calibration.version + 1 })} close={on_close} act={act} disabled={options === null}>
       <p class="hint">{t('again_how')}</p>
-      <OptionsFields kind={calibration.kind} form={form} on_change={set_form} />
+      {is_motion_kind(kind) ? <MotionFields kind={kind} form={motion} on_change={set_motion} /> : <OptionsFields kind={kind} form={form} on_change={set_form} />}
     </ReasonDialog>
   );
 }

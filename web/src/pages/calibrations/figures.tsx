@@ -2,19 +2,23 @@
 // The figures by which a calibration is known, as words and numbers.
 import type { CalibrationFigure, CalibrationRow } from '../../api/types';
 import { fixed } from '../../numbers';
+import { is_motion_kind } from '../motions/form';
 import { t } from './texts';
 
 const signs: Record<CalibrationFigure['unit'], string> = { um: 'µm', arcsec: '″', urad: 'µrad', '': '' };
 
 export const sign_of = (unit: string): string => signs[unit as CalibrationFigure['unit']] ?? unit;
 
-/** Lengths and angles with one decimal, χ²/ν with three, counts with none. */
+/** Lengths and angles with one decimal, those of straightness and angles with two, χ²/ν with three, counts with none. */
 export function figure_text(parameter: string, unit: string, value: number | null): string {
+  if (of_motion.some((one) => one === parameter) || /^[ABC]0[YZ]$/.test(parameter)) return fixed(value, 2);
   return fixed(value, unit !== '' ? 1 : parameter === 'chi2_per_dof' ? 3 : 0);
 }
 
 const named = ['chi2_per_dof', 'rank', 'unknowns', 'unseen_errors', 'readings'] as const;
 const of_volume = ['volume_largest', 'volume_percent_95', 'volume_mean'] as const;
+
+const of_motion = ['straightness', 'straightness_both', 'angle_range', 'angle_range_both', 'motion_reversal', 'motion_repeatability', 'squareness'] as const;
 
 /** "A (xyz)", "Largest error, T1", "EXX". */
 export function figure_name(parameter: string, of: string): string {
@@ -22,6 +26,8 @@ export function figure_name(parameter: string, of: string): string {
   if (volume) return t(volume, { of });
   const known = named.find((one) => one === parameter);
   if (known) return t(known);
+  const motion = of_motion.find((one) => one === parameter);
+  if (motion) return of === '' ? t(motion) : `${of}: ${t(motion)}`;
   if (/^E[XYZABC][XYZ]$/.test(parameter)) return `max |${parameter}|`;
   return of === '' ? parameter : `${parameter} (${of})`;
 }
@@ -30,6 +36,21 @@ const find = (row: Pick<CalibrationRow, 'figures'>, parameter: string) => row.fi
 
 const worst = (figures: readonly CalibrationFigure[]): CalibrationFigure | null =>
   figures.reduce<CalibrationFigure | null>((most, one) => (most === null || one.value > most.value ? one : most), null);
+
+const is_location = (parameter: string): boolean => /^[ABC]0[YZ]$/.test(parameter);
+
+/** What a straightness, an angle or a squareness is known by: with its location error first, and without its lines. */
+export function is_main_figure({ parameter }: CalibrationFigure, _: number, figures: readonly CalibrationFigure[]): boolean {
+  if (figures.some((one) => one.parameter === 'squareness'))
+    return is_location(parameter) || (parameter === 'squareness' && !figures.some((one) => is_location(one.parameter)));
+  return parameter === 'straightness' || parameter === 'angle_range';
+}
+
+/** Of squareness C0Y and its like where the sign is known, else S; of the others the range of each error. */
+function motion_headline({ kind, figures }: Pick<CalibrationRow, 'kind' | 'figures'>): string {
+  const shown = figures.filter(is_main_figure);
+  return (kind === 'squareness' ? shown.slice(0, 1) : shown).map(({ parameter, of, value, unit }) => `${of === '' ? figure_name(parameter, of) : of} ${figure_text(parameter, unit, value)} ${sign_of(unit)}`).join(', ');
+}
 
 /** What a list shows: of lines how many and the worst A and E, of the 21 errors the volume, χ²/ν and what is not told. */
 export function headline(row: Pick<CalibrationRow, 'kind' | 'figures'>): string {
@@ -41,6 +62,7 @@ export function headline(row: Pick<CalibrationRow, 'kind' | 'figures'>): string 
     });
     return t('worst_lines', { n: lines, list: list.join(', ') });
   }
+  if (is_motion_kind(row.kind)) return motion_headline(row);
   const largest = worst(find(row, 'volume_largest'));
   const mean = largest && find(row, 'volume_mean').find((one) => one.of === largest.of);
   const chi2 = find(row, 'chi2_per_dof')[0];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a calibration has found, shown as the page shows it where it was evaluated.
-import type { KeptCalibration, TrackingEvaluation, VolumetricResult } from '../../api/types';
+import type { KeptCalibration, MotionResult, TrackingEvaluation, VolumetricResult } from '../../api/types';
+import { is_motion_kind } from '../motions/form';
+import { MotionView } from '../motions/view';
 import { Results } from '../tracking/results';
 import { VolumeResult } from '../volume/result';
 import '../tracking.css';
@@ -15,5 +17,6 @@ export function CalibrationResult({ calibration }: { calibration: KeptCalibratio
       </section>
     );
   }
+  if (is_motion_kind(calibration.kind)) return <MotionView result={calibration.result as unknown as MotionResult} />;
   return <VolumeResult result={calibration.result as unknown as VolumetricResult} />;
 }

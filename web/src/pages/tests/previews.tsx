@@ -8,6 +8,8 @@ import { bytes } from '../../numbers';
 import { go } from '../../router';
 import { largest_table } from '../compensations/existing';
 import { held_table } from '../compensations/held';
+import { held_motions, is_motion } from '../motions/held';
+import { t as motion_words } from '../motions/texts';
 import { keep_plan } from '../plan/import';
 import { HowRead } from './asked_columns';
 import { Contents } from './contents';
@@ -79,7 +81,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
       {one.error && (one.error.kind === 'bad_input'
         ? <Refusal one={one} message={one.error.message} place={one.error.place} on_formats={on_formats} />
         : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
-      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : !is_asked(one) && (
+      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : is_motion(preview.refused.message) ? <MotionFound one={one} /> : !is_asked(one) && (
         <Refusal one={one} message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
       {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
@@ -132,6 +134,17 @@ function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
       {error && <FailureNotice error={error} {...(is_kept ? {} : { retry: keep_it })} />}
     </>
   );
+}
+
+/** No test of positions, but straightness or an angle, with all others of that sort that wait here. */
+function MotionFound({ one }: { one: Incoming }) {
+  const look = () => {
+    const others = incoming.value.filter((other) => other !== one && is_motion(other.preview?.refused?.message ?? ''));
+    held_motions.value = [one, ...others].map(({ file }) => file);
+    for (const { key } of [one, ...others]) remove(key);
+    go('/motions');
+  };
+  return <p class="notice">{motion_words('is_one')} <button type="button" class="link" onClick={look}>{motion_words('look')}</button></p>;
 }
 
 function place_of({ line, column }: { line: number | null; column: number | null }): string {
