@@ -608,6 +608,8 @@ export interface components {
             /** @enum {string} */
             severity: "departure" | "missing" | "note";
             message: string;
+            /** @description A name that stays, for programs: environment-highest-exceeded; absent where the finding has none. */
+            key?: string;
         };
         /** @description What an evaluation took from the archive beside the test itself: inputs of instruments that neither the file nor the changes state, calibrations that held on the day of the test, and the limits of the axis. They are kept with a version as they were on its day. */
         FromArchive: {
@@ -638,6 +640,7 @@ export interface components {
             coverage?: number;
             /** @description As `--correct` takes them: `nde`, `air=ciddor`. */
             corrections?: string[];
+            temperatures?: components["schemas"]["KeptTemperatures"];
         };
         /** @description What is null or left out is chosen by the planner. */
         GivenPlanRequest: {
@@ -1341,6 +1344,86 @@ export interface components {
             /** @description As `axiometry tracking evaluate --json` or `axiometry volumetric identify --json` writes it, in the reader's language; docs/results.md explains it. */
             result: Record<string, never>;
         };
+        /** @description A log of temperatures before and during the test (4.1), by the bytes of a document of the archive, with when the test was and what the parties agreed (7). */
+        KeptTemperatures: {
+            sha256: components["schemas"]["Sha256"];
+            /** @description Of the file. */
+            name: string;
+            /** @description Moment of the first reading: 2026-03-02T09:00. */
+            began?: string;
+            /** @description Of the last; without it the times of the readings tell it, or the end of the log is taken for it. */
+            ended?: string;
+            /** @description What a sensor is of where its name does not say so. */
+            sensors?: {
+                name: string;
+                /** @enum {string} */
+                role: "machine" | "equipment" | "air";
+            }[];
+            lowest_C?: number;
+            highest_C?: number;
+            rate_C_per_h?: number;
+            gradient_C?: number;
+        };
+        /** @description How much of a stretch of time was recorded. */
+        RecordedShare: {
+            recorded_h: number;
+            whole_h: number;
+            complete: boolean;
+        };
+        /** @description What a log of temperatures tells of the surroundings of the test (4.1), against what was agreed (7). */
+        Surroundings: {
+            quantities: {
+                /** @enum {string} */
+                key: "lowest_C" | "highest_C" | "rate_C_per_h" | "rate_before_C_per_h" | "machine_gradient_C";
+                title: string;
+                unit: string;
+                clause: string;
+                /** @description null: not measured. */
+                measured: number | null;
+                agreed: number | null;
+                /** @enum {string} */
+                limit: "lowest" | "highest";
+                /** @enum {string} */
+                standing: "kept" | "exceeded" | "not-measured" | "not-agreed" | "known-in-part";
+            }[];
+            /** @description Whether any limit is. */
+            exceeded: boolean;
+            /** @description Whether nobody can say of a limit that it was kept. */
+            open: boolean;
+            log_begin: string | null;
+            began: string | null;
+            ended: string | null;
+            /** @description Whether it is known when in the log the test was. */
+            test_placed: boolean;
+            during: components["schemas"]["RecordedShare"] | null;
+            /** @description Of the twelve hours before. */
+            before: components["schemas"]["RecordedShare"] | null;
+            sensors: {
+                name: string;
+                /** @enum {string} */
+                role: "machine" | "equipment" | "air";
+                readings: number;
+                lowest_C: number;
+                highest_C: number;
+            }[];
+            /** @description How the log was read. */
+            remarks: string[];
+            /** @description What of the time is not known. */
+            gaps: string[];
+            source: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+            };
+        };
+        /** @description A mean deviation by the Monte Carlo method. */
+        DrawnMean: {
+            /** @description Measured. */
+            value: number;
+            mean: number;
+            u: number;
+            low: number;
+            high: number;
+        };
         LengthPart: {
             part: number;
             title: string;
@@ -1803,6 +1886,15 @@ export interface components {
                 title: string;
                 u: components["schemas"]["ParameterNumbers"];
             }[];
+            /** @description The mean deviations at the targets, of at most 120; empty where a parameter is refused. */
+            positions?: {
+                target: number;
+                up: components["schemas"]["DrawnMean"] | null;
+                down: components["schemas"]["DrawnMean"] | null;
+                mean: components["schemas"]["DrawnMean"] | null;
+            }[];
+            /** @description For each hypothesis about the noise. */
+            position_trials?: number;
             notes: string[];
         };
         Named: {
@@ -1824,6 +1916,7 @@ export interface components {
             coverage: number;
             /** @description As `--correct` takes them: `nde`, `air=ciddor`. */
             corrections: string[];
+            temperatures?: components["schemas"]["KeptTemperatures"];
         };
         /**
          * @description Parameter of ISO 230-2:2014, clause 3; `up` and `down` are the directions of approach.
@@ -1945,6 +2038,7 @@ export interface components {
                 /** @enum {unknown} */
                 severity: "departure" | "missing" | "note";
                 message: string;
+                key?: string;
             }[] | null;
             /** @description Estimated duration, seconds; ignored when it is read. */
             duration_s?: number | null;
@@ -2197,6 +2291,7 @@ export interface components {
                 };
             };
             positions: components["schemas"]["PositionResult"][];
+            environment?: components["schemas"]["Surroundings"];
             drift: components["schemas"]["Drift"] | null;
             findings: components["schemas"]["Finding"][];
             metadata: components["schemas"]["Metadata"];
@@ -3416,6 +3511,10 @@ export type CompensationList = components['schemas']['CompensationList'];
 export type KeptCompensation = components['schemas']['KeptCompensation'];
 export type CompensationRevision = components['schemas']['CompensationRevision'];
 export type KeptCalibration = components['schemas']['KeptCalibration'];
+export type KeptTemperatures = components['schemas']['KeptTemperatures'];
+export type RecordedShare = components['schemas']['RecordedShare'];
+export type Surroundings = components['schemas']['Surroundings'];
+export type DrawnMean = components['schemas']['DrawnMean'];
 export type LengthPart = components['schemas']['LengthPart'];
 export type LengthParts = components['schemas']['LengthParts'];
 export type LengthPlan = components['schemas']['LengthPlan'];
