@@ -11,6 +11,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_figures,
                                  german_uncertainty,
                                  german_noise,
+                                 german_temperatures,
                                  german_findings,
                                  german_scatter,
                                  german_claims,

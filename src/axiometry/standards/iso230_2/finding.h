@@ -35,6 +35,7 @@ struct Finding {
   Severity severity = Severity::note;
   std::string message;  ///< what was found and what the clause expects; a whole sentence without full stop
   std::vector<MessageDeviation> deviations{};  ///< of the message, in its order
+  std::string key{};                           ///< a name that stays, for programs; empty where it has none
 };
 
 }  // namespace axiometry::iso230_2

@@ -10,6 +10,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 #include "axiometry/standards/iso230_2/reversal.h"
+#include "axiometry/standards/iso230_2/rules/environment_findings.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/slope.h"
 
@@ -190,9 +191,11 @@ std::optional<Finding> temperature_change(const Case& c) {
   const auto change = [](const Thermometer& t) { return std::abs(t.end - t.start); };
   const Thermometer& worst = *std::ranges::max_element(thermometers, {}, change);
   if (change(worst) <= change_worth_a_word) return std::nullopt;
-  return note(
+  Finding found = note(
       "4.1", fmt::format("found {} going from {} °C to {} °C during the test; the permissible gradient is to be agreed",
                          worst.name, figure(worst.start), figure(worst.end)));
+  found.key = temperature_change_key;
+  return found;
 }
 
 std::optional<Finding> ordered_progression(const Case& c) {
