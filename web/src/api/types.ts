@@ -979,6 +979,52 @@ export interface components {
             up: components["schemas"]["CompensationPeriodicWay"] | null;
             down: components["schemas"]["CompensationPeriodicWay"] | null;
         };
+        /** @description To within what positions are known with the table in the control: equations (7) to (10) of docs/theory/compensation.md. Native unit. */
+        CompensationKnown: {
+            /** @description The largest amount of a residual and U at a target; null where any is not known. */
+            at_targets: number | null;
+            /** @description And between them. */
+            anywhere: number | null;
+            /** @description The mean of what the table leaves, which a new zero takes away; residuals are about it. */
+            zero: number;
+            targets: {
+                target: number;
+                up: components["schemas"]["CompensationKnownMean"] | null;
+                down: components["schemas"]["CompensationKnownMean"] | null;
+            }[];
+            between_up: components["schemas"]["CompensationBetween"];
+            between_down: components["schemas"]["CompensationBetween"];
+            notes: string[];
+        };
+        /** @description At a target in one direction. */
+        CompensationKnownMean: {
+            /** @description Mean deviation that is left. */
+            residual: number;
+            /** @description Of it what the digits of the file make. */
+            rounding: number;
+            /** @description Standard uncertainty of the mean deviation. */
+            u_mean: number | null;
+            /** @description Scatter of the approaches. */
+            s: number | null;
+            /** @description Of the position that one approach ends at. */
+            u: number | null;
+            U: number | null;
+            k: number | null;
+        };
+        /** @description Between targets that follow each other, in one direction. */
+        CompensationBetween: {
+            /** @description Standard uncertainty of the straight line between two means. */
+            q: number | null;
+            gaps: {
+                from: number;
+                to: number;
+                /** @description The largest by amount. */
+                residual: number;
+                u: number | null;
+                U: number | null;
+                k: number | null;
+            }[];
+        };
         /** @description Of one direction; null where the targets do not tell it. */
         CompensationPeriodicWay: {
             /** @description Native unit. */
@@ -1012,6 +1058,8 @@ export interface components {
                 percent_95: components["schemas"]["ParameterNumbers"];
                 trials: number;
             };
+            /** @description Left out by programs that did not state it. */
+            known_to_within?: components["schemas"]["CompensationKnown"];
             least_squares: components["schemas"]["ParameterNumbers"];
             interpolated: components["schemas"]["ParameterNumbers"];
             /** @description What no table removes. */
@@ -3493,6 +3541,9 @@ export type CompensationLimits = components['schemas']['CompensationLimits'];
 export type CompensationMean = components['schemas']['CompensationMean'];
 export type CompensationRetest = components['schemas']['CompensationRetest'];
 export type CompensationPeriodic = components['schemas']['CompensationPeriodic'];
+export type CompensationKnown = components['schemas']['CompensationKnown'];
+export type CompensationKnownMean = components['schemas']['CompensationKnownMean'];
+export type CompensationBetween = components['schemas']['CompensationBetween'];
 export type CompensationPeriodicWay = components['schemas']['CompensationPeriodicWay'];
 export type CompensationResult = components['schemas']['CompensationResult'];
 export type CompensationOptions = components['schemas']['CompensationOptions'];
