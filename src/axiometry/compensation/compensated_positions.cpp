@@ -18,15 +18,15 @@ constexpr double no_limit = iso230_2::infinite;
 
 double freedom_of(const ExpandedUncertainty& x) { return x.effective_degrees_of_freedom.value_or(no_limit); }
 
-/// (8): the scatter of the approach beside that of the mean, which are one s and have its n − 1 together; ν of the rest
-/// from what Welch and Satterthwaite made of all.
-ExpandedUncertainty of_approach(const iso230_2::PositionComponents& mean, double s, double n) {
-  const double approaches = mean.approaches.in_native(), whole = mean.total.u.in_native();
-  const double rest = std::sqrt(std::max(0.0, whole * whole - approaches * approaches));
-  const double fourth = std::pow(whole, 4) / freedom_of(mean.total) - std::pow(approaches, 4) / (n - 1.0);
+/// (8): the scatter of the approach beside that of the mean, s/√n, which are one s and have its n − 1 together; ν of
+/// the rest from what Welch and Satterthwaite made of all.
+ExpandedUncertainty of_approach(const ExpandedUncertainty& mean, double s, double n) {
+  const double of_mean = s / std::sqrt(n), whole = mean.u.in_native();
+  const double rest = std::sqrt(std::max(0.0, whole * whole - of_mean * of_mean));
+  const double fourth = std::pow(whole, 4) / freedom_of(mean) - std::pow(of_mean, 4) / (n - 1.0);
   const bool finite = rest > 0.0 && fourth > 1e-9 * std::pow(rest, 4);  // ν above 1e9 is none
   ComponentSum sum;
-  sum.add({std::hypot(approaches, s), n - 1.0});
+  sum.add({std::hypot(of_mean, s), n - 1.0});
   sum.add({rest, finite ? std::pow(rest, 4) / fourth : no_limit});
   return sum.expanded();
 }
@@ -122,7 +122,7 @@ class Way {
     if (!components) return found;
     found.s = s->in_native();
     found.mean = components->total;
-    found.approach = of_approach(*components, *found.s, static_cast<double>(m.count));
+    found.approach = of_approach(components->total, *found.s, static_cast<double>(m.count));
     return found;
   }
 

@@ -182,6 +182,13 @@ TEST(CompensatedPositions, CountTheInstrumentWhereItIsStated) {  // Lira & Cargi
   EXPECT_DOUBLE_EQ(u(with, 0), u(without, 0));
   EXPECT_NEAR(u(with, 4), std::hypot(u(without, 4), 8.0), 1e-9);
   EXPECT_LT(with->targets[4].up->approach->k, 2.05) << "of no finite degrees of freedom";
+  // Noise of known size is no estimate of n − 1 degrees of freedom, though it stands among the approaches.
+  test.metadata.gum.distributions.clear();
+  test.metadata.uncertainty.environmental_variation = Deviation::native(30.0);
+  const auto drifting = compensated_positions(test, {none, none});
+  ASSERT_TRUE(drifting) << drifting.error().message;
+  EXPECT_GT(u(drifting, 0), 3.0);
+  EXPECT_LT(drifting->targets[0].up->approach->k, 2.05);
 }
 
 TEST(CompensatedPositions, SayNothingOfWhatNobodyKnows) {
