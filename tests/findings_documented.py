@@ -29,6 +29,7 @@ ANYWHERE = [
 ]
 IN_FOLDER = {
     "standards": [r"(?<![\w.])(?:(?:iso230_2::)?rules::)?(?:note|missing|departure)\("],
+    "standards/iso230_2/rules": [r'(?="environment-)'],
     "standards/rules": [r"\bexpect_approaches\(\s*(?:c|const RuleCase& c)\s*,"],
     "app/volumetric": [r"\btell\("],
 }

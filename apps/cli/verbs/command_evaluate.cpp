@@ -20,6 +20,7 @@
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/reading_flags.h"
+#include "cli/flags/temperature_flags.h"
 #include "cli/flags/tolerance_flags.h"
 #include "cli/flags/uncertainty_flags.h"
 #include "cli/verbs/commands.h"
@@ -74,6 +75,23 @@ void add_drift_recording(const Verb& verb, EvaluateArguments& arguments) {
           "the size.")
       ->type_name("FILE")
       ->group("Uncertainty, over what the file says");
+}
+
+void add_temperature_log(const Verb& verb, EvaluateArguments& arguments) {
+  constexpr const char* group = "Temperature of the surroundings";
+  verb.add_option("--temperatures", arguments.temperatures.file,
+                  "Log of temperatures before and during the test (4.1): time and one or more sensors in columns, as "
+                  "'axiometry temperatures' reads it")
+      ->type_name("FILE")
+      ->group(group);
+  add_temperature_flags(verb, arguments.temperatures.request, "agreed-", group);
+}
+
+/// Flags about a log need one.
+void take_temperatures(EvaluateArguments& arguments) {
+  if (arguments.temperatures.file.empty() && !arguments.temperatures.request.empty())
+    throw UsageError("found flags about a log of temperatures, expected the log too, with --temperatures");
+  if (!arguments.temperatures.file.empty()) arguments.evaluate.temperatures = arguments.temperatures;
 }
 
 /// An option whose value is one of a few words, each standing for a value of `target`.
@@ -213,7 +231,9 @@ void add_flags(const Verb& verb, const std::shared_ptr<EvaluateArguments>& argum
   add_method_flags(verb, arguments->evaluate.uncertainty);
   add_uncertainty_flags(verb, *arguments);
   add_drift_recording(verb, *arguments);
+  add_temperature_log(verb, *arguments);
   verb.callback([verb, arguments, &exit_code] {
+    take_temperatures(*arguments);
     check_method_flags(verb, arguments->evaluate.uncertainty);
     arguments->outputs.uncertainty = arguments->evaluate.uncertainty;
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
@@ -239,6 +259,7 @@ void add_evaluate(const Verb& program, int& exit_code) {
   axiometry evaluate test.csv --tolerance A=10um --tolerance R_up=4um --rule iso14253-1
   axiometry evaluate test.csv --correct air=ciddor,dead-path,nde
   axiometry evaluate run.csv --plan x.plan.json      a continuous recording
+  axiometry evaluate test.csv --temperatures hall.csv --began 2026-03-02T09:00 --agreed-rate 0.5
   axiometry evaluate machines/ --tolerance-table limits.csv:'Machining centre' --report all.csv
   axiometry evaluate machines/ --json all.json --report all.csv --report 'reports/{name}.pdf'
   zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv)");

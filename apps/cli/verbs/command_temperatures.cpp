@@ -17,6 +17,7 @@
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
+#include "cli/flags/temperature_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
 
@@ -74,7 +75,7 @@ void print_temperatures(const app::EvaluatedTemperatures& found, const report::O
   for (const Row& row : rows)
     fmt::print("{}  {}  {}  {}\n", left(row.title, title_width), right(row.measured, measured_width),
                left(row.agreed, agreed_width), row.standing);
-  std::vector<std::string> sentences = report::gaps_of(found.environment, found.test.has_value(), options);
+  std::vector<std::string> sentences = iso230_2::gaps_of(found.environment, options.numbers);
   sentences.insert(sentences.end(), found.log.remarks.begin(), found.log.remarks.end());
   if (!sentences.empty()) fmt::print("\n");
   for (const std::string& text : sentences)
@@ -94,59 +95,6 @@ int run_temperatures(TemperatureArguments& arguments) {
   return found->environment.open() ? exit_undecided : exit_done;
 }
 
-void add_time_flags(const Verb& verb, TemperatureArguments& a) {
-  constexpr const char* group = "The test";
-  verb.add_option("--began", a.request.began, "Moment of the first reading of the test, as 2026-03-02T09:00")
-      ->type_name("MOMENT")
-      ->group(group);
-  verb.add_option(
-          "--ended", a.request.ended,
-          "Moment of its last reading; without it the end of the log is taken for it, and no limit is called kept")
-      ->type_name("MOMENT")
-      ->group(group);
-  verb.add_option_function<std::vector<std::string>>(
-          "--sensor",
-          [&a](const std::vector<std::string>& pairs) {
-            for (const std::string& pair : pairs) {
-              const std::size_t equals = pair.rfind('=');
-              if (equals == std::string::npos)
-                throw UsageError("--sensor", fmt::format("found {}, expected NAME=ROLE", text::quoted(pair)));
-              a.request.roles.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
-            }
-          },
-          "What a sensor is of where its name does not say so: machine, equipment or air; may be repeated")
-      ->type_name("NAME=ROLE")
-      ->one_at_a_time()
-      ->group(group);
-}
-
-/// A temperature, a rate or a difference that nobody means below absolute zero or above what burns.
-double within_reason(const std::string& flag, double x, double least) {
-  constexpr double most = 100.0;
-  if (!(x >= least && x <= most))
-    throw UsageError(flag, fmt::format("found {}, expected a number from {} to {}", format_exact(x),
-                                       format_exact(least), format_exact(most)));
-  return x;
-}
-
-void add_agreed_flags(const Verb& verb, TemperatureArguments& a) {
-  constexpr double coldest = -60.0;
-  auto& agreed = a.request.agreed;
-  add_number(verb, {"--lowest", "C", "Lowest temperature of the air that the parties agreed on, °C (7)"},
-             [&agreed](double x) { agreed.lowest = Temperature::celsius(within_reason("--lowest", x, coldest)); });
-  add_number(verb, {"--highest", "C", "Highest temperature of the air that the parties agreed on, °C (7)"},
-             [&agreed](double x) { agreed.highest = Temperature::celsius(within_reason("--highest", x, coldest)); });
-  add_number(verb,
-             {"--rate", "C_PER_H",
-              "Change of the air's temperature that the parties agreed on, °C per hour, in the twelve hours before the "
-              "test and during it (4.1, 7)"},
-             [&agreed](double x) { agreed.rate = within_reason("--rate", x, 0.0); });
-  add_number(verb, {"--gradient", "C", "Difference between places on the machine that the parties agreed on, °C (4.1)"},
-             [&agreed](double x) {
-               agreed.machine_gradient = TemperatureDifference::kelvin(within_reason("--gradient", x, 0.0));
-             });
-}
-
 }  // namespace
 
 void add_temperatures(const Verb& program, int& exit_code) {
@@ -156,8 +104,7 @@ void add_temperatures(const Verb& program, int& exit_code) {
   verb->add_option("FILE", arguments->file,
                    "Temperature log: time and one or more sensors in columns, or - for the standard input")
       ->required();
-  add_time_flags(*verb, *arguments);
-  add_agreed_flags(*verb, *arguments);
+  add_temperature_flags(*verb, arguments->request, "", "The test");
   add_output_flags(*verb, arguments->outputs, arguments->report, arguments->quiet);
   verb->callback([arguments, &exit_code] {
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)

@@ -36,11 +36,15 @@ class Run {
     if (inputs->empty())
       return gave_up({"found no file in the folder, expected measured tests", arguments_.inputs.front(), {}},
                      exit_bad_input);
+    if (inputs->size() > 1 && arguments_.evaluate.temperatures)
+      return gave_up({"found several inputs, expected one test with --temperatures", "", {}}, exit_usage);
     arguments_.evaluate.tolerance.many_tests = many_;
     std::vector<app::InputFile> all_read = *inputs;
     if (const auto& table = arguments_.evaluate.tolerance.table) all_read.push_back({table->file, false});
     if (!arguments_.evaluate.profile.empty()) all_read.push_back({arguments_.evaluate.profile, false});
     if (!arguments_.recording.plan.empty()) all_read.push_back({arguments_.recording.plan, false});
+    for (const std::string& more : {arguments_.evaluate.drift_recording, arguments_.temperatures.file})
+      if (!more.empty()) all_read.push_back({more, false});
     arguments_.outputs.inputs = app::InputFiles(all_read);
     if (auto spared = app::check_inputs_spared(arguments_.outputs); !spared) return gave_up(spared.error(), exit_usage);
     for (const app::InputFile& input : *inputs) {

@@ -16,6 +16,7 @@ struct EvaluateArguments {
   std::vector<std::string> inputs;
   app::EvaluateOptions evaluate;
   app::CaptureOptions recording;  ///< when it names a plan, inputs are continuous recordings
+  app::LogWithTest temperatures;  ///< without a file where none was given
   app::OutputNames outputs;
   report::Options report;
   ColourChoice colour = ColourChoice::automatic;

@@ -12,18 +12,19 @@ namespace axiometry::language {
 extern const std::span<const Phrase> german_terms;    ///< single words: parameters, verdicts, roles, units of speech
 extern const std::span<const Phrase> german_report;   ///< titles, heads and notes of the report
 extern const std::span<const Phrase> german_figures;  ///< labels, titles, descriptions
-extern const std::span<const Phrase> german_uncertainty;  ///< Annex A, GUM, Monte Carlo, budgets
-extern const std::span<const Phrase> german_noise;        ///< kinds of the environment's noise
-extern const std::span<const Phrase> german_findings;     ///< what departs, what is missing, what is worth a note
-extern const std::span<const Phrase> german_scatter;      ///< outliers, uneven scatter, shifts of the runs
-extern const std::span<const Phrase> german_claims;       ///< what a result may be called
-extern const std::span<const Phrase> german_corrections;  ///< of readings, and where air and temperatures came from
-extern const std::span<const Phrase> german_plan;         ///< plan sheets and plan findings
-extern const std::span<const Phrase> german_fields;       ///< titles, descriptions and columns of the metadata
-extern const std::span<const Phrase> german_errors;       ///< refusals
-extern const std::span<const Phrase> german_service;      ///< the archive and its server
-extern const std::span<const Phrase> german_simulation;   ///< faults of the simulated axis
-extern const std::span<const Phrase> german_tracking;     ///< lines from a tracking interferometer
+extern const std::span<const Phrase> german_uncertainty;   ///< Annex A, GUM, Monte Carlo, budgets
+extern const std::span<const Phrase> german_temperatures;  ///< of a log about a test, and what is refused of it
+extern const std::span<const Phrase> german_noise;         ///< kinds of the environment's noise
+extern const std::span<const Phrase> german_findings;      ///< what departs, what is missing, what is worth a note
+extern const std::span<const Phrase> german_scatter;       ///< outliers, uneven scatter, shifts of the runs
+extern const std::span<const Phrase> german_claims;        ///< what a result may be called
+extern const std::span<const Phrase> german_corrections;   ///< of readings, and where air and temperatures came from
+extern const std::span<const Phrase> german_plan;          ///< plan sheets and plan findings
+extern const std::span<const Phrase> german_fields;        ///< titles, descriptions and columns of the metadata
+extern const std::span<const Phrase> german_errors;        ///< refusals
+extern const std::span<const Phrase> german_service;       ///< the archive and its server
+extern const std::span<const Phrase> german_simulation;    ///< faults of the simulated axis
+extern const std::span<const Phrase> german_tracking;      ///< lines from a tracking interferometer
 extern const std::span<const Phrase> german_tracking_findings;    ///< what plan, station and lengths tell
 extern const std::span<const Phrase> german_volumetric_findings;  ///< what lengths of a whole machine tell
 extern const std::span<const Phrase> german_station;              ///< stations, multilateration, length differences
@@ -40,6 +41,7 @@ extern const std::span<const Phrase> german_volume_recordings;    ///< lengths o
 extern const std::span<const Phrase> german_length_captures;      ///< and captured live from the workbench
 extern const std::span<const Phrase> german_calibrations;         ///< calibrations in the archive
 extern const std::span<const Phrase> german_compensation;         ///< tables by which controls correct an axis
+extern const std::span<const Phrase> german_known_positions;      ///< with a table
 extern const std::span<const Phrase> german_control_tables;       ///< what is refused of their files
 extern const std::span<const Phrase> german_controls;             ///< the controls, and what is known of each
 extern const std::span<const Phrase>

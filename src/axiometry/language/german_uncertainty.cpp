@@ -194,6 +194,8 @@ constexpr Phrase rows[] = {
      "Die Längendifferenz durch die Station wächst mit dem Quadrat ihres Versatzes: in erster Ordnung sind die "
      "Quadrate Eingangsgrößen mit Mittelwert und Standardabweichung; die Messwerte sind nicht um den Mittelwert "
      "korrigiert, der als eigene Quelle zählt"},
+    {"The means of {0#} of the {1#} targets have an interval here",
+     "Die Mittelwerte von {0} der {1} Zielpositionen haben hier ein Intervall"},
     {"The methods side by side, {0#}", "Die Verfahren im Vergleich, {0}"},
     {"The parameters are extremes; this method follows the targets that are extreme in this test and does not see the "
      "bias of extremes, see the Monte Carlo method",

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "axiometry/model/axis_correction.h"
 #include "axiometry/model/named_finding.h"
@@ -20,6 +22,23 @@ struct ControlWords {
   std::string_view title, sign, loading, verified, inferred;
 };
 
+/// In one direction with the table, native deviation unit.
+struct KnownMean {
+  double residual = 0.0;    ///< mean deviation that is left, about the mean of all
+  std::optional<double> U;  ///< of the position that one approach ends at
+};
+
+/// To within what positions are known that the table corrects (compensation/compensated_positions.h).
+struct KnownPositions {
+  struct Row {
+    Position target;
+    std::optional<KnownMean> up, down;
+  };
+  std::vector<Row> targets;
+  std::optional<double> at_targets, anywhere;  ///< the largest |r| + U
+  std::vector<std::string> notes;              ///< sentences without full stop
+};
+
 struct CompensationSubject {
   const Test& test;  ///< as it was measured
   ControlWords control;
@@ -30,6 +49,7 @@ struct CompensationSubject {
   const iso230_2::AxisParameters* expected;  ///< of a re-test, below in 95 %; none where nothing scatters
   const iso230_2::Evaluation* retest;        ///< may be none
   const iso230_2::AxisParameters& scatter;   ///< what no table removes
+  const KnownPositions& known;
   std::span<const NamedFinding> findings;
   double smoothing = 0.0;
   std::string_view notes{};  ///< of who made it, in lines; may be none

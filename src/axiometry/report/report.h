@@ -15,6 +15,10 @@
 #include "axiometry/standards/iso230_2/verdict/record.h"
 #include "axiometry/standards/iso230_2/verdict/tolerance.h"
 
+namespace axiometry::iso230_2 {
+struct LoggedEnvironment;  // standards/environment/environment.h
+}
+
 namespace axiometry::report {
 
 /// The unit in which parameters are shown; deviations at positions are in µm or ″ always.
@@ -42,6 +46,7 @@ struct Subject {
   std::optional<VerifiedFigures> verified{};  ///< where all of it was recomputed before
   std::string
       trail_head{};  ///< of an issued report: where the archive's audit trail ended before; "17:3f2a9c0b1d2e4f56"
+  const iso230_2::LoggedEnvironment* temperatures = nullptr;  ///< about the test; where a log of them was given
 };
 
 /// What a trail_head is called wherever an output says it.

@@ -663,6 +663,7 @@ export interface components {
             coverage?: number;
             /** @description As `--correct` takes them: `nde`, `air=ciddor`. */
             corrections?: string[];
+            temperatures?: components["schemas"]["KeptTemperatures"];
         };
         /** @description What is null or left out is chosen by the planner. */
         GivenPlanRequest: {
@@ -1001,6 +1002,52 @@ export interface components {
             up: components["schemas"]["CompensationPeriodicWay"] | null;
             down: components["schemas"]["CompensationPeriodicWay"] | null;
         };
+        /** @description To within what positions are known with the table in the control: equations (7) to (10) of docs/theory/compensation.md. Native unit. */
+        CompensationKnown: {
+            /** @description The largest amount of a residual and U at a target; null where any is not known. */
+            at_targets: number | null;
+            /** @description And between them. */
+            anywhere: number | null;
+            /** @description The mean of what the table leaves, which a new zero takes away; residuals are about it. */
+            zero: number;
+            targets: {
+                target: number;
+                up: components["schemas"]["CompensationKnownMean"] | null;
+                down: components["schemas"]["CompensationKnownMean"] | null;
+            }[];
+            between_up: components["schemas"]["CompensationBetween"];
+            between_down: components["schemas"]["CompensationBetween"];
+            notes: string[];
+        };
+        /** @description At a target in one direction. */
+        CompensationKnownMean: {
+            /** @description Mean deviation that is left. */
+            residual: number;
+            /** @description Of it what the digits of the file make. */
+            rounding: number;
+            /** @description Standard uncertainty of the mean deviation. */
+            u_mean: number | null;
+            /** @description Scatter of the approaches. */
+            s: number | null;
+            /** @description Of the position that one approach ends at. */
+            u: number | null;
+            U: number | null;
+            k: number | null;
+        };
+        /** @description Between targets that follow each other, in one direction. */
+        CompensationBetween: {
+            /** @description Standard uncertainty of the straight line between two means. */
+            q: number | null;
+            gaps: {
+                from: number;
+                to: number;
+                /** @description The largest by amount. */
+                residual: number;
+                u: number | null;
+                U: number | null;
+                k: number | null;
+            }[];
+        };
         /** @description Of one direction; null where the targets do not tell it. */
         CompensationPeriodicWay: {
             /** @description Native unit. */
@@ -1034,6 +1081,8 @@ export interface components {
                 percent_95: components["schemas"]["ParameterNumbers"];
                 trials: number;
             };
+            /** @description Left out by programs that did not state it. */
+            known_to_within?: components["schemas"]["CompensationKnown"];
             least_squares: components["schemas"]["ParameterNumbers"];
             interpolated: components["schemas"]["ParameterNumbers"];
             /** @description What no table removes. */
@@ -1410,6 +1459,86 @@ export interface components {
             }[];
             /** @description As `axiometry tracking evaluate --json`, `axiometry volumetric identify --json` or the verb of its kind writes it, in the reader's language; docs/results.md explains it. */
             result: Record<string, never>;
+        };
+        /** @description A log of temperatures before and during the test (4.1), by the bytes of a document of the archive, with when the test was and what the parties agreed (7). */
+        KeptTemperatures: {
+            sha256: components["schemas"]["Sha256"];
+            /** @description Of the file. */
+            name: string;
+            /** @description Moment of the first reading: 2026-03-02T09:00. */
+            began?: string;
+            /** @description Of the last; without it the times of the readings tell it, or the end of the log is taken for it. */
+            ended?: string;
+            /** @description What a sensor is of where its name does not say so. */
+            sensors?: {
+                name: string;
+                /** @enum {string} */
+                role: "machine" | "equipment" | "air";
+            }[];
+            lowest_C?: number;
+            highest_C?: number;
+            rate_C_per_h?: number;
+            gradient_C?: number;
+        };
+        /** @description How much of a stretch of time was recorded. */
+        RecordedShare: {
+            recorded_h: number;
+            whole_h: number;
+            complete: boolean;
+        };
+        /** @description What a log of temperatures tells of the surroundings of the test (4.1), against what was agreed (7). */
+        Surroundings: {
+            quantities: {
+                /** @enum {string} */
+                key: "lowest_C" | "highest_C" | "rate_C_per_h" | "rate_before_C_per_h" | "machine_gradient_C";
+                title: string;
+                unit: string;
+                clause: string;
+                /** @description null: not measured. */
+                measured: number | null;
+                agreed: number | null;
+                /** @enum {string} */
+                limit: "lowest" | "highest";
+                /** @enum {string} */
+                standing: "kept" | "exceeded" | "not-measured" | "not-agreed" | "known-in-part";
+            }[];
+            /** @description Whether any limit is. */
+            exceeded: boolean;
+            /** @description Whether nobody can say of a limit that it was kept. */
+            open: boolean;
+            log_begin: string | null;
+            began: string | null;
+            ended: string | null;
+            /** @description Whether it is known when in the log the test was. */
+            test_placed: boolean;
+            during: components["schemas"]["RecordedShare"] | null;
+            /** @description Of the twelve hours before. */
+            before: components["schemas"]["RecordedShare"] | null;
+            sensors: {
+                name: string;
+                /** @enum {string} */
+                role: "machine" | "equipment" | "air";
+                readings: number;
+                lowest_C: number;
+                highest_C: number;
+            }[];
+            /** @description How the log was read. */
+            remarks: string[];
+            /** @description What of the time is not known. */
+            gaps: string[];
+            source: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+            };
+        };
+        /** @description A mean deviation by the Monte Carlo method. */
+        DrawnMean: {
+            /** @description Measured. */
+            value: number;
+            mean: number;
+            u: number;
+            low: number;
+            high: number;
         };
         LengthPart: {
             part: number;
@@ -1873,6 +2002,15 @@ export interface components {
                 title: string;
                 u: components["schemas"]["ParameterNumbers"];
             }[];
+            /** @description The mean deviations at the targets, of at most 120; empty where a parameter is refused. */
+            positions?: {
+                target: number;
+                up: components["schemas"]["DrawnMean"] | null;
+                down: components["schemas"]["DrawnMean"] | null;
+                mean: components["schemas"]["DrawnMean"] | null;
+            }[];
+            /** @description For each hypothesis about the noise. */
+            position_trials?: number;
             notes: string[];
         };
         /** @description Lists of numbers, one for each position. */
@@ -2003,6 +2141,7 @@ export interface components {
             coverage: number;
             /** @description As `--correct` takes them: `nde`, `air=ciddor`. */
             corrections: string[];
+            temperatures?: components["schemas"]["KeptTemperatures"];
         };
         /**
          * @description Parameter of ISO 230-2:2014, clause 3; `up` and `down` are the directions of approach.
@@ -2378,6 +2517,7 @@ export interface components {
                 };
             };
             positions: components["schemas"]["PositionResult"][];
+            environment?: components["schemas"]["Surroundings"];
             drift: components["schemas"]["Drift"] | null;
             findings: components["schemas"]["Finding"][];
             metadata: components["schemas"]["Metadata"];
@@ -3590,6 +3730,9 @@ export type CompensationLimits = components['schemas']['CompensationLimits'];
 export type CompensationMean = components['schemas']['CompensationMean'];
 export type CompensationRetest = components['schemas']['CompensationRetest'];
 export type CompensationPeriodic = components['schemas']['CompensationPeriodic'];
+export type CompensationKnown = components['schemas']['CompensationKnown'];
+export type CompensationKnownMean = components['schemas']['CompensationKnownMean'];
+export type CompensationBetween = components['schemas']['CompensationBetween'];
 export type CompensationPeriodicWay = components['schemas']['CompensationPeriodicWay'];
 export type CompensationResult = components['schemas']['CompensationResult'];
 export type CompensationOptions = components['schemas']['CompensationOptions'];
@@ -3612,6 +3755,10 @@ export type CompensationList = components['schemas']['CompensationList'];
 export type KeptCompensation = components['schemas']['KeptCompensation'];
 export type CompensationRevision = components['schemas']['CompensationRevision'];
 export type KeptCalibration = components['schemas']['KeptCalibration'];
+export type KeptTemperatures = components['schemas']['KeptTemperatures'];
+export type RecordedShare = components['schemas']['RecordedShare'];
+export type Surroundings = components['schemas']['Surroundings'];
+export type DrawnMean = components['schemas']['DrawnMean'];
 export type LengthPart = components['schemas']['LengthPart'];
 export type LengthParts = components['schemas']['LengthParts'];
 export type LengthPlan = components['schemas']['LengthPlan'];

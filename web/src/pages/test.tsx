@@ -21,6 +21,7 @@ import { Parameters } from './test/parameters';
 import { PositionChart } from './test/position_chart';
 import { Positions } from './test/positions';
 import { TestState, test_path } from './test/state';
+import { Surroundings } from './test/surroundings';
 import { OldVersionBanner, Versions } from './test/versions';
 import './test.css';
 
@@ -88,6 +89,7 @@ function Whole({ state, vocabulary, adopt }: { state: TestState; vocabulary: Voc
           <div class="test-columns">
             <div class="stack">
               <PositionChart state={state} height={380} />
+              <Surroundings state={state} />
               <Positions state={state} />
               <LibraryFigures state={state} />
             </div>

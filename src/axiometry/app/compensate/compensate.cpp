@@ -338,6 +338,8 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
   const auto expected = compensation::expected_retest(corrected);
   AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, scatter, s), name));
+  AXIOMETRY_TRY(auto known,
+                in_file(compensation::compensated_positions(test, {applied, fit.correction, removed}), name));
   std::optional<Retest> retest;
   if (axis.retest) {
     AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, applied, s, findings));
@@ -362,6 +364,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
                          .fitted = fitted.parameters,
                          .scatter = iso230_2::evaluate(scatter).parameters,
                          .expected = expected,
+                         .known = std::move(known),
                          .retest = std::move(retest),
                          .findings = std::move(findings)};
 }

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/compensation/compensated_positions.h"
 #include "axiometry/compensation/expectation.h"
 #include "axiometry/compensation/fit.h"
 #include "axiometry/compensation/grid.h"
@@ -94,6 +95,7 @@ struct CompensatedAxis {
   iso230_2::AxisParameters fitted;        ///< with the nodes of the fit, unrounded
   iso230_2::AxisParameters scatter;       ///< what no table removes
   std::optional<compensation::ExpectedRetest> expected;
+  compensation::CompensatedPositions known;  ///< where the axis stands with the table, and to within what
   std::optional<Retest> retest;
   std::vector<NamedFinding> findings;
 };
@@ -103,7 +105,7 @@ struct CompensatedAxis {
 /// a series that no axis makes, on a table that the control would not take, and on a re-test of another kind of axis;
 /// where the control cannot hold the table; and where the table, read back by the control's own rule, would not reduce
 /// E and the root mean square of the mean deviations, of these readings, or E of the re-tests that are to be expected:
-/// nothing is written then.
+/// nothing is written then; on inputs of the uncertainty as gum() does.
 Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& request);
 
 /// Positions with what the control adds there in each direction: [{"position", "up", "down"}].

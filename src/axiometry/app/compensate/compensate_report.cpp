@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/results/named_findings_json.h"
+#include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/report/compensation.h"
 
 namespace axiometry::app {
@@ -47,6 +48,64 @@ Value periodic_to_json(const compensation::PeriodicPart& part, compensation::Per
     found.add("significant", part.is_significant(direction));
   }
   return value;
+}
+
+void add_expanded(Value& row, const std::optional<iso230_2::ExpandedUncertainty>& u) {
+  row.add("u", u ? Value(u->u.in_native()) : Value());
+  row.add("U", u ? Value(u->U.in_native()) : Value());
+  row.add("k", u ? Value(u->k) : Value());
+}
+
+Value compensated_to_json(const std::optional<compensation::CompensatedMean>& mean) {
+  if (!mean) return {};
+  Value row = Value::object();
+  row.add("residual", mean->residual);
+  row.add("rounding", mean->rounding);
+  row.add("u_mean", mean->mean ? Value(mean->mean->u.in_native()) : Value());
+  row.add("s", number_or_null(mean->s));
+  add_expanded(row, mean->approach);
+  return row;
+}
+
+Value known_to_json(const compensation::CompensatedPositions& known) {
+  Value value = Value::object();
+  value.add("at_targets", number_or_null(known.at_targets));
+  value.add("anywhere", number_or_null(known.anywhere));
+  value.add("zero", known.zero);
+  Value& targets = value.add("targets", Value::array());
+  for (const compensation::CompensatedTarget& target : known.targets) {
+    Value& row = targets.push(Value::object());
+    row.add("target", target.target.in_native());
+    row.add("up", compensated_to_json(target.up));
+    row.add("down", compensated_to_json(target.down));
+  }
+  for (const auto& [name, d] : {std::pair("up", std::size_t{0}), std::pair("down", std::size_t{1})}) {
+    Value& between = value.add(std::string("between_") + name, Value::object());
+    between.add("q", number_or_null(known.between_targets[d]));
+    Value& gaps = between.add("gaps", Value::array());
+    for (const compensation::CompensatedGap& gap : known.gaps[d]) {
+      Value& row = gaps.push(Value::object());
+      row.add("from", gap.from.in_native());
+      row.add("to", gap.to.in_native());
+      row.add("residual", gap.residual);
+      add_expanded(row, gap.approach);
+    }
+  }
+  Value& notes = value.add("notes", Value::array());
+  for (const std::string& note : known.notes) notes.push(note);
+  return value;
+}
+
+report::KnownPositions known_for_report(const compensation::CompensatedPositions& known) {
+  report::KnownPositions shown{{}, known.at_targets, known.anywhere, known.notes};
+  const auto side = [](const std::optional<compensation::CompensatedMean>& mean) -> std::optional<report::KnownMean> {
+    if (!mean) return std::nullopt;
+    return report::KnownMean{mean->residual,
+                             mean->approach ? std::optional(mean->approach->U.in_native()) : std::nullopt};
+  };
+  for (const compensation::CompensatedTarget& target : known.targets)
+    shown.targets.push_back({target.target, side(target.up), side(target.down)});
+  return shown;
 }
 
 Value limits_to_json(const nc::AxisTable& control) {
@@ -125,6 +184,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options, 
     expected.add("percent_95", parameter_values(done.expected->percent_95));
     expected.add("trials", done.expected->trials);
   }
+  root.add("known_to_within", known_to_json(done.known));
   root.add("least_squares", parameter_values(done.fitted));
   root.add("interpolated", parameter_values(done.interpolated));
   root.add("scatter", parameter_values(done.scatter));
@@ -147,6 +207,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options, 
   root.add("verified", verified_to_json(*done.control));
   root.add("findings", findings_value(done.findings));
   const nc::AxisTable& c = *done.control;
+  const report::KnownPositions known = known_for_report(done.known);
   const report::CompensationSubject subject{done.test,
                                             {c.title, nc::sign_of(c, done.options), c.loading, c.verified, c.inferred},
                                             done.applied,
@@ -156,6 +217,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options, 
                                             done.expected ? &done.expected->percent_95 : nullptr,
                                             done.retest ? &done.retest->evaluation : nullptr,
                                             done.scatter,
+                                            known,
                                             done.findings,
                                             done.smoothing,
                                             notes};

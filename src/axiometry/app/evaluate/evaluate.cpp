@@ -16,8 +16,10 @@
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
+#include "axiometry/standards/iso230_2/rules/environment_findings.h"
 #include "axiometry/standards/iso230_2/rules/uncertainty_findings.h"
 #include "axiometry/standards/readings/artefact.h"
+#include "axiometry/standards/readings/test_course.h"
 
 namespace axiometry::app {
 namespace {
@@ -114,6 +116,7 @@ Result<void> evaluate_source(Source& source, const EvaluateOptions& options, con
   AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}));
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(*format, head)) {
+    if (options.temperatures) return fail("found a file of many tests, expected one test with --temperatures");
     using iso230_2::Depth;
     const Depth depth = options.many_in_full ? Depth::every_finding : Depth::departures_only;
     EvaluateOptions for_many = options;
@@ -151,6 +154,22 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
     AXIOMETRY_TRY(assessment.monte_carlo, iso230_2::monte_carlo(test, evaluation, wanted.trials));
   }
   return {};
+}
+
+/// What the log of the temperatures tells of the test, among its findings.
+Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessment& assessment, const Test& test,
+                                                              const EvaluateOptions& options, iso230_2::Depth depth) {
+  if (!options.temperatures) return std::nullopt;
+  AXIOMETRY_TRY(EvaluatedTemperatures found, evaluate_log_with_test(*options.temperatures, course_of(test).duration));
+  std::vector<iso230_2::Finding>& findings = assessment.findings;
+  if (options.temperatures->request.agreed.rate)  // the agreed limit speaks
+    std::erase_if(findings, [](const iso230_2::Finding& f) { return f.id == iso230_2::temperature_change_key; });
+  std::ranges::move(iso230_2::environment_findings(found.environment, depth), std::back_inserter(findings));
+  if (depth == iso230_2::Depth::every_finding)
+    for (const std::string& remark : found.log.remarks)
+      findings.push_back({"temperature-log-remark", iso230_2::source_clause, iso230_2::Severity::note,
+                          fmt::format("of the temperature log: {}", remark)});
+  return found;
 }
 
 /// Whose the items are that the file does not state: of a list the records since it was last emptied.
@@ -211,6 +230,7 @@ Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso23
   of_file.tolerance = test.metadata.tolerance;
   AXIOMETRY_TRY(test, prepare_test(std::move(test), options));
   iso230_2::Assessment assessment = iso230_2::assess(test, depth);
+  AXIOMETRY_TRY(auto temperatures, add_temperatures(assessment, test, options, depth));
   const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
   AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance, options.metadata, &of_file));
   AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));
@@ -224,7 +244,8 @@ Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso23
                          assessment.uncorrected, iso230_2::refusals_of_record(assessment)});
   std::ranges::move(demanded.findings, std::back_inserter(assessment.findings));
   std::ranges::stable_sort(assessment.findings, {}, &iso230_2::Finding::severity);
-  return Evaluated{std::move(test), "", std::move(assessment), std::move(judgements), std::move(demanded.band)};
+  return Evaluated{std::move(test),          "",           std::move(assessment),  std::move(judgements),
+                   std::move(demanded.band), std::nullopt, std::move(temperatures)};
 }
 
 Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items) {

@@ -11,6 +11,7 @@
 #include "axiometry/app/evaluate/requirements.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/recordings/capture_session.h"
+#include "axiometry/app/temperatures/evaluated_temperatures.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/model/test.h"
@@ -43,9 +44,10 @@ struct EvaluateOptions {
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
   StatedItems stated{};                ///< of these the keys that are no flags, and whose they are
   std::vector<std::string> remarks{};  ///< what must be known of where metadata come from: notes among the findings
-  std::optional<CaptureOptions> recording;  ///< inputs are continuous recordings, to be read after this plan
-  CorrectionRequest corrections;            ///< of the readings, before they are evaluated
-  std::string drift_recording;              ///< file of a recording at standstill (A.2.5); empty: none but the test's
+  std::optional<CaptureOptions> recording;    ///< inputs are continuous recordings, to be read after this plan
+  CorrectionRequest corrections;              ///< of the readings, before they are evaluated
+  std::string drift_recording;                ///< file of a recording at standstill (A.2.5); empty: none but the test's
+  std::optional<LogWithTest> temperatures{};  ///< before and during the test (4.1)
   /// Whether the readings are indicated positions of an artefact's probing (standards/readings/artefact.h). When not
   /// said: where the test states the artefact's calibrated positions.
   std::optional<bool> artefact{};
@@ -64,8 +66,9 @@ struct Evaluated {
   std::string name;  ///< of a test among many in its file; else empty
   iso230_2::Assessment assessment;
   std::vector<iso230_2::Judgement> judgements;
-  std::optional<AppliedBand> tolerance_band;          ///< of the tolerance table, when there is one
-  std::optional<report::VerifiedFigures> verified{};  ///< by second_opinion(), where that was asked for
+  std::optional<AppliedBand> tolerance_band;            ///< of the tolerance table, when there is one
+  std::optional<report::VerifiedFigures> verified{};    ///< by second_opinion(), where that was asked for
+  std::optional<EvaluatedTemperatures> temperatures{};  ///< where a log of them was given
 };
 
 /// Whether the test itself says how a component of its equipment was calibrated.

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "axiometry/app/files/file_name_part.h"
+#include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/base/text.h"
 
@@ -34,7 +35,7 @@ std::string report_name(const Evaluated& evaluated) {
 
 Result<void> write_report(const Evaluated& evaluated, const std::string& file, const report::Options& options) {
   const report::Writer* writer = report::find_writer(extension_of(file));
-  auto bytes = writer->write({evaluated.test, evaluated.assessment, evaluated.judgements, evaluated.verified}, options);
+  auto bytes = writer->write(report_subject(evaluated), options);
   if (!bytes) return std::unexpected(Error{bytes.error().message, file, {}});
   return write_file(file, *bytes);
 }

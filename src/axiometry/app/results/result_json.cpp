@@ -8,6 +8,7 @@
 
 #include "axiometry/app/results/corrections_json.h"
 #include "axiometry/app/results/uncertainty_json.h"
+#include "axiometry/app/temperatures/temperatures.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
@@ -213,6 +214,7 @@ json::Value to_json(const Evaluated& evaluated) {
   add_information(object, evaluated.test, evaluated.assessment.evaluation.parameters);
   object.add("positions", std::move(positions));
   object.add("drift", drift_to_json(evaluated.test));
+  if (evaluated.temperatures) object.add("environment", environment_to_json(*evaluated.temperatures));
   object.add("findings", findings_to_json(evaluated.assessment.findings));
   object.add("metadata", std::move(metadata_object));
   object.add("source", source_to_json(evaluated.test.provenance, evaluated.name));

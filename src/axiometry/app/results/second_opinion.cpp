@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/report/documents/compose.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
@@ -37,8 +38,7 @@ Result<report::VerifiedFigures> second_opinion(const Evaluated& evaluated, const
   if (written.empty()) written = json::dump(to_json(evaluated), 0);
   constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
   AXIOMETRY_TRY(const json::Value result, json::parse(written, {.bytes = no_limit, .values = no_limit}));
-  const report::Document document =
-      report::compose({evaluated.test, evaluated.assessment, evaluated.judgements}, options);
+  const report::Document document = report::compose(report_subject(evaluated), options);
   const std::string head = combined_csv_header(asked);
   const std::string row = combined_csv_row(evaluated, asked);
   const auto& as_measured = evaluated.test.as_measured;

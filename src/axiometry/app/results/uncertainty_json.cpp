@@ -248,6 +248,30 @@ Value input_to_json(const iso230_2::UncertaintyInput& input) {
   return object;
 }
 
+Value mean_to_json(const std::optional<iso230_2::MeanInterval>& interval) {
+  if (!interval) return {};
+  Value object = Value::object();
+  object.add("value", interval->value);
+  object.add("mean", interval->mean);
+  object.add("u", interval->u);
+  object.add("low", interval->low);
+  object.add("high", interval->high);
+  return object;
+}
+
+/// x̄_i of every target that has an interval, as gum_budget.positions of the law of propagation.
+Value means_to_json(const MonteCarlo& run) {
+  Value list = Value::array();
+  for (const iso230_2::MeanDistribution& position : run.means) {
+    Value& row = list.push(Value::object());
+    row.add("target", position.target.in_native());
+    row.add("up", mean_to_json(position.up));
+    row.add("down", mean_to_json(position.down));
+    row.add("mean", mean_to_json(position.mean));
+  }
+  return list;
+}
+
 Value monte_carlo_run_to_json(const MonteCarlo& run) {
   Value object = Value::object();
   object.add("measurand", iso230_2::measurand_key(run.measurand));
@@ -279,6 +303,8 @@ Value monte_carlo_run_to_json(const MonteCarlo& run) {
               return run.distributions[p] ? Value(contribution.u[p]) : Value();
             }));
   }
+  object.add("positions", means_to_json(run));
+  object.add("position_trials", run.mean_trials);
   object.add("notes", texts(run.notes));
   return object;
 }

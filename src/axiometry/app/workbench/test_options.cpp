@@ -7,6 +7,7 @@
 #include "axiometry/app/evaluate/uncertainty_members.h"
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/uncertainty_json.h"
+#include "axiometry/app/workbench/kept_temperatures.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/fields.h"
@@ -42,6 +43,7 @@ json::Value to_json(const TestOptions& options) {
   object.add("seed", seed_to_json(options.seed));
   object.add("coverage", options.coverage);
   object.add("corrections", std::move(corrections));
+  if (options.temperatures) object.add("temperatures", to_json(*options.temperatures));
   return object;
 }
 
@@ -63,6 +65,9 @@ Result<TestOptions> test_options_from(const json::Value& value) {
   options.seed = chosen.trials.seed;
   options.coverage = chosen.trials.propagation.coverage;
   if (const Value* list = members.optional("corrections")) AXIOMETRY_TRY_VOID(take_corrections(*list, options));
+  if (const Value* log = members.optional("temperatures")) {
+    AXIOMETRY_TRY(options.temperatures, kept_temperatures_from(*log));
+  }
   AXIOMETRY_TRY_VOID(members.finish());
   return options;
 }

@@ -8,6 +8,7 @@
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/second_opinion.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/app/workbench/workbench_state.h"
@@ -20,6 +21,7 @@
 #include "axiometry/report/figures/drift_recording.h"
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/figures/mean_deviations.h"
+#include "axiometry/report/temperatures/temperatures.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/writer.h"
 
@@ -102,16 +104,17 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
-  AXIOMETRY_TRY(rendered.bytes,
-                writer->write({evaluated->test, evaluated->assessment, evaluated->judgements, verified, trail_head},
-                              request.options));
+  report::Subject subject = report_subject(*evaluated, trail_head);
+  subject.verified = verified;
+  AXIOMETRY_TRY(rendered.bytes, writer->write(subject, request.options));
   return rendered;
 }
 
 std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const report::Options& options) {
-  const report::Subject subject{evaluated.test, evaluated.assessment, evaluated.judgements};
+  const report::Subject subject = report_subject(evaluated);
   std::vector<report::Figure> figures = report::figures(subject, options);
-  for (auto& further : {report::conformity_figure(subject, options), report::mean_deviation_figure(subject, options),
+  for (auto& further : {report::surroundings_figure(subject, options), report::conformity_figure(subject, options),
+                        report::mean_deviation_figure(subject, options), report::mean_interval_figure(subject, options),
                         report::contribution_figure(subject, options), report::distribution_figure(subject, options),
                         report::drift_recording_figure(subject, options)})
     if (further) figures.push_back(*further);

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/workbench/kept_temperatures.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/version.h"
@@ -114,6 +115,20 @@ Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(
   return shared;
 }
 
+Result<std::shared_ptr<const std::string>> Workbench::State::log_bytes(const std::string& hash) {
+  if (auto known = logs.find(hash)) return known;
+  auto content = store.content(hash);
+  if (!content && content.error().kind == ErrorKind::not_found)
+    return fail(ErrorKind::not_found,
+                fmt::format("found no file {} in the archive, expected the temperature log among the documents of the "
+                            "test: attach it first",
+                            hash));
+  if (!content) return std::unexpected(std::move(content).error());
+  auto shared = std::make_shared<const std::string>(std::move(content->bytes));
+  logs.remember(hash, shared, shared->size() + least_weight);
+  return shared;
+}
+
 Result<std::shared_ptr<const MeasuredFile>> Workbench::State::file_of(const store::TestRecord& record) {
   AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
   if (auto known = files.find(file_key(record.sha256, kept.profile))) return known;
@@ -155,6 +170,10 @@ Result<Found> Workbench::State::evaluate_with(Test test, const Draft& draft, Fro
                                               const std::stop_token& stop) {
   AXIOMETRY_TRY(EvaluateOptions options, evaluate_options(draft.options));
   options = with_archive(std::move(options), draft.changes, taken);
+  if (const auto& log = draft.options.temperatures) {
+    AXIOMETRY_TRY(const auto bytes, log_bytes(log->sha256));
+    options.temperatures = log_with_test(*log, *bytes);
+  }
   std::unique_lock<std::mutex> alone(monte_carlo, std::defer_lock);
   if (draft.options.monte_carlo) alone.lock();
   AXIOMETRY_TRY_VOID(go_on_unless(stop));

@@ -32,6 +32,7 @@ struct Workbench::State {
   store::Store& store;
   Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256 and profile; weighed by their memory
   Recent<std::string, Evaluated> evaluations{64};                  ///< of kept versions: "12/3"
+  Recent<std::string, std::string> logs{std::size_t{32} << 20};    ///< of temperatures, by SHA-256; their bytes
   std::mutex monte_carlo;                                          ///< a run takes all processors: one at a time
 
   /// As somebody sends it; what was read a short while ago is not read again, and its tests then go by the name of that
@@ -40,6 +41,8 @@ struct Workbench::State {
                                                    const std::optional<formats::ImportProfile>& profile);
   /// By the profile that the version keeps, where it was received with one.
   Result<std::shared_ptr<const MeasuredFile>> file_of(const store::TestRecord& record);
+  /// Of a temperature log that the archive keeps. Fails with `not_found` where it has none of that hash.
+  Result<std::shared_ptr<const std::string>> log_bytes(const std::string& hash);
   /// The measured test of a record, by whose file name it goes.
   Result<Test> measured(const store::TestRecord& record);
 

@@ -13,6 +13,7 @@
 #include "axiometry/report/figures/compensation_curves.h"
 #include "axiometry/report/sections/added_table.h"
 #include "axiometry/report/sections/fact.h"
+#include "axiometry/report/sections/known_positions.h"
 #include "axiometry/report/sections/sections.h"
 
 namespace axiometry::report {
@@ -138,7 +139,9 @@ Document compose(const CompensationSubject& subject, const Options& options) {
   document.edition = fmt::format("Formulas of {}", iso230_2::edition);
   document.running_status = "Compensation, predicted";
   document.status = {compensation_outcome(subject, options)};
-  document.sections = {compensation_parameters(subject, options), table_section(subject, options)};
+  document.sections = {compensation_parameters(subject, options),
+                       known_positions_section(subject.known, subject.test.metadata.axis.kind, options),
+                       table_section(subject, options)};
   if (!subject.findings.empty()) document.sections.push_back(named_findings_section(subject.findings));
   if (!text::trim(subject.notes).empty()) document.sections.push_back(compensation_notes(subject.notes));
   document.sections.push_back(control_section(subject.control));

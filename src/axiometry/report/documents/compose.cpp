@@ -4,6 +4,7 @@
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/finding_text.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/temperatures/temperatures.h"
 
 namespace axiometry::report {
 
@@ -25,6 +26,7 @@ Document compose(const Subject& subject, const Options& asked) {
     sections.push_back(contribution_section(subject, options));
   }
   sections.push_back(figure_section(subject, options));
+  if (auto surroundings = surroundings_section(subject, options)) sections.push_back(*std::move(surroundings));
   const AxisKind kind = subject.test.metadata.axis.kind;
   sections.push_back(claim_section(subject, options));
   sections.push_back(finding_section(shown_findings(subject.assessment.findings, subject.assessment, kind, options)));

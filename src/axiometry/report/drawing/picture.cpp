@@ -15,6 +15,7 @@
 #include "axiometry/report/figures/mean_deviations.h"
 #include "axiometry/report/figures/parts/plate.h"
 #include "axiometry/report/figures/parts/symbols.h"
+#include "axiometry/report/temperatures/temperatures.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/standards/test_standard.h"
 
@@ -88,9 +89,11 @@ Figure on_paper(std::vector<Figure> parts, const Heading& lines) {
 
 Figure picture(const Subject& subject, const Options& options) {
   std::vector<Figure> parts = figures(subject, options);
+  if (auto temperatures = surroundings_figure(subject, options)) parts.push_back(*std::move(temperatures));
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
   if (auto means = mean_deviation_figure(subject, options)) parts.push_back(*std::move(means));
+  if (auto drawn = mean_interval_figure(subject, options)) parts.push_back(*std::move(drawn));
   if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));
   if (auto recording = drift_recording_figure(subject, options)) parts.push_back(*std::move(recording));
   for (Figure& part : parts) part = with_words_translated(std::move(part), options);

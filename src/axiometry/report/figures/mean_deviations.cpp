@@ -37,8 +37,11 @@ const Disc mean_mark{.centre = {}, .radius = 1.9, .fill = ink::black};
 struct MeanAt {
   double position = 0.0;
   double mean = 0.0;
-  double U = 0.0;
-  double k = 2.0;  // coverage factor
+  double low = 0.0;  // ends of the bar
+  double high = 0.0;
+  double k = 2.0;  // coverage factor, of the law of propagation
+
+  double half() const { return 0.5 * (high - low); }
 };
 
 enum class MeanOf { both, up, down };
@@ -48,7 +51,8 @@ std::optional<MeanAt> mean_at(const iso230_2::PositionResult& result, const iso2
   const auto with = [&](const std::optional<Deviation>& mean,
                         const iso230_2::ExpandedUncertainty& u) -> std::optional<MeanAt> {
     if (!mean) return std::nullopt;
-    return MeanAt{result.target.in_native(), mean->in_native(), u.U.in_native(), u.k};
+    const double x = mean->in_native(), U = u.U.in_native();
+    return MeanAt{result.target.in_native(), x, x - U, x + U, u.k};
   };
   if (of == MeanOf::both && known.mean) return with(result.mean, *known.mean);
   if (of == MeanOf::up && known.up) return with(result.mean_up, known.up->total);
@@ -56,26 +60,47 @@ std::optional<MeanAt> mean_at(const iso230_2::PositionResult& result, const iso2
   return std::nullopt;
 }
 
-/// Of the targets that are shown; empty where no source acts on any of them, and of a single one.
-std::vector<MeanAt> means_of(const iso230_2::Assessment& assessment, MeanOf of) {
+/// Nothing where no source acts on any of them, and of a single one.
+std::vector<MeanAt> worth_drawing(std::vector<MeanAt> means) {
+  const bool none = std::ranges::all_of(means, [](const MeanAt& m) { return m.half() == 0.0; });
+  if (none || means.size() < 2) means.clear();
+  return means;
+}
+
+/// By the law of propagation, of the targets that are shown.
+std::vector<MeanAt> propagated_means(const iso230_2::Assessment& assessment, MeanOf of) {
   const auto& known = assessment.gum->positions;
   const auto& results = assessment.evaluation.positions;
   std::vector<MeanAt> means;
   for (const std::size_t i : shown_targets(assessment.evaluation).places)
     if (i < known.size())
       if (const auto mean = mean_at(results[i], known[i], of)) means.push_back(*mean);
-  const bool none = std::ranges::all_of(means, [](const MeanAt& m) { return m.U == 0.0; });
-  if (none || means.size() < 2) means.clear();
-  return means;
+  return worth_drawing(std::move(means));
 }
 
-std::string_view title_of(MeanOf of) {
-  switch (of) {
-    case MeanOf::both: return "Mean bidirectional positioning deviations with their expanded uncertainty (GUM)";
-    case MeanOf::up: return "Mean unidirectional positioning deviations ↑ with their expanded uncertainty (GUM)";
-    case MeanOf::down: return "Mean unidirectional positioning deviations ↓ with their expanded uncertainty (GUM)";
+/// By trials.
+std::vector<MeanAt> drawn_means(const iso230_2::Assessment& assessment, MeanOf of) {
+  std::vector<MeanAt> means;
+  for (const iso230_2::MeanDistribution& position : assessment.monte_carlo->means) {
+    const auto& interval = of == MeanOf::both ? position.mean : of == MeanOf::up ? position.up : position.down;
+    if (interval) means.push_back({position.target.in_native(), interval->value, interval->low, interval->high, 0.0});
   }
-  return "";
+  return worth_drawing(std::move(means));
+}
+
+struct MeanTitles {
+  std::string_view both, up, down;
+};
+constexpr MeanTitles propagated_titles{
+    "Mean bidirectional positioning deviations with their expanded uncertainty (GUM)",
+    "Mean unidirectional positioning deviations ↑ with their expanded uncertainty (GUM)",
+    "Mean unidirectional positioning deviations ↓ with their expanded uncertainty (GUM)"};
+constexpr MeanTitles drawn_titles{"Mean bidirectional positioning deviations with their intervals (Monte Carlo)",
+                                  "Mean unidirectional positioning deviations ↑ with their intervals (Monte Carlo)",
+                                  "Mean unidirectional positioning deviations ↓ with their intervals (Monte Carlo)"};
+
+std::string_view title_of(const MeanTitles& titles, MeanOf of) {
+  return of == MeanOf::both ? titles.both : of == MeanOf::up ? titles.up : titles.down;
 }
 
 plot::Runs mean_symbol(MeanOf of) {
@@ -99,7 +124,7 @@ void draw_means(plot::Operations& operations, const Chart& chart, const std::vec
     pitch = std::min(pitch, std::abs(chart.x(means[k].position) - chart.x(means[k - 1].position)));
   const double cap = std::min(widest_cap, share_of_pitch * pitch);
   for (const MeanAt& m : means) {
-    const double x = chart.x(m.position), low = chart.y(m.mean - m.U), high = chart.y(m.mean + m.U);
+    const double x = chart.x(m.position), low = chart.y(m.low), high = chart.y(m.high);
     operations.push_back(plot::line({x, low}, {x, high}, uncertainty_bar));
     for (const double end : {low, high})
       operations.push_back(plot::line({x - cap, end}, {x + cap, end}, uncertainty_bar));
@@ -114,41 +139,44 @@ void draw_means(plot::Operations& operations, const Chart& chart, const std::vec
   }
 }
 
-}  // namespace
-
-std::optional<Figure> mean_deviation_figure(const Subject& subject, const Options& asked) {
-  if (!subject.assessment.gum) return std::nullopt;
+/// What the figures of both methods differ by.
+struct MeanFigure {
   MeanOf of = MeanOf::both;
   std::vector<MeanAt> means;
-  for (const MeanOf one : {MeanOf::both, MeanOf::up, MeanOf::down}) {
-    if (!means.empty()) break;
-    of = one;
-    means = means_of(subject.assessment, one);
-  }
-  if (means.empty()) return std::nullopt;
-  const Options options = fitted(asked, subject.assessment.evaluation.parameters);
+  std::string_view title;
+  std::string_view description;  // with places for the number of targets and the least and largest half of a bar
+  plot::Runs bar;                // in the legend
+};
+
+/// The means that exist: of both directions, else of the one that there is.
+template <typename Find>
+MeanFigure means_to_draw(const MeanTitles& titles, const Find& find) {
+  for (const MeanOf of : {MeanOf::both, MeanOf::up, MeanOf::down})
+    if (auto means = find(of); !means.empty()) return {of, std::move(means), title_of(titles, of), {}, {}};
+  return {};
+}
+
+Figure figure_of(const MeanFigure& drawn, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
   const ParameterScale scale = parameter_scale(kind, options.unit);
-  const auto shown_U = [&](double U) { return shown_uncertainty(Deviation::native(U), scale, options); };
-  const auto [least, most] = std::ranges::minmax(means, {}, &MeanAt::U);
-  Figure figure{.width = plot::plate_width, .title = std::string(title_of(of))};
-  figure.description = fmt::format("{} targets; the expanded uncertainty is from {} to {} {}.", means.size(),
-                                   shown_U(least.U), shown_U(most.U), scale.unit);
+  const auto shown = [&](double half) { return shown_uncertainty(Deviation::native(half), scale, options); };
+  const auto& means = drawn.means;
+  const auto [least, most] = std::ranges::minmax(means, {}, &MeanAt::half);
+  Figure figure{.width = plot::plate_width, .title = std::string(drawn.title)};
+  figure.description =
+      fmt::format(fmt::runtime(drawn.description), means.size(), shown(least.half()), shown(most.half()), scale.unit);
   const double under_label = plot::draw_label(figure.operations, translated(subject.assessment.label, options),
                                               plot::header_left, plot::plate_width);
-  const plot::Runs bar = {plot::plain("±\u2009"), plot::italic("U"), plot::plain(" ("), plot::italic("k"),
-                          plot::plain(coverage_text(means, options) + ")")};
   const double top =
       under_label +
       plot::draw_legend(figure.operations,
-                        {{.line = std::nullopt, .band = std::nullopt, .mark = mean_mark, .text = mean_symbol(of)},
-                         {.line = uncertainty_bar, .band = std::nullopt, .mark = std::nullopt, .text = bar}},
+                        {{.line = std::nullopt, .band = std::nullopt, .mark = mean_mark, .text = mean_symbol(drawn.of)},
+                         {.line = uncertainty_bar, .band = std::nullopt, .mark = std::nullopt, .text = drawn.bar}},
                         {plot::header_left, under_label}, plot::plate_width - plot::header_left) +
       under_means_legend;
   plot::Range y, x;
   for (const MeanAt& m : means) {
-    y.see(m.mean - m.U);
-    y.see(m.mean + m.U);
+    for (const double value : {m.low, m.mean, m.high}) y.see(value);
     x.see(m.position);
   }
   const plot::ChartRange up = plot::with_room({y.low, y.high}), along = plot::with_room({x.low, x.high}, 0.02);
@@ -167,6 +195,33 @@ std::optional<Figure> mean_deviation_figure(const Subject& subject, const Option
   draw_means(figure.operations, chart, means);
   figure.height = top + means_height;
   return figure;
+}
+
+}  // namespace
+
+std::optional<Figure> mean_deviation_figure(const Subject& subject, const Options& asked) {
+  if (!subject.assessment.gum) return std::nullopt;
+  const Options options = fitted(asked, subject.assessment.evaluation.parameters);
+  MeanFigure drawn =
+      means_to_draw(propagated_titles, [&](MeanOf of) { return propagated_means(subject.assessment, of); });
+  if (drawn.means.empty()) return std::nullopt;
+  drawn.description = "{} targets; the expanded uncertainty is from {} to {} {}.";
+  drawn.bar = {plot::plain("±\u2009"), plot::italic("U"), plot::plain(" ("), plot::italic("k"),
+               plot::plain(coverage_text(drawn.means, options) + ")")};
+  return figure_of(drawn, subject, options);
+}
+
+std::optional<Figure> mean_interval_figure(const Subject& subject, const Options& asked) {
+  if (!subject.assessment.monte_carlo) return std::nullopt;
+  const Options options = fitted(asked, subject.assessment.evaluation.parameters);
+  MeanFigure drawn = means_to_draw(drawn_titles, [&](MeanOf of) { return drawn_means(subject.assessment, of); });
+  if (drawn.means.empty()) return std::nullopt;
+  drawn.description = "{} targets; half the width of their intervals is from {} to {} {}.";
+  const double percent = 100.0 * subject.assessment.monte_carlo->coverage;
+  std::string share = format_exact(std::round(percent * 100.0) / 100.0);
+  std::ranges::replace(share, '.', options.numbers.decimal_mark);
+  drawn.bar = {plot::plain(translated(fmt::format("interval for {}\u00a0%", share), options))};
+  return figure_of(drawn, subject, options);
 }
 
 }  // namespace axiometry::report

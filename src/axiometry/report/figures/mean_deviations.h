@@ -10,8 +10,11 @@ namespace axiometry::report {
 
 /// The mean deviation at every target with its expanded uncertainty as a bar, after Fig. 3 of Lira & Cargill (2004): of
 /// both directions x̄_i with U[x̄_i] (their eq. 10), of a test of one direction x̄_i↑ or x̄_i↓ (eq. 8). By the law of
-/// propagation, the method that states an uncertainty at every target. Nothing where it was not run, where no source
-/// acts on any target, and of a single target. Of more than a thousand targets those that the tables show.
+/// propagation. Nothing where it was not run, where no source acts on any target, and of a single target. Of more than
+/// a thousand targets those that the tables show.
 std::optional<Figure> mean_deviation_figure(const Subject& subject, const Options& options);
+
+/// The same by the Monte Carlo method, the intervals of its trials as bars. Likewise nothing, and where it states none.
+std::optional<Figure> mean_interval_figure(const Subject& subject, const Options& options);
 
 }  // namespace axiometry::report

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "axiometry/report/figures/distribution.h"
+#include "axiometry/report/figures/mean_deviations.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
@@ -197,6 +198,7 @@ Section method_section(const Subject& subject, const Options& options) {
   if (auto figure = distribution_figure(subject, options)) section.blocks.emplace_back(*std::move(figure));
   if (iso230_2::run_with_intervals(assessment) != nullptr)
     section.blocks.emplace_back(interval_table(subject, options));
+  if (auto means = mean_interval_figure(subject, options)) section.blocks.emplace_back(*std::move(means));
   section.blocks.emplace_back(run_facts(assessment, options));
   return section;
 }

@@ -30,14 +30,16 @@ Tone tone_of(EnvironmentStanding standing) {
   return Tone::normal;
 }
 
-Table quantity_table(const TemperatureSubject& subject, const Options& options) {
+}  // namespace
+
+Table environment_table(const iso230_2::TestEnvironment& environment, const Options& options) {
   Table table;
   table.columns = {{plain("Quantity"), Align::start, true, true},
                    {plain("Measured")},
                    {plain("Agreed")},
                    {plain("Standing")},
                    {plain("Clause")}};
-  for (const EnvironmentItem& item : subject.environment.items) {
+  for (const EnvironmentItem& item : environment.items) {
     const std::string agreed = agreed_text(item, options);
     table.rows.push_back({text_cell(item.title),
                           item.measured ? text_cell(measured_text(item, options)) : quiet_cell("not measured"),
@@ -68,8 +70,6 @@ Table sensor_table(const TemperatureLog& log, const Options& options) {
   return table;
 }
 
-}  // namespace
-
 std::string measured_text(const EnvironmentItem& item, const Options& options) {
   constexpr int usual = 2, fine = 4;
   constexpr double shown_by_usual = 0.01;
@@ -82,30 +82,6 @@ std::string agreed_text(const EnvironmentItem& item, const Options& options) {
   std::string value = format_exact(*item.agreed);
   std::ranges::replace(value, '.', options.numbers.decimal_mark);
   return fmt::format("at {} {} {}", item.lower_limit ? "least" : "most", value, item.unit);
-}
-
-std::vector<std::string> gaps_of(const iso230_2::TestEnvironment& environment, bool placed, const Options& options) {
-  if (!placed)
-    return {
-        "nobody said when the test was: all of the log counts as the test, and nothing is known of the twelve hours "
-        "before it"};
-  std::vector<std::string> gaps;
-  const auto hours = [&](double h) { return shown_celsius(h, 2, options); };
-  const bool nothing_of_it = environment.during && !(environment.during->whole_h > 0.0);
-  if (environment.during && !environment.during->end_told)
-    gaps.emplace_back(nothing_of_it ? "nobody said when the test ended, and the log ends no later than the test began"
-                                    : "nobody said when the test ended: the end of the log is taken for it");
-  if (environment.during && !nothing_of_it && !environment.during->gapless())
-    gaps.push_back(
-        fmt::format("the temperature of the air was recorded in {} h of the {} h of the test; what it was in "
-                    "the rest is not known",
-                    hours(environment.during->recorded_h), hours(environment.during->whole_h)));
-  if (environment.before && !environment.before->complete())
-    gaps.push_back(
-        fmt::format("the temperature of the air was recorded in {} h of the twelve hours before the test, of "
-                    "which clause 4.1 asks for all",
-                    hours(environment.before->recorded_h)));
-  return gaps;
 }
 
 Document compose(const TemperatureSubject& subject, const Options& options) {
@@ -130,7 +106,7 @@ Document compose(const TemperatureSubject& subject, const Options& options) {
                              : Tone::normal,
                 plain(status),
                 {}};
-  for (const std::string& gap : gaps_of(subject.environment, subject.test.has_value(), options))
+  for (const std::string& gap : iso230_2::gaps_of(subject.environment, options.numbers))
     notice.lines.push_back(sentence(gap));
   document.status.push_back(std::move(notice));
   const auto as_said = [](const std::string& text) {
@@ -141,7 +117,7 @@ Document compose(const TemperatureSubject& subject, const Options& options) {
       {plain("Test ended"), as_said(subject.ended)},
       {plain("Log begins"), subject.log.begin ? text_cell(moment_text(*subject.log.begin)) : quiet_cell("not stated")}};
   document.sections.push_back(
-      {"quantities", "What was measured and what was agreed", true, {quantity_table(subject, options)}});
+      {"quantities", "What was measured and what was agreed", true, {environment_table(subject.environment, options)}});
   document.sections.push_back({"course", "Course", true, {temperature_figure(subject, options)}});
   document.sections.push_back({"sensors", "Temperature sensors", false, {sensor_table(subject.log, options)}});
   Facts facts;

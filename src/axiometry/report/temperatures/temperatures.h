@@ -28,9 +28,20 @@ std::string measured_text(const iso230_2::EnvironmentItem& item, const Options& 
 /// "at most 22 °C"; empty where nothing was agreed.
 std::string agreed_text(const iso230_2::EnvironmentItem& item, const Options& options);
 
-/// What of the time was not recorded, and that nobody said when the test was or when it ended; sentences without full
-/// stop.
-std::vector<std::string> gaps_of(const iso230_2::TestEnvironment& environment, bool placed, const Options& options);
+/// What was measured, what was agreed, and how each stands.
+Table environment_table(const iso230_2::TestEnvironment& environment, const Options& options);
+
+/// The sensors of a log with their extremes.
+Table sensor_table(const TemperatureLog& log, const Options& options);
+
+/// Of a log that goes with a test, which must outlive it.
+TemperatureSubject subject_of(const iso230_2::LoggedEnvironment& logged);
+
+/// temperature_figure() of the log that goes with a test; nothing where none does.
+std::optional<Figure> surroundings_figure(const Subject& subject, const Options& options);
+
+/// Its figure, table, gaps and sensors likewise.
+std::optional<Section> surroundings_section(const Subject& subject, const Options& options);
 
 /// Every sensor over time, the time of the test as a band, the agreed limits as lines. Of a sensor with very many
 /// readings the lowest and the highest of each part of the width.

@@ -111,7 +111,7 @@ TEST(TemperatureDocument, SaysWhatIsNotKnown) {
   logged.agreed = {};
   EXPECT_EQ(compose(logged.subject(), logged.options).running_status, "No limits were agreed");
   logged.test = TimeStretch{12 * hour, 15 * hour};
-  const auto gaps = gaps_of(iso230_2::test_environment(logged.log, logged.test, {}), true, logged.options);
+  const auto gaps = iso230_2::gaps_of(iso230_2::test_environment(logged.log, logged.test, {}));
   ASSERT_EQ(gaps.size(), 1u);
   EXPECT_THAT(gaps[0], HasSubstr("recorded in 1.00 h of the 3.00 h of the test"));
 }
@@ -120,11 +120,11 @@ TEST(TemperatureDocument, SaysThatNobodyToldTheEndOfTheTest) {
   Logged logged = day();
   logged.test = TimeStretch{12 * hour, 13 * hour, false};
   EXPECT_EQ(compose(logged.subject(), logged.options).running_status, "Not known whether every agreed limit was kept");
-  EXPECT_THAT(gaps_of(logged.environment, true, logged.options),
+  EXPECT_THAT(iso230_2::gaps_of(logged.environment),
               ::testing::ElementsAre("nobody said when the test ended: the end of the log is taken for it"));
   logged.test = TimeStretch{13.5 * hour, 13.5 * hour, false};
   logged.subject();
-  EXPECT_THAT(gaps_of(logged.environment, true, logged.options),
+  EXPECT_THAT(iso230_2::gaps_of(logged.environment),
               ::testing::ElementsAre("nobody said when the test ended, and the log ends no later than the test began",
                                      HasSubstr("of the twelve hours before the test")));
 }

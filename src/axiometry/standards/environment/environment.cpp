@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/standards/environment/environment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace axiometry::iso230_2 {
@@ -84,6 +86,7 @@ TestEnvironment test_environment(const TemperatureLog& log, const std::optional<
                                  const AgreedEnvironment& agreed) {
   const AmbientTemperatures found = ambient_of(log.sensors, test);
   TestEnvironment environment;
+  environment.placed = test.has_value();
   environment.items = {
       {"lowest_C", "Lowest temperature of the air", "°C", "7", true, in_celsius(found.lowest),
        in_celsius(agreed.lowest)},
@@ -102,6 +105,31 @@ TestEnvironment test_environment(const TemperatureLog& log, const std::optional<
     item.standing = standing_of(item, before ? complete.before : gradient ? complete.gradient : complete.during);
   }
   return environment;
+}
+
+std::vector<std::string> gaps_of(const TestEnvironment& environment, const NumberStyle& numbers) {
+  const auto hours = [&](double h) { return format_fixed(h, 2, numbers); };
+  std::vector<std::string> gaps;
+  if (!environment.placed)
+    gaps.emplace_back(
+        "nobody said when the test was: all of the log counts as the test, and nothing is known of the twelve hours "
+        "before it");
+  const auto& during = environment.during;
+  const bool nothing_of_it = during && !(during->whole_h > 0.0);
+  if (during && !during->end_told)
+    gaps.emplace_back(nothing_of_it ? "nobody said when the test ended, and the log ends no later than the test began"
+                                    : "nobody said when the test ended: the end of the log is taken for it");
+  if (during && !nothing_of_it && !during->gapless())
+    gaps.push_back(
+        fmt::format("the temperature of the air was recorded in {} h of the {} h of the test; what it was in "
+                    "the rest is not known",
+                    hours(during->recorded_h), hours(during->whole_h)));
+  if (environment.before && !environment.before->complete())
+    gaps.push_back(
+        fmt::format("the temperature of the air was recorded in {} h of the twelve hours before the test, of "
+                    "which clause 4.1 asks for all",
+                    hours(environment.before->recorded_h)));
+  return gaps;
 }
 
 }  // namespace axiometry::iso230_2

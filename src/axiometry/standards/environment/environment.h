@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/quantity.h"
 #include "axiometry/model/temperatures.h"
 #include "axiometry/standards/environment/ambient_course.h"
@@ -60,6 +62,7 @@ struct TestEnvironment {
   std::vector<EnvironmentItem> items;
   std::optional<RecordedShare> during;  ///< of the test, where a log tells when it was
   std::optional<RecordedShare> before;  ///< of the twelve hours before it, where that is known
+  bool placed = false;                  ///< whether somebody said when the test was
 
   /// Whether any limit is exceeded.
   bool exceeded() const;
@@ -71,5 +74,20 @@ struct TestEnvironment {
 /// Where nobody told its end, nothing of the test is kept.
 TestEnvironment test_environment(const TemperatureLog& log, const std::optional<TimeStretch>& test,
                                  const AgreedEnvironment& agreed);
+
+/// What of the time was not recorded, and that nobody said when the test was or when it ended; sentences without full
+/// stop.
+std::vector<std::string> gaps_of(const TestEnvironment& environment, const NumberStyle& numbers = {});
+
+/// A log that was held against what was agreed, with where it comes from.
+struct LoggedEnvironment {
+  std::string file;  ///< as the user gave it
+  std::string sha256;
+  std::string began;  ///< of the test, as asked; may be empty
+  std::string ended;
+  TemperatureLog log;
+  std::optional<TimeStretch> test;  ///< within the log; absent: all of it counts as the test
+  TestEnvironment environment;
+};
 
 }  // namespace axiometry::iso230_2

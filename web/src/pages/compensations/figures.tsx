@@ -70,6 +70,9 @@ function Bar({ row: { parameter, limit }, result }: { row: Row; result: Compensa
 function foot_text(result: CompensationResult, shown: readonly Shown[]): string {
   const parts = [t('units', { unit: unit_sign(result.unit) }), t('predicted_how')];
   if (result.expected_retest) parts.push(t('percent_95_how', { n: result.expected_retest.trials }));
+  const known = result.known_to_within;
+  if (known && known.at_targets !== null && known.anywhere !== null)
+    parts.push(t('known', { at: fixed(known.at_targets, 2), anywhere: fixed(known.anywhere, 2), unit: unit_sign(result.unit) }));
   parts.push(t('scatter_how'));
   const E = shown_parameters(result.before).find((parameter) => parameter.startsWith('E'));
   const [fitted, interpolated] = E === undefined ? [] : [result.least_squares[E], result.interpolated[E]];

@@ -149,6 +149,7 @@ export const t = texts({
   predicted_how: ['Predicted: the same readings with the table, as the control interpolates and rounds; no measurement, and no verdict about it.',
                   'Vorhergesagt: dieselben Messwerte mit der Tabelle, wie die Steuerung interpoliert und rundet; keine Messung, und keine Entscheidung darüber.'],
   percent_95_how: ['95 % below: of {n} simulated re-tests, if axis and set-up stay as they are.', '95 % unter: von {n} simulierten Nachprüfungen, wenn Achse und Aufbau bleiben, wie sie sind.'],
+  known: ['With the table about 95 % of approaches or more will end within {at} {unit} of their position at each target, within {anywhere} {unit} anywhere between them.', 'Mit der Tabelle enden etwa 95 % der Anfahrten oder mehr an jedem Ziel innerhalb von {at} {unit} um ihre Position, überall dazwischen innerhalb von {anywhere} {unit}.'],
   scatter_how: ['Scatter alone: what no table removes.', 'Nur Streuung: was keine Tabelle beseitigt.'],
   methods: ['{symbol} before rounding: {fitted} {unit} by least squares, {interpolated} {unit} by interpolation.', '{symbol} vor dem Runden: {fitted} {unit} mit kleinsten Quadraten, {interpolated} {unit} mit Interpolation.'],
   smoothed: ['The table is smoothed.', 'Die Tabelle ist geglättet.'],

@@ -11,6 +11,7 @@ const t = texts({
   annex_a: ['Annex A', 'Anhang A'],
   sampling: ['Monte Carlo (seed {seed}, {coverage} %{trials})', 'Monte Carlo (Startwert {seed}, {coverage} %{trials})'],
   trials: [', {trials} trials', ', {trials} Versuche'],
+  log: ['temperature log {name} ({hash})', 'Temperaturaufzeichnung {name} ({hash})'],
   same: ['No difference in metadata or inputs.', 'Kein Unterschied in Angaben oder Eingangsgrößen.'],
 });
 
@@ -19,6 +20,18 @@ export interface State { changes: Changes; options: Options }
 /** Keys whose change differs between two states. */
 export function different_keys(a: Changes, b: Changes): string[] {
   return [...new Set([...Object.keys(a), ...Object.keys(b)])].filter((key) => a[key] !== b[key]);
+}
+
+/** Everything that a log is judged by. */
+function log_text(log: NonNullable<Options['temperatures']>): string {
+  const number = (x: number | undefined) => (x === undefined ? '…' : marked(String(x)));
+  const parts = [t('log', { name: log.name, hash: log.sha256.slice(0, 8) })];
+  if (log.began || log.ended) parts.push(`${log.began ?? '…'} – ${log.ended ?? '…'}`);
+  if (log.lowest_C !== undefined || log.highest_C !== undefined) parts.push(`${number(log.lowest_C)} – ${number(log.highest_C)} °C`);
+  if (log.rate_C_per_h !== undefined) parts.push(`≤ ${number(log.rate_C_per_h)} °C/h`);
+  if (log.gradient_C !== undefined) parts.push(`Δ ≤ ${number(log.gradient_C)} °C`);
+  for (const { name, role } of log.sensors ?? []) parts.push(`${name} = ${role}`);
+  return parts.join(', ');
 }
 
 function options_text(options: Options, vocabulary: Vocabulary): string {
@@ -30,6 +43,7 @@ function options_text(options: Options, vocabulary: Vocabulary): string {
       seed, coverage: marked(String(Number((100 * coverage).toFixed(4)))), trials: trials === null ? '' : t('trials', { trials: count(trials) }),
     }));
   }
+  if (options.temperatures) parts.push(log_text(options.temperatures));
   return [...parts, ...options.corrections.map((id) => vocabulary.corrections.find((one) => one.id === id)?.title ?? id)].join(', ');
 }
 

@@ -14,7 +14,8 @@ export const same_changes = (a: Changes, b: Changes): boolean => {
 };
 const same_options = (a: Options, b: Options): boolean =>
   a.trials === b.trials && a.seed === b.seed && a.coverage === b.coverage &&
-  [...a.methods].sort().join() === [...b.methods].sort().join() && a.corrections.join() === b.corrections.join();
+  [...a.methods].sort().join() === [...b.methods].sort().join() && a.corrections.join() === b.corrections.join() &&
+  JSON.stringify(a.temperatures ?? null) === JSON.stringify(b.temperatures ?? null);
 
 const without = (changes: Changes, keys: readonly string[]): Changes =>
   Object.fromEntries(Object.entries(changes).filter(([key]) => !keys.includes(key)));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
+#include "axiometry/standards/iso230_2/monte_carlo/mean_distributions.h"
 #include "axiometry/standards/iso230_2/monte_carlo/settled_trials.h"
 #include "axiometry/standards/iso230_2/monte_carlo/trial_figures.h"
 #include "axiometry/standards/iso230_2/monte_carlo/trials.h"
@@ -15,6 +16,9 @@
 
 namespace axiometry::iso230_2 {
 namespace {
+
+constexpr std::size_t most_means = 120;           // targets
+constexpr std::size_t trials_of_means = 100'000;  // know the ends of an interval of 95 % to 1 % of u
 
 constexpr std::size_t least_runs_of_t = 4;  // variance (n − 1)/(n − 3) s²/n
 
@@ -160,8 +164,22 @@ std::vector<SettledTrials> trials_of(const Subject& subject, std::span<const Noi
   return models;
 }
 
-Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, std::span<const NoiseModel> noises) {
-  const std::vector<SettledTrials> models = trials_of(subject, noises);
+/// The means at the targets, by fewer trials: their distribution is plain.
+Result<void> add_means(MonteCarlo& result, const Subject& subject, std::span<const SettledTrials> models) {
+  if (subject.options.contribution_trials == 0) return {};
+  uncertainty::MonteCarloOptions propagation = subject.options.propagation;
+  propagation.trials = std::min(trials_of_means, propagation.trials.value_or(trials_of_means));
+  const std::size_t count = subject.test.series.target_count();
+  const auto targets = targets_of_means(count, most_means);
+  result.mean_trials = *propagation.trials;
+  AXIOMETRY_TRY(result.means, mean_distributions(models, subject.evaluation, targets, propagation));
+  if (targets.size() < count)
+    result.notes.push_back(
+        fmt::format("The means of {} of the {} targets have an interval here", targets.size(), count));
+  return {};
+}
+
+Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, std::span<const SettledTrials> models) {
   const TrialModel& first = models.front().trials();
   AXIOMETRY_TRY(HypothesesRun run,
                 run_hypotheses(models, measured_by(first, subject.evaluation), subject.options.propagation));
@@ -198,13 +216,15 @@ std::string refusal_where_outliers(const Subject& subject) {
   return reason;
 }
 
-void refuse_where_outliers(std::span<std::optional<ParameterDistribution>> distributions,
+/// Whether it did.
+bool refuse_where_outliers(std::span<std::optional<ParameterDistribution>> distributions,
                            std::vector<std::string>& notes, const Subject& subject) {
   const std::string reason = refusal_where_outliers(subject);
-  if (reason.empty()) return;
+  if (reason.empty()) return false;
   for (auto& d : distributions)
     if (d) d->refusal = reason;
   notes.push_back(std::string(refusal_sentence) + reason);
+  return true;
 }
 
 /// Noise is treated as normal, whatever its distribution.
@@ -265,12 +285,16 @@ Result<std::optional<MonteCarlo>> monte_carlo(const Test& test, const Evaluation
                     inputs.inputs,
                     {},
                     notes_on(inputs, measurand),
-                    std::move(noise.hypotheses)};
+                    std::move(noise.hypotheses),
+                    {},
+                    0};
   result.notes.insert(result.notes.end(), noise.notes.begin(), noise.notes.end());
   note_hypotheses(result.notes, result.hypotheses);
-  AXIOMETRY_TRY_VOID(propagate_hypotheses(result, subject, noise.models));
-  if (noise.models.size() > 1 || measurand == Measurand::this_machine)
-    refuse_where_outliers(result.distributions, result.notes, subject);
+  const std::vector<SettledTrials> models = trials_of(subject, noise.models);
+  AXIOMETRY_TRY_VOID(propagate_hypotheses(result, subject, models));
+  const bool refused = (models.size() > 1 || measurand == Measurand::this_machine) &&
+                       refuse_where_outliers(result.distributions, result.notes, subject);
+  if (!refused) AXIOMETRY_TRY_VOID(add_means(result, subject, models));
   AXIOMETRY_TRY(result.contributions, contributions(subject));
   return result;
 }

@@ -77,6 +77,23 @@ struct ParameterDistribution {
 inline constexpr std::string_view refusal_sentence =
     "No interval is stated, since no normal scatter explains a reading: ";
 
+/// A mean deviation at a target, numbers in the native deviation unit.
+struct MeanInterval {
+  double value = 0.0;  ///< measured, clause 3
+  double mean = 0.0;   ///< of the trials, of the hypothesis with the largest u
+  double u = 0.0;
+  double low = 0.0;  ///< the interval that is stated, as of a ParameterDistribution
+  double high = 0.0;
+};
+
+/// Absent where the mean is, and where nothing that is known acts on it.
+struct MeanDistribution {
+  Position target;
+  std::optional<MeanInterval> up;    ///< x̄_i↑, 3.13
+  std::optional<MeanInterval> down;  ///< x̄_i↓
+  std::optional<MeanInterval> mean;  ///< x̄_i, 3.14
+};
+
 struct MonteCarlo {
   Measurand measurand = Measurand::this_test;
   TypeA type_a = TypeA::pooled;  ///< means something for this_machine only
@@ -92,6 +109,10 @@ struct MonteCarlo {
   std::vector<Contribution> contributions;
   std::vector<std::string> notes;
   std::vector<NoiseHypothesis> hypotheses;  ///< about the noise: all that were considered, those refuted too
+  /// Of at most 120 targets, from the first to the last; empty where a refusal stands, and where
+  /// MonteCarloOptions::contribution_trials is 0.
+  std::vector<MeanDistribution> means{};
+  std::size_t mean_trials = 0;  ///< for each hypothesis
 };
 
 /// Nothing when no input was given and the measurand is this test: then nothing is known about its uncertainty.

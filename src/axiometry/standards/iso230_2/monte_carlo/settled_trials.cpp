@@ -10,27 +10,6 @@ namespace {
 
 constexpr double first_share = 0.97;  // 20 000 trials know u to 1 %, of heavy tails to 2 %
 
-/// What holds for every hypothesis, and for noise of any size up to what it says.
-void find_envelope(ParameterDistribution& d) {
-  d.low = d.by_hypothesis.front().symmetric.lower;
-  d.high = d.by_hypothesis.front().symmetric.upper;
-  for (std::size_t h = 1; h < d.by_hypothesis.size(); ++h) {
-    const uncertainty::OutputSummary& own = d.by_hypothesis[h];
-    const double low = own.symmetric.lower + std::min(0.0, d.shift_of(h));
-    const double high = own.symmetric.upper + std::max(0.0, d.shift_of(h));
-    if (low < d.low) {
-      d.low = low;
-      d.low_from = h;
-    }
-    if (high > d.high) {
-      d.high = high;
-      d.high_from = h;
-    }
-    if (own.sd > d.by_hypothesis[d.summary_from].sd) d.summary_from = h;
-  }
-  d.summary = d.by_hypothesis[d.summary_from];
-}
-
 /// What is stated has the digits of the largest u and of half the widest interval of all hypotheses: none needs to be
 /// known better. `share` of both sizes counts.
 void widen(uncertainty::LeastTolerance& tolerance, const uncertainty::OutputSummary& own, int digits,
@@ -65,6 +44,26 @@ bool is_stable(std::span<const uncertainty::OutputSummary> hypotheses, int digit
 }
 
 }  // namespace
+
+void find_envelope(ParameterDistribution& d) {
+  d.low = d.by_hypothesis.front().symmetric.lower;
+  d.high = d.by_hypothesis.front().symmetric.upper;
+  for (std::size_t h = 1; h < d.by_hypothesis.size(); ++h) {
+    const uncertainty::OutputSummary& own = d.by_hypothesis[h];
+    const double low = own.symmetric.lower + std::min(0.0, d.shift_of(h));
+    const double high = own.symmetric.upper + std::max(0.0, d.shift_of(h));
+    if (low < d.low) {
+      d.low = low;
+      d.low_from = h;
+    }
+    if (high > d.high) {
+      d.high = high;
+      d.high_from = h;
+    }
+    if (own.sd > d.by_hypothesis[d.summary_from].sd) d.summary_from = h;
+  }
+  d.summary = d.by_hypothesis[d.summary_from];
+}
 
 SettledTrials::SettledTrials(TrialModel model, const Series& series, std::vector<double> measured)
     : model_(std::move(model)), measured_(std::move(measured)) {

@@ -28,6 +28,10 @@ class SettledTrials {
   double slack_ = 0.0;
 };
 
+/// From by_hypothesis (at least one) the ends of the interval that is stated and the summary: what holds for every
+/// hypothesis, and for noise of any size up to what it says.
+void find_envelope(ParameterDistribution& distribution);
+
 /// Of every output what holds for all hypotheses; those with u = 0 too.
 struct HypothesesRun {
   std::vector<ParameterDistribution> distributions;

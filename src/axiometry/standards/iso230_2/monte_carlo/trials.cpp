@@ -277,14 +277,16 @@ void TrialModel::evaluate_figures(numeric::Rows<const double> means, numeric::Ro
   evaluate_figures(numeric::Rows<const double>(rows), runs, outputs);
 }
 
-void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
+TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place) const {
   const bool long_run = is_long_run(options_);
   const numeric::RandomKey posterior_key{options_.seed, of_posterior, place};
   const numeric::RandomKey drift_key{options_.seed, of_drift, place};
   const ReadingPosterior& posterior = posteriors_[place % posteriors_.size()];
+  DrawnCells drawn;
   if (long_run && options_.type_a != TypeA::resampled) {
-    std::vector<double> means(layout_.cell_rows() * chunk), estimators(layout_.cell_rows() * chunk);
-    const numeric::Rows<double> mean_rows{means, chunk}, estimator_rows{estimators, chunk};
+    drawn.means.resize(layout_.cell_rows() * chunk);
+    drawn.estimators.resize(layout_.cell_rows() * chunk);
+    const numeric::Rows<double> mean_rows{drawn.means, chunk}, estimator_rows{drawn.estimators, chunk};
     if (options_.type_a == TypeA::pooled) {
       posterior.draw_long_run(posterior_key, mean_rows, estimator_rows);
     } else {
@@ -294,14 +296,10 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
     if (drift_) drift_->subtract_from_means(drift_key, mean_rows);
     add_length_errors(place, 1, mean_rows);
     add_station_errors(place, 1, mean_rows);
-    if (options_.figures != nullptr)
-      evaluate_figures(numeric::Rows<const double>(mean_rows), estimator_rows, outputs);
-    else
-      evaluate_batch(layout_, CellMoments<double>{{means, chunk}, {estimators, chunk}}, chunk, outputs);
-    return;
+    return drawn;
   }
-  std::vector<double> readings(layout_.reading_rows() * chunk);
-  const numeric::Rows<double> rows{readings, chunk};
+  drawn.readings.resize(layout_.reading_rows() * chunk);
+  const numeric::Rows<double> rows{drawn.readings, chunk};
   if (long_run) {
     draw_resampled(place, rows);
     add_target_errors(place, series_.run_count(), rows);
@@ -311,10 +309,22 @@ void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) 
   }
   add_length_errors(place, series_.run_count(), rows);
   add_station_errors(place, series_.run_count(), rows);
-  if (options_.figures != nullptr)
-    evaluate_figures(numeric::Rows<const double>(rows), series_.run_count(), outputs);
+  return drawn;
+}
+
+void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
+  const DrawnCells drawn = draw_cells(place);
+  const numeric::Rows<const double> readings{drawn.readings, chunk}, means{drawn.means, chunk},
+      estimators{drawn.estimators, chunk};
+  const bool of_cells = drawn.readings.empty();
+  if (options_.figures != nullptr && of_cells)
+    evaluate_figures(means, estimators, outputs);
+  else if (options_.figures != nullptr)
+    evaluate_figures(readings, series_.run_count(), outputs);
+  else if (of_cells)
+    evaluate_batch(layout_, CellMoments<double>{means, estimators}, chunk, outputs);
   else
-    evaluate_batch(layout_, numeric::Rows<const double>{readings, chunk}, chunk, outputs);
+    evaluate_batch(layout_, readings, chunk, outputs);
 }
 
 void TrialModel::operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const {

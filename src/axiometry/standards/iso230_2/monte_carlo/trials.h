@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "axiometry/numeric/rows.h"
@@ -47,6 +48,11 @@ class TrialModel {
   /// One block of trials (uncertainty::BlockModel).
   void operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const;
 
+  /// One block of the same trials as mean deviations: of each of these targets a row x̄_i↑, one x̄_i↓ and one x̄_i
+  /// (3.12, 3.14); 0 where a direction has no readings. An error between any two places counts from where the
+  /// instrument was set to zero, as in gum_positions.cpp.
+  void draw_means(std::uint64_t block, std::span<const std::size_t> targets, uncertainty::BlockOutputs outputs) const;
+
  private:
   /// Trials that are drawn together; a block holds a whole number of them.
   static constexpr std::size_t chunk = 80;
@@ -73,6 +79,14 @@ class TrialModel {
   void evaluate_figures(numeric::Rows<const double> readings, std::size_t runs, numeric::Rows<double> outputs) const;
   void evaluate_figures(numeric::Rows<const double> means, numeric::Rows<const double> estimators,
                         numeric::Rows<double> outputs) const;
+  /// What the axis did in the trials of a chunk: readings, or what evaluate_batch() takes of cells.
+  struct DrawnCells {
+    std::vector<double> readings;           ///< empty where means are drawn
+    std::vector<double> means, estimators;  ///< empty where readings are
+  };
+  DrawnCells draw_cells(std::uint64_t place) const;
+  std::vector<double> mean_of_cell(const DrawnCells& drawn, std::size_t target, Direction direction) const;
+  std::vector<double> displacements(std::uint64_t place) const;
   void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
 
   const Series& series_;

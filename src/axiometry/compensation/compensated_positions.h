@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/axis_correction.h"
+#include "axiometry/model/test.h"
+#include "axiometry/standards/iso230_2/uncertainty/gum.h"
+
+/// Where an axis stands with a table in its control, and to within what that is known: the uncertainty of mean
+/// deviations of Lira & Cargill, Precision Engineering 28 (2004) 232, eq. 8, carried on to positions that are corrected
+/// by them. Equations (7) to (10): docs/theory/compensation.md.
+///
+/// In one direction, with the control's correction c (1) and the mean deviation x̄_i with its u[x̄_i] (their eq. 8, of
+/// this machine: s_i/√n and the systematic inputs),
+///
+///     r_i = x̄_i + c(P_i) − z,     u[r_i] = u[x̄_i]                                        (7)
+///     one approach:               u² = u²[x̄_i] + s_i²                                    (8)
+///     between targets:            u² = max u²[x̄] + max s² + q²  of both ends           (9)
+///
+/// z is the mean of all x̄_i + c(P_i), which a new zero of axis or instrument takes away. c is what the control makes
+/// of its file, known to the digit, so that rounding is in r and no uncertainty. Between targets r follows the straight
+/// line between the means, as far from which the axis may be as inner targets are from the line between others:
+///
+///     q² = max(D₁²/16, D₁² − max(0, D₂² − D₁²)/16)                                       (10)
+///
+/// D₁ the root mean square of their distance from the line between the targets beside them, D₂ between those next but
+/// one; a smooth curve has D₂ = 4 D₁ and q = D₁/4, one that differs from target to target anyhow D₂ = D₁ = q. Without
+/// D₂ (fewer than five targets) q = D₁; without D₁ (fewer than three) nobody knows. What repeats from target to target
+/// alike is not seen in it (5.3.2); what the scatter does to means is in it, on the safe side.
+namespace axiometry::compensation {
+
+/// In one direction; native deviation unit.
+struct CompensatedMean {
+  double residual = 0.0;    ///< r_i
+  double rounding = 0.0;    ///< of it what the digits of the file make
+  std::optional<double> s;  ///< s_i (3.18); absent, as what follows, of fewer than two approaches
+  std::optional<iso230_2::ExpandedUncertainty> mean;      ///< of r_i
+  std::optional<iso230_2::ExpandedUncertainty> approach;  ///< of the position that one approach ends at
+};
+
+struct CompensatedTarget {
+  Position target;
+  std::optional<CompensatedMean> up, down;
+};
+
+/// Between two targets that follow each other.
+struct CompensatedGap {
+  Position from, to;
+  double residual = 0.0;                                  ///< the largest by amount, with its sign
+  std::optional<iso230_2::ExpandedUncertainty> approach;  ///< absent where an end has none, or no q
+};
+
+struct CompensatedPositions {
+  double zero = 0.0;  ///< z
+  std::vector<CompensatedTarget> targets;
+  std::array<std::vector<CompensatedGap>, 2> gaps;       ///< of ↑ and of ↓
+  std::array<std::optional<double>, 2> between_targets;  ///< q, likewise
+  /// The largest |r| + U of one approach, at the targets and from the first of them to the last; absent where any is
+  /// not known.
+  std::optional<double> at_targets, anywhere;
+  std::vector<std::string> notes;  ///< what does not count, sentences without full stop
+};
+
+struct TableInControl {
+  const AxisCorrection& added;              ///< by the file, as the control reads it
+  const AxisCorrection& unrounded;          ///< as it was fitted
+  const AxisCorrection* removed = nullptr;  ///< what was active during the test; may be none
+};
+
+/// `test` as it was measured, `removed` active. Fails as gum() does. Cost: linear in readings and nodes but for a
+/// search in the nodes.
+Result<CompensatedPositions> compensated_positions(const Test& test, const TableInControl& table);
+
+}  // namespace axiometry::compensation

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a log of temperatures tells of a test, and what of it is refused.
+#include "axiometry/language/german.h"
+
+namespace axiometry::language {
+namespace {
+
+constexpr Phrase rows[] = {
+    {"What is not known", "Was nicht bekannt ist"},
+    {"change per hour, during the test", "Änderung je Stunde, während der Prüfung"},
+    {"change per hour, in the twelve hours before", "Änderung je Stunde, in den zwölf Stunden davor"},
+    {"found a file of many tests, expected one test with --temperatures",
+     "eine Datei mit vielen Prüfungen; erwartet: eine einzelne Prüfung bei --temperatures"},
+    {"found a line of {0#} bytes in a temperature log, expected at most {1#}",
+     "Zeile von {0} Byte in einer Temperaturaufzeichnung; erwartet: höchstens {1}"},
+    {"found a temperature log without dates, expected dates to know when the test was",
+     "Temperaturaufzeichnung ohne Datum; erwartet: ein Datum, um zu wissen, wann die Prüfung war"},
+    {"found a test that ended {0=}, expected an end after its beginning {1=}",
+     "Prüfung, die {0} endete; erwartet: ein Ende nach ihrem Beginn {1}"},
+    {"found a time before that of the line before, expected the order of time",
+     "Zeit vor jener der vorigen Zeile; erwartet: die Reihenfolge der Zeit"},
+    {"found agreed limits of which nobody can say whether they were kept, since not all of the time is known: {0}",
+     "vereinbarte Grenzwerte, von denen niemand sagen kann, ob sie eingehalten wurden, denn nicht die ganze Zeit ist "
+     "bekannt: {0}"},
+    {"found an agreed lowest temperature of {0#} °C above the highest of {1#} °C",
+     "vereinbarte niedrigste Temperatur von {0} °C über der höchsten von {1} °C"},
+    {"found flags about a log of temperatures, expected the log too, with --temperatures",
+     "Angaben zu einer Temperaturaufzeichnung; erwartet: auch die Aufzeichnung, mit --temperatures"},
+    {"found no file {0=} in the archive, expected the temperature log among the documents of the test: attach it first",
+     "keine Datei {0} im Archiv; erwartet: die Temperaturaufzeichnung unter den Dokumenten der Prüfung; erst anhängen"},
+    {"found no line of a time and a temperature, expected a temperature log such as 'time;air [°C]' with lines below "
+     "it",
+     "keine Zeile mit Zeit und Temperatur; erwartet: eine Temperaturaufzeichnung wie 'time;air [°C]' mit Zeilen "
+     "darunter"},
+    {"found no measurement of {0}, expected one: {1} is agreed between the parties",
+     "keine Messung: {0}; erwartet: eine, denn zwischen den Parteien ist vereinbart: {1}"},
+    {"found no sensor {0=} in the temperature log, expected one of {1=}",
+     "kein Sensor {0} in der Temperaturaufzeichnung; erwartet: einer von {1}"},
+    {"found no temperature in the temperature log, expected some",
+     "keine Temperatur in der Temperaturaufzeichnung; erwartet: welche"},
+    {"found several inputs, expected one test with --temperatures",
+     "mehrere Eingaben; erwartet: eine einzelne Prüfung bei --temperatures"},
+    {"found the date {0=}, expected 2026-03-02 or 02.03.2026: of slashes nobody knows which is the month",
+     "Datum {0}; erwartet: 2026-03-02 oder 02.03.2026, denn bei Schrägstrichen weiß niemand, was der Monat ist"},
+    {"found the end of the test without its beginning, expected both",
+     "Ende der Prüfung ohne ihren Beginn; erwartet: beides"},
+    {"found the role {0=} of a sensor, expected machine, equipment or air",
+     "Rolle {0} eines Sensors; erwartet: machine, equipment oder air"},
+    {"found times with a time zone in the temperature log, expected moments of the test with one",
+     "Zeiten mit Zeitzone in der Temperaturaufzeichnung; erwartet: Zeitpunkte der Prüfung mit einer"},
+    {"found times without a time zone in the temperature log, expected moments of the test without one",
+     "Zeiten ohne Zeitzone in der Temperaturaufzeichnung; erwartet: Zeitpunkte der Prüfung ohne eine"},
+    {"found {0#} MiB of temperatures, expected at most {1#}", "{0} MiB Temperaturen; erwartet: höchstens {1}"},
+    {"found {0#} sensors in a temperature log, expected at most {1#}",
+     "{0} Sensoren in einer Temperaturaufzeichnung; erwartet: höchstens {1}"},
+    {"found {0#} sensors, expected at most {1#}", "{0} Sensoren; erwartet: höchstens {1}"},
+    {"found {0=} as the SHA-256 of a temperature log, expected 64 hexadecimal digits",
+     "{0} als SHA-256 einer Temperaturaufzeichnung; erwartet: 64 hexadezimale Ziffern"},
+    {"found {0=} as the beginning of the test, expected a moment such as 2026-03-02T09:00",
+     "{0} als Beginn der Prüfung; erwartet: ein Zeitpunkt wie 2026-03-02T09:00"},
+    {"found {0=} as the end of the test, expected a moment such as 2026-03-02T09:00",
+     "{0} als Ende der Prüfung; erwartet: ein Zeitpunkt wie 2026-03-02T09:00"},
+    {"found {0=} as what a sensor is of, expected machine, equipment or air",
+     "{0} als Ort eines Sensors; erwartet: machine, equipment oder air"},
+    {"found {0=}, expected a temperature", "{0}; erwartet: eine Temperatur"},
+    {"found {0=}, expected a time and temperatures as in the lines before",
+     "{0}; erwartet: eine Zeit und Temperaturen wie in den Zeilen davor"},
+    {"found {0}: {1#}, and no limit that the parties agreed on",
+     "{0}: {1}, und kein Grenzwert, den die Parteien vereinbart haben"},
+    {"found {0}: {1#}, expected {2} as agreed between the parties",
+     "{0}: {1}; erwartet: {2}, wie zwischen den Parteien vereinbart"},
+    {"gradient over the machine", "Temperaturunterschied über die Maschine"},
+    {"highest temperature of the air", "höchste Lufttemperatur"},
+    {"lowest temperature of the air", "niedrigste Lufttemperatur"},
+    {"of the temperature log: {0}", "zur Temperaturaufzeichnung: {0}"},
+};
+
+}  // namespace
+
+const std::span<const Phrase> german_temperatures{rows};
+
+}  // namespace axiometry::language

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// The temperatures before and during the test: a log that is dropped here is kept with the test and judged with it.
+import { useEffect, useState } from 'preact/hooks';
+import { query, upload, type ApiError } from '../../api/client';
+import type { Document, FigureList, Options, Surroundings as Found } from '../../api/types';
+import { use_get } from '../../api/use';
+import { FailureNotice } from '../../components/failure';
+import { Field } from '../../components/field';
+import { FileDrop } from '../../components/file_drop';
+import { texts } from '../../i18n/texts';
+import { absent, fixed, marked, parsed } from '../../numbers';
+import { decimal, language, screen_theme } from '../../settings';
+import { failure_of, type TestState } from './state';
+
+const t = texts({
+  title: ['Temperatures before and during the test', 'Temperaturen vor und während der Prüfung'],
+  none: ['No log of temperatures.', 'Keine Temperaturaufzeichnung.'],
+  hint: ['or drop it here: time and one or more sensors in columns', 'oder hier ablegen: Zeit und ein oder mehrere Sensoren in Spalten'],
+  add: ['Add a temperature log', 'Temperaturaufzeichnung hinzufügen'],
+  adding: ['Adding …', 'Wird hinzugefügt …'],
+  remove: ['Without the log', 'Ohne die Aufzeichnung'],
+  log: ['Log: {name}', 'Aufzeichnung: {name}'],
+  quantity: ['Quantity', 'Größe'],
+  measured: ['Measured', 'Gemessen'],
+  agreed: ['Agreed', 'Vereinbart'],
+  standing: ['Standing', 'Stand'],
+  at_least: ['at least {x}', 'mindestens {x}'],
+  at_most: ['at most {x}', 'höchstens {x}'],
+  lowest_C: ['Lowest temperature of the air', 'Niedrigste Lufttemperatur'],
+  highest_C: ['Highest temperature of the air', 'Höchste Lufttemperatur'],
+  rate_C_per_h: ['Change per hour, during the test', 'Änderung je Stunde, während der Prüfung'],
+  rate_before_C_per_h: ['Change per hour, in the twelve hours before', 'Änderung je Stunde, in den zwölf Stunden davor'],
+  machine_gradient_C: ['Gradient over the machine', 'Temperaturunterschied über die Maschine'],
+  kept: ['kept', 'eingehalten'],
+  exceeded: ['exceeded', 'überschritten'],
+  'not-measured': ['not measured', 'nicht gemessen'],
+  'not-agreed': ['no limit agreed', 'kein Grenzwert vereinbart'],
+  'known-in-part': ['known in part only', 'nur teilweise bekannt'],
+  began: ['Test began', 'Beginn der Prüfung'],
+  ended: ['Test ended', 'Ende der Prüfung'],
+  moment: ['Such as {example}', 'Etwa {example}'],
+  limit_low: ['Agreed lowest, °C', 'Vereinbart: niedrigste, °C'],
+  limit_high: ['Agreed highest, °C', 'Vereinbart: höchste, °C'],
+  limit_rate: ['Agreed change, °C/h', 'Vereinbart: Änderung, °C/h'],
+  limit_gradient: ['Agreed gradient, °C', 'Vereinbart: Unterschied, °C'],
+  number: ['Expected: a number', 'Erwartet: eine Zahl'],
+});
+
+type Log = NonNullable<Options['temperatures']>;
+const tones = { kept: 'good', exceeded: 'bad', 'known-in-part': 'caution', 'not-measured': 'quiet', 'not-agreed': 'quiet' } as const;
+
+export function Surroundings({ state }: { state: TestState }) {
+  const [busy, set_busy] = useState(false);
+  const [failure, set_failure] = useState<ApiError | null>(null);
+  const log = state.options.value.temperatures;
+  const found = state.evaluated.value.result.environment;
+  const newest = state.test.value.version === state.test.value.latest;
+  const add = async (file: File) => {
+    set_busy(true);
+    set_failure(null);
+    try {
+      const document = await upload<Document>(`/api/tests/${state.test.value.id}/attachments`, file);
+      state.test.value = { ...state.test.value, documents: [...state.test.value.documents, document] };
+      state.edit();
+      state.choose({ temperatures: { ...state.options.value.temperatures, sha256: document.sha256, name: document.name } });
+    } catch (error) {
+      set_failure(failure_of(error));
+    }
+    set_busy(false);
+  };
+  // What is chosen now, not what was drawn last: two fields may change before the page is drawn again.
+  const put = (part: Partial<Log>) => {
+    const now = state.options.value.temperatures;
+    if (now) state.choose({ temperatures: { ...now, ...part } });
+  };
+  const without = () => {
+    const { temperatures: _, ...options } = state.options.value;
+    state.edit();
+    state.replace(state.changes.value, options);
+  };
+  return (
+    <section class="panel flush surroundings-panel">
+      <header>
+        <h2>{t('title')}</h2>
+        {log && newest && <button type="button" class="small no-print" onClick={without}>{t('remove')}</button>}
+      </header>
+      {failure && <FailureNotice error={failure} />}
+      {newest && <div class="foot no-print"><FileDrop label={busy ? t('adding') : t('add')} hint={t('hint')} take={(file) => void add(file)} /></div>}
+      {!log && !newest && <p class="quiet foot">{t('none')}</p>}
+      {log && <p class="quiet foot">{t('log', { name: log.name })}</p>}
+      {found && log && <Quantities found={found} />}
+      {found && found.gaps.length > 0 && <ul class="small caution foot">{found.gaps.map((gap) => <li key={gap}>{sentence(gap)}</li>)}</ul>}
+      {state.test.value.options.temperatures && <Drawn state={state} />}
+      {log && state.editing.value && <Agreed log={log} put={put} />}
+    </section>
+  );
+}
+
+function Quantities({ found }: { found: Found }) {
+  return (
+    <div class="table-frame" tabIndex={0} role="region" aria-label={t('title')}>
+      <table>
+        <thead>
+          <tr><th scope="col">{t('quantity')}</th><th scope="col" class="number">{t('measured')}</th><th scope="col">{t('agreed')}</th><th scope="col">{t('standing')}</th></tr>
+        </thead>
+        <tbody>
+          {found.quantities.map((row) => (
+            <tr key={row.key}>
+              <th scope="row">{t(row.key)}</th>
+              <td class="number">{row.measured === null ? absent : `${fixed(row.measured, 2)} ${row.unit}`}</td>
+              <td>{row.agreed === null ? absent : t(row.limit === 'lowest' ? 'at_least' : 'at_most', { x: `${marked(String(row.agreed))} ${row.unit}` })}</td>
+              <td class={tones[row.standing]}>{t(row.standing)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+const sentence = (words: string) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+
+/** As the report has it: of the kept version. */
+function Drawn({ state }: { state: TestState }) {
+  const test = state.test.value;
+  const list = use_get<FigureList>(`/api/tests/${test.id}/figures${query({ version: test.version, language: language.value })}`);
+  const figure = list.data?.figures.find(({ title }) => title === t('title'));
+  if (figure === undefined || state.edited.value) return null;
+  const path = `/api/tests/${test.id}/figures/${figure.id}.svg${query({ version: test.version, theme: screen_theme.value, language: language.value, decimal: decimal.value })}`;
+  return <div class="figure-frame" tabIndex={0} role="region" aria-label={figure.title}><img class="library-figure" src={path} alt={figure.title} /></div>;
+}
+
+const limits = [['lowest_C', 'limit_low'], ['highest_C', 'limit_high'], ['rate_C_per_h', 'limit_rate'], ['gradient_C', 'limit_gradient']] as const;
+
+/** When the test was, and what the parties agreed on. */
+function Agreed({ log, put }: { log: Log; put: (part: Partial<Log>) => void }) {
+  return (
+    <div class="sampling-fields">
+      {(['began', 'ended'] as const).map((name) => (
+        <Field key={name} label={t(name)} hint={t('moment', { example: name === 'began' ? '2026-03-02T09:00' : '2026-03-02T10:10' })}>
+          {(ids) => <Entry ids={ids} value={log[name] ?? ''} take={(text) => put({ [name]: text.trim() || undefined })} />}
+        </Field>
+      ))}
+      {limits.map(([name, label]) => <Limit key={name} label={t(label)} value={log[name]} put={(x) => put({ [name]: x })} />)}
+    </div>
+  );
+}
+
+function Limit({ label, value, put }: { label: string; value: number | undefined; put: (x: number | undefined) => void }) {
+  const [fault, set_fault] = useState<string | null>(null);
+  const take = (text: string) => {
+    const x = parsed(text);
+    const empty = text.trim() === '';
+    set_fault(empty || x !== null ? null : t('number'));
+    if (empty || x !== null) put(empty ? undefined : x ?? undefined);
+  };
+  return (
+    <Field label={label} fault={fault}>
+      {(ids) => <Entry ids={ids} decimal value={value === undefined ? '' : marked(String(value))} take={take} />}
+    </Field>
+  );
+}
+
+/** What is typed stays while the page is drawn again for another field. */
+function Entry({ ids, value, take, decimal: is_decimal = false }: { ids: object; value: string; take: (text: string) => void; decimal?: boolean }) {
+  const [text, set_text] = useState(value);
+  useEffect(() => set_text(value), [value]);
+  return (
+    <input {...ids} type="text" inputMode={is_decimal ? 'decimal' : undefined} autoComplete="off" value={text}
+      onInput={(event) => set_text(event.currentTarget.value)} onChange={(event) => take(event.currentTarget.value)} />
+  );
+}
