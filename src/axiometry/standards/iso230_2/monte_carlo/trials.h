@@ -60,10 +60,13 @@ class TrialModel {
   };
 
   void find_length_errors();
+  numeric::RandomKey posterior_key(std::uint64_t place) const;
+  numeric::RandomKey drift_key(std::uint64_t place) const;
   std::vector<double> draws(std::size_t input, std::uint64_t place) const;
   std::vector<double> draw(const LengthError& error, std::uint64_t place) const;
   std::vector<double> length_errors(std::uint64_t place) const;
   void add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  std::vector<double> station_squares(std::uint64_t place) const;
   void add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void add_displacement_errors(std::uint64_t place, numeric::Rows<double> outputs) const;
@@ -73,6 +76,7 @@ class TrialModel {
   void evaluate_figures(numeric::Rows<const double> readings, std::size_t runs, numeric::Rows<double> outputs) const;
   void evaluate_figures(numeric::Rows<const double> means, numeric::Rows<const double> estimators,
                         numeric::Rows<double> outputs) const;
+  void draw_cell_moments(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> estimators) const;
   void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
 
   const Series& series_;
