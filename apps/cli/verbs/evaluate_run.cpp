@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "axiometry/app/evaluate/evaluate_many.h"
 #include "axiometry/app/results/second_opinion.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/text/progress.h"
@@ -26,6 +27,8 @@ class Run {
       : arguments_(arguments), terminal_(arguments.colour), bar_(!arguments.quiet) {
     arguments_.evaluate.uncertainty.trials.propagation.on_progress = std::ref(bar_);
     stdout_is_free_ = !arguments.quiet && arguments.outputs.json != "-";
+    threads_ = {arguments.evaluate.uncertainty.trials.propagation.threads,
+                [this](app::Evaluated& evaluated) { return checked_text(evaluated); }};
   }
 
   int operator()() {
@@ -79,8 +82,9 @@ class Run {
         return true;
       }
     }
-    auto result =
-        app::evaluate_file(input.name, arguments_.evaluate, [&](app::Evaluated&& e) { return take(std::move(e)); });
+    auto result = app::evaluate_file(
+        input.name, arguments_.evaluate, threads_,
+        [&](app::Evaluated&& evaluated, std::string&& text) { return take(std::move(evaluated), text); });
     bar_.clear();
     if (result) return true;
     if (InterruptGuard::interrupted()) {
@@ -113,12 +117,22 @@ class Run {
     return std::unexpected(at_outputs(outputs.error()));
   }
 
-  Result<void> take(app::Evaluated&& evaluated) {
+  Result<void> verify(app::Evaluated& evaluated) const {
+    if (!arguments_.verify || evaluated.verified) return {};
+    AXIOMETRY_TRY(evaluated.verified,
+                  app::second_opinion(evaluated, arguments_.evaluate.uncertainty, arguments_.report));
+    return {};
+  }
+
+  /// What takes longest of a test among many, on the thread that evaluates it: nothing of the run is changed.
+  Result<std::string> checked_text(app::Evaluated& evaluated) const {
+    AXIOMETRY_TRY_VOID(verify(evaluated));
+    return arguments_.outputs.json.empty() ? std::string() : app::json_line(evaluated);
+  }
+
+  Result<void> take(app::Evaluated&& evaluated, const std::string& text) {
     bar_.clear();
-    if (arguments_.verify) {
-      AXIOMETRY_TRY(evaluated.verified,
-                    app::second_opinion(evaluated, arguments_.evaluate.uncertainty, arguments_.report));
-    }
+    AXIOMETRY_TRY_VOID(verify(evaluated));
     using enum uncertainty::Verdict;
     const auto verdict = iso230_2::overall_verdict(evaluated.judgements);
     exceeded_ = exceeded_ || verdict == does_not_conform;
@@ -132,7 +146,7 @@ class Run {
     if (stdout_is_free_ && count_ == 0) fmt::print("{}", line_header(arguments_.report, terminal_));
     if (stdout_is_free_) fmt::print("{}", line(evaluated, arguments_.report, terminal_));
     ++count_;
-    auto added = outputs_->add(evaluated);
+    auto added = outputs_->add(evaluated, text);
     if (added) return {};
     output_failed_ = exit_bad_input;
     return std::unexpected(at_outputs(added.error()));
@@ -166,6 +180,7 @@ class Run {
   EvaluateArguments& arguments_;
   Terminal terminal_;
   ProgressBar bar_;
+  app::ManyThreads threads_;
   bool stdout_is_free_ = true;
   bool many_ = false;
   bool exceeded_ = false;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace axiometry::json {
 namespace {
@@ -86,6 +88,22 @@ TEST(Json, EscapesWhatHasToBeAndNothingElse) {
   EXPECT_EQ(dump(Value("µ\\–\"😀")), R"("µ\\–\"😀")");
   EXPECT_EQ(dump(Value("\xC3\xA9\xC3")), "\"é\uFFFD\"");               // cut off
   EXPECT_EQ(dump(Value("\xED\xA0\x80!")), "\"\uFFFD\uFFFD\uFFFD!\"");  // half of a pair
+}
+
+TEST(Json, WritesACharacterAlikeWhereverItStands) {
+  const auto written = [](const std::string& text) {
+    const std::string quoted = dump(Value(text));
+    return quoted.substr(1, quoted.size() - 2);
+  };
+  std::vector<std::string> characters = {"ä", "–", "𝄞", "\xB5", "\xE2\x80"};
+  for (int byte = 0; byte < 0x80; ++byte) characters.emplace_back(1, static_cast<char>(byte));
+  for (std::size_t before = 0; before <= 17; ++before)
+    for (std::size_t behind = 0; behind <= 9; ++behind)
+      for (const std::string& c : characters) {
+        const std::string first(before, 'a'), last(behind, '~');
+        ASSERT_EQ(written(first + c + last), first + written(c) + last) << before << " " << behind;
+        ASSERT_EQ(written(first + c + c + last), first + written(c) + written(c) + last);
+      }
 }
 
 TEST(Json, WritesWholeNumbersWithoutAnExponentUpTo1e15) {

@@ -8,8 +8,15 @@
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/chebyshev.h"
 #include "axiometry/numeric/curve_frame.h"
+#include "axiometry/numeric/curve_kernel_types.h"
+#include "axiometry/numeric/kernel_table.h"
 
 namespace axiometry::numeric {
+
+AXIOMETRY_KERNEL_TABLE(curve_kernel, CurveKernel);
+
+const CurveKernel& curve_kernel_of(VectorTarget target) { return curve_kernel_table.of(target); }
+
 namespace {
 
 constexpr std::size_t axes_places_max = 64;  // from about here on a draw by states is the quicker one
@@ -17,6 +24,7 @@ constexpr double least_in_noise = 0.05;      // amplitudes from a twentieth of t
 constexpr double most_in_seen = 4.0;         // … to four times what was seen beside the trend
 constexpr std::size_t grid_size_max = 24;
 constexpr std::size_t lengths_max = 4;
+constexpr double likely = 1.0 / 2048;         // hypotheses whose coordinates are kept
 constexpr std::size_t normals_by_states = 5;  // three of the process, its noise, and what of that is rough
 
 /// 0, then octaves from `least` to `most`.
@@ -27,9 +35,19 @@ std::vector<double> octaves(double least, double most) {
   return grid;
 }
 
+/// Columns of m numbers, filled up with zeros.
+std::vector<double> padded(std::span<const double> columns, std::size_t m, std::size_t stride) {
+  std::vector<double> wide(m * stride, 0.0);
+  for (std::size_t k = 0; k < m; ++k)
+    std::copy_n(columns.begin() + static_cast<std::ptrdiff_t>(k * m), m,
+                wide.begin() + static_cast<std::ptrdiff_t>(k * stride));
+  return wide;
+}
+
 std::shared_ptr<const CurveFrame> frame_of(const NoisyCurve& data, std::size_t terms, CurveForm form,
                                            const CurveFrame* alike) {
-  auto frame = std::make_shared<CurveFrame>(CurveFrame{{data.places.begin(), data.places.end()}, terms, {}, {}, {}});
+  auto frame =
+      std::make_shared<CurveFrame>(CurveFrame{{data.places.begin(), data.places.end()}, terms, {}, {}, 0, {}, {}});
   if (form == CurveForm::states) {
     frame->trend = trend_columns(data.places, terms);
     if (alike != nullptr && std::ranges::equal(alike->places, data.places)) frame->filters = alike->filters;
@@ -38,7 +56,12 @@ std::shared_ptr<const CurveFrame> frame_of(const NoisyCurve& data, std::size_t t
     for (double length : smooth_lengths(data.places)) filters.emplace_back(data.places, length);
     frame->filters = std::make_shared<const std::vector<MaternFilter>>(std::move(filters));
   } else {
-    for (double length : smooth_lengths(data.places)) frame->axes.emplace_back(data.places, terms, length);
+    const std::size_t m = data.places.size();
+    frame->stride = (m + curve_padding - 1) / curve_padding * curve_padding;
+    for (double length : smooth_lengths(data.places)) {
+      frame->axes.emplace_back(data.places, terms, length);
+      frame->padded_columns.push_back(padded(frame->axes.back().columns, m, frame->stride));
+    }
   }
   return frame;
 }
@@ -179,6 +202,25 @@ void CurvePosterior::consider_hypotheses(const std::vector<double>& amplitudes) 
     }
   }
   choice_ = WeightedChoice::from_log_weights(log_weights);
+  if (by_states) return;
+  kept_.assign(hypotheses_.size(), not_kept);
+  for (std::size_t h = 0; h < hypotheses_.size(); ++h) {
+    if (choice_.probability(h) < likely) continue;
+    kept_[h] = static_cast<std::uint32_t>(kept_coordinates_.size());
+    kept_coordinates_.push_back(coordinates_of(hypotheses_[h]));
+  }
+}
+
+CurvePosterior::Coordinates CurvePosterior::coordinates_of(const Hypothesis& hypothesis) const {
+  Coordinates found{std::vector<double>(size()), std::vector<double>(size())};
+  const CurveAxes& axes = frame_->axes[hypothesis.length];
+  for (std::size_t k = 0; k < size(); ++k) {
+    const double prior = hypothesis.smooth_variance * axes.smooth[k] + hypothesis.rough_variance;
+    const double shrink = k < trend_terms_ ? 1.0 : prior / (prior + noise_variance_);
+    found.means[k] = shrink * coordinates_[hypothesis.length][k];
+    found.sds[k] = std::sqrt(shrink * noise_variance_);
+  }
+  return found;
 }
 
 /// Of the coordinates beside the trend, up to a constant.
@@ -210,21 +252,17 @@ void CurvePosterior::draw(const Numbers& numbers, Rows<double> curves) const {
 }
 
 void CurvePosterior::draw_by_axes(const Numbers& numbers, Rows<double> curves) const {
+  const CurveKernel& kernel = curve_kernel_of(best_vector_target());
   const std::size_t m = size();
-  std::vector<double> curve(m);
+  std::vector<double> curve(frame_->stride);
+  Coordinates rare;
   for (std::size_t t = 0; t < numbers.choices.size(); ++t) {
-    const Hypothesis& hypothesis = hypotheses_[choice_(numbers.choices[t])];
-    const CurveAxes& axes = frame_->axes[hypothesis.length];
-    const std::vector<double>& coordinates = coordinates_[hypothesis.length];
-    const auto normals = numbers.normals.subspan(t * numbers.stride, m);
-    std::ranges::fill(curve, 0.0);
-    for (std::size_t k = 0; k < m; ++k) {
-      const double prior = hypothesis.smooth_variance * axes.smooth[k] + hypothesis.rough_variance;
-      const double shrink = k < trend_terms_ ? 1.0 : prior / (prior + noise_variance_);
-      const double coordinate = shrink * coordinates[k] + std::sqrt(shrink * noise_variance_) * normals[k];
-      const double* column = axes.columns.data() + k * m;
-      for (std::size_t i = 0; i < m; ++i) curve[i] += coordinate * column[i];
-    }
+    const std::size_t chosen = choice_(numbers.choices[t]);
+    if (kept_[chosen] == not_kept) rare = coordinates_of(hypotheses_[chosen]);
+    const Coordinates& own = kept_[chosen] == not_kept ? rare : kept_coordinates_[kept_[chosen]];
+    const std::vector<double>& columns = frame_->padded_columns[hypotheses_[chosen].length];
+    kernel.draw({own.means.data(), own.sds.data(), columns.data(), m, frame_->stride},
+                numbers.normals.subspan(t * numbers.stride, m).data(), curve.data());
     for (std::size_t i = 0; i < m; ++i) curves.values[i * curves.stride + t] = curve[i];
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -80,10 +81,15 @@ class CurvePosterior {
     double smooth_variance = 0.0;  ///< a²
     double rough_variance = 0.0;   ///< k²
   };
+  /// In the axes of a hypothesis: independent of each other.
+  struct Coordinates {
+    std::vector<double> means, sds;
+  };
   class StatesLikelihood;
 
   void consider_hypotheses(const std::vector<double>& amplitudes);
   double log_likelihood(const Hypothesis& hypothesis) const;
+  Coordinates coordinates_of(const Hypothesis& hypothesis) const;
   void draw_by_axes(const Numbers& numbers, Rows<double> curves) const;
   void draw_by_states(const Numbers& numbers, Rows<double> curves) const;
 
@@ -95,6 +101,9 @@ class CurvePosterior {
   std::vector<std::vector<double>> coordinates_;  ///< of the values, in the axes of each length
   std::vector<double> beside_trend_;              ///< the values without their trend; of states
   std::vector<Hypothesis> hypotheses_;
+  static constexpr std::uint32_t not_kept = 0xffff'ffffu;
+  std::vector<std::uint32_t> kept_;  ///< of every hypothesis: the number of its coordinates, or not_kept; of axes
+  std::vector<Coordinates> kept_coordinates_;
   WeightedChoice choice_;
 };
 

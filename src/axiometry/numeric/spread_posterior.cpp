@@ -126,40 +126,25 @@ std::vector<double> log_marginals(std::span<const double> likelihoods, std::span
   return result;
 }
 
-/// The distribution of every cell's σ within each window (cells × window), to tables of that size.
+/// The distribution of every cell's σ within each window, a row for each cell, without the last number, which is 1.
 void set_cumulative(std::span<const double> likelihoods, std::span<const Window> windows,
-                    std::span<const std::span<float>> tables) {
+                    std::span<CumulativeRows* const> tables) {
   for_each_block(likelihoods, [&](std::size_t first, std::size_t count, const Rows<const double>& block) {
     for (std::size_t w = 0; w < windows.size(); ++w) {
       const std::vector<double>& weights = windows[w].weights;
       const Rows<const double> rows = rows_of(windows[w], block);
       std::array<double, cells_at_once> less{}, sum{};
       subtract_products(weights, rows, less);
-      for (std::size_t k = 0; k < weights.size(); ++k) {
+      for (std::size_t k = 0; k + 1 < weights.size(); ++k) {
         std::array<float, cells_at_once> reached;
         for (std::size_t c = 0; c < cells_at_once; ++c) {
           sum[c] += weights[k] * rows.values[k * cells_at_once + c];
           reached[c] = static_cast<float>(sum[c] / -less[c]);
         }
-        float* const to = tables[w].data() + first * weights.size() + k;
-        for (std::size_t c = 0; c < count; ++c) to[c * weights.size()] = reached[c];
+        for (std::size_t c = 0; c < count; ++c) tables[w]->set(first + c, k, reached[c]);
       }
     }
   });
-}
-
-/// How many of the ascending numbers are at most x: std::upper_bound without a branch that depends on x, which half the
-/// time would be guessed wrong.
-std::size_t count_up_to(float x, std::span<const float> ascending) {
-  if (ascending.empty()) return 0;
-  const float* first = ascending.data();
-  std::size_t left = ascending.size();
-  while (left > 1) {
-    const std::size_t half = left / 2;
-    first += half * static_cast<std::size_t>(first[half - 1] <= x);
-    left -= half;
-  }
-  return static_cast<std::size_t>(first - ascending.data()) + static_cast<std::size_t>(*first <= x);
 }
 
 }  // namespace
@@ -247,14 +232,14 @@ void SpreadPosterior::consider_hypotheses(const std::vector<double>& likelihoods
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (log_weights[k] < best + std::log(negligible)) continue;
     kept.push_back(log_weights[k]);
-    hypotheses_.push_back({candidates[k].level, windows[k].begin, windows[k].weights.size(), {}});
+    hypotheses_.push_back({candidates[k].level, windows[k].begin, {}});
     if (windows[k].weights.size() == 1) continue;
-    hypotheses_.back().cumulative.resize(counts.size() * windows[k].weights.size());
+    hypotheses_.back().cumulative = CumulativeRows(counts.size(), windows[k].weights.size() - 1);
     uneven_places.push_back(hypotheses_.size() - 1);
     uneven.push_back(std::move(windows[k]));
   }
-  std::vector<std::span<float>> tables;
-  for (std::size_t place : uneven_places) tables.emplace_back(hypotheses_[place].cumulative);
+  std::vector<CumulativeRows*> tables;
+  for (std::size_t place : uneven_places) tables.push_back(&hypotheses_[place].cumulative);
   set_cumulative(likelihoods, uneven, tables);
   choice_ = WeightedChoice::from_log_weights(kept);
 }
@@ -271,17 +256,24 @@ void SpreadPosterior::draw(const Randoms& randoms, std::span<double> sds) const 
     std::ranges::fill(sds.first(cells_), grid_[hypothesis.level] * shift);
     return;
   }
-  for (std::size_t c = 0; c < cells_; ++c) {
-    std::size_t own = c;
-    double uniform = randoms.cells[c];
-    if (!memberships_.empty()) {  // what is left of a number that has chosen is uniform again
-      const auto next = static_cast<double>(memberships_[c].next);
-      const bool is_next = uniform < next;
-      own = memberships_[c].place + (is_next ? 1 : 0);
-      uniform = is_next ? uniform / next : (uniform - next) / (1.0 - next);
+  std::array<float, cells_at_once> uniforms;
+  std::array<std::uint32_t, cells_at_once> own, found;
+  for (std::size_t first = 0; first < cells_; first += cells_at_once) {
+    const std::size_t count = std::min(cells_at_once, cells_ - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t c = first + k;
+      own[k] = static_cast<std::uint32_t>(c);
+      double uniform = randoms.cells[c];
+      if (!memberships_.empty()) {  // what is left of a number that has chosen is uniform again
+        const auto next = static_cast<double>(memberships_[c].next);
+        const bool is_next = uniform < next;
+        own[k] = memberships_[c].place + (is_next ? 1 : 0);
+        uniform = is_next ? uniform / next : (uniform - next) / (1.0 - next);
+      }
+      uniforms[k] = static_cast<float>(uniform);
     }
-    const auto row = std::span(hypothesis.cumulative).subspan(own * hypothesis.window, hypothesis.window - 1);
-    sds[c] = grid_[hypothesis.window_begin + count_up_to(static_cast<float>(uniform), row)] * shift;
+    hypothesis.cumulative.count_up_to(std::span(uniforms).first(count), own, found);
+    for (std::size_t k = 0; k < count; ++k) sds[first + k] = grid_[hypothesis.window_begin + found[k]] * shift;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "axiometry/numeric/cumulative_rows.h"
 #include "axiometry/numeric/random/weighted_choice.h"
 
 /// What the standard deviations σ_c of many cells may be, given a few noisy readings in each.
@@ -60,8 +61,7 @@ class SpreadPosterior {
   struct Hypothesis {
     std::size_t level = 0;         ///< index in the grid
     std::size_t window_begin = 0;  ///< grid points considered
-    std::size_t window = 0;
-    std::vector<float> cumulative;  ///< of cells or classes × window; empty when all cells are alike
+    CumulativeRows cumulative;     ///< of the cells or classes, on these points; empty when all cells are alike
   };
 
   /// Values that cells share, and how many cells each stands for.

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "axiometry/app/evaluate/drift_recording.h"
+#include "axiometry/app/evaluate/evaluate_many.h"
 #include "axiometry/app/evaluate/known_file.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/read_recording.h"
@@ -96,45 +97,59 @@ Result<std::string> hash_of(const Source& source) {
 
 /// Hands over the tests of a file of many as they come; errors of a test get the line where it began.
 Result<void> read_many(Source& source, const formats::Format& format, const std::string& hash,
-                       const std::function<Result<void>(Test&&, std::string)>& hand_over) {
+                       const std::function<Result<void>(Test&&, std::string, std::size_t line)>& hand_over) {
   const Provenance provenance{source.name(), hash, std::string(format.id)};
   return format.read_many(source, [&](formats::NamedTest&& named) -> Result<void> {
     Test test{std::move(named.metadata), std::move(named.series), provenance};
     test.provenance.remarks = std::move(named.remarks);
-    auto result = hand_over(std::move(test), std::move(named.name));
+    auto result = hand_over(std::move(test), std::move(named.name), named.line);
     if (!result && result.error().at.line == 0 && result.error().file.empty()) result.error().at.line = named.line;
     return result;
   });
 }
 
-Result<void> evaluate_source(Source& source, const EvaluateOptions& options, const EvaluatedSink& sink) {
+/// Tests that are stated in full are evaluated side by side; of a table reading takes most of the time.
+Result<void> evaluate_many(Source& source, const formats::Format& format, const EvaluateOptions& options,
+                           const ManyThreads& threads, const EvaluatedTextSink& sink) {
+  using iso230_2::Depth;
+  const bool in_full = options.many_in_full;
+  EvaluateOptions for_many = options;
+  if (!in_full) for_many.uncertainty.trials.contribution_trials = 0;  // a table has no room for them
+  for_many.tolerance.many_tests = true;
+  std::string hash;
+  if (in_full) {
+    AXIOMETRY_TRY(hash, hash_of(source));
+  }
+  ManyThreads used = threads;
+  if (!in_full || options.uncertainty.monte_carlo) used.count = 1;
+  TestsSideBySide tests(
+      [&](Test&& test) {
+        return evaluate_test(std::move(test), for_many, in_full ? Depth::every_finding : Depth::departures_only);
+      },
+      used, sink);
+  const auto read = read_many(source, format, hash, [&](Test&& test, std::string name, std::size_t line) {
+    return tests.add(std::move(test), std::move(name), line);
+  });
+  AXIOMETRY_TRY_VOID(tests.finish());  // those before what could not be read come first
+  return read;
+}
+
+Result<void> evaluate_source(Source& source, const EvaluateOptions& options, const ManyThreads& threads,
+                             const EvaluatedTextSink& sink) {
   if (options.recording) {
     AXIOMETRY_TRY(Test test, read_recording(source, *options.recording));
     AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
-    return sink(std::move(evaluated));
+    return sink(std::move(evaluated), {});
   }
   AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}));
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(*format, head)) {
     if (options.temperatures) return fail("found a file of many tests, expected one test with --temperatures");
-    using iso230_2::Depth;
-    const Depth depth = options.many_in_full ? Depth::every_finding : Depth::departures_only;
-    EvaluateOptions for_many = options;
-    if (!options.many_in_full) for_many.uncertainty.trials.contribution_trials = 0;  // a table has no room for them
-    for_many.tolerance.many_tests = true;
-    std::string hash;
-    if (options.many_in_full) {
-      AXIOMETRY_TRY(hash, hash_of(source));
-    }
-    return read_many(source, *format, hash, [&](Test&& test, std::string name) -> Result<void> {
-      AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), for_many, depth));
-      evaluated.name = std::move(name);
-      return sink(std::move(evaluated));
-    });
+    return evaluate_many(source, *format, options, threads, sink);
   }
   AXIOMETRY_TRY(Test test, read_single(source, *format, options.profile));
   AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
-  return sink(std::move(evaluated));
+  return sink(std::move(evaluated), {});
 }
 
 Result<Test> read_source(Source& source, const Forced& forced) {
@@ -278,17 +293,24 @@ Result<void> read_tests(Source& source, const TestSink& sink) {
 Result<void> read_known(Source& source, const KnownFormat& known, const TestSink& sink) {
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(known.format, head))
-    return read_many(source, known.format, known.sha256, [&](Test&& test, std::string name) -> Result<void> {
-      return sink(std::move(test), std::move(name));
-    });
+    return read_many(source, known.format, known.sha256,
+                     [&](Test&& test, std::string name, std::size_t) -> Result<void> {
+                       return sink(std::move(test), std::move(name));
+                     });
   AXIOMETRY_TRY(Test test, read_single(source, known.format, "", known.sha256));
   return sink(std::move(test), {});
 }
 
 Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const EvaluatedSink& sink) {
+  return evaluate_file(file, options, {.count = 1, .make_text = {}},
+                       [&](Evaluated&& evaluated, std::string&&) { return sink(std::move(evaluated)); });
+}
+
+Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const ManyThreads& threads,
+                           const EvaluatedTextSink& sink) {
   auto source = Source::open(file);
   if (!source) return std::unexpected(in_file(std::move(source).error(), file));
-  auto result = evaluate_source(*source, options, sink);
+  auto result = evaluate_source(*source, options, threads, sink);
   return result ? Result<void>{} : std::unexpected(in_file(std::move(result).error(), file));
 }
 

@@ -134,14 +134,16 @@ Result<ManyOutputs> ManyOutputs::create(const OutputNames& names, const report::
   return outputs;
 }
 
-Result<void> ManyOutputs::add_json(const json::Value& value) {
+std::string json_line(const Evaluated& evaluated) { return json::dump(to_json(evaluated), 0); }
+
+Result<void> ManyOutputs::add_json(std::string_view text) {
   AXIOMETRY_TRY_VOID(json_->write(json_empty_ ? "[\n" : ",\n"));
   json_empty_ = false;
-  return json_->write(json::dump(value, 0));
+  return json_->write(text);
 }
 
-Result<void> ManyOutputs::add(const Evaluated& evaluated) {
-  if (json_) AXIOMETRY_TRY_VOID(add_json(to_json(evaluated)));
+Result<void> ManyOutputs::add(const Evaluated& evaluated, const std::string& json) {
+  if (json_) AXIOMETRY_TRY_VOID(add_json(json.empty() ? json_line(evaluated) : json));
   for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_row(evaluated, uncertainty_)));
   if (templates_.empty()) return {};
   const std::string name = report_name(evaluated);
@@ -159,7 +161,7 @@ Result<void> ManyOutputs::add(const Evaluated& evaluated) {
 }
 
 Result<void> ManyOutputs::add_error(const std::string& file, const Error& error) {
-  if (json_) AXIOMETRY_TRY_VOID(add_json(error_to_json(file, error)));
+  if (json_) AXIOMETRY_TRY_VOID(add_json(json::dump(error_to_json(file, error), 0)));
   for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_error_row(file, error, uncertainty_)));
   return {};
 }

@@ -65,6 +65,9 @@ Result<std::string> document_bytes(const report::Document& document, std::string
 /// Writes JSON and reports of the only test there is.
 Result<void> write_outputs(const Evaluated& evaluated, const OutputNames& names, const report::Options& options);
 
+/// A test as it stands among many in one JSON array.
+std::string json_line(const Evaluated& evaluated);
+
 /// Writes the outputs of many tests as they come, in memory that does not grow with their number: one
 /// JSON array, one combined CSV, and for other reports one file per test, whose name takes the place
 /// of "{name}". The JSON and the CSV appear when commit() succeeds, and not at all otherwise.
@@ -73,13 +76,14 @@ class ManyOutputs {
   /// Fails when a report that is not CSV has no "{name}", or an output cannot be made.
   static Result<ManyOutputs> create(const OutputNames& names, const report::Options& options);
 
-  Result<void> add(const Evaluated& evaluated);
+  /// `json` is json_line() of it where that is known already.
+  Result<void> add(const Evaluated& evaluated, const std::string& json = {});
   Result<void> add_error(const std::string& file, const Error& error);
   Result<void> commit();
 
  private:
   ManyOutputs() = default;
-  Result<void> add_json(const json::Value& value);
+  Result<void> add_json(std::string_view text);
 
   report::Options options_;
   InputFiles inputs_;

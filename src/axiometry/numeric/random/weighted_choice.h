@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,6 +27,7 @@ class WeightedChoice {
     double sum = 0.0;
     for (double log_weight : log_weights) choice.cumulative_.push_back(sum += std::exp(log_weight - largest));
     for (double& c : choice.cumulative_) c /= sum;
+    choice.find_starts();
     return choice;
   }
 
@@ -32,8 +35,11 @@ class WeightedChoice {
 
   /// The alternative that the number from (0, 1) falls on.
   std::size_t operator()(double uniform) const {
-    const auto place = std::ranges::upper_bound(cumulative_, uniform);
-    return std::min(static_cast<std::size_t>(place - cumulative_.begin()), cumulative_.size() - 1);
+    AXIOMETRY_CONTRACT(!starts_.empty());
+    const auto part = static_cast<std::size_t>(uniform * static_cast<double>(starts_.size()));  // exact: a power of 2
+    std::size_t place = starts_[std::min(part, starts_.size() - 1)];
+    while (place + 1 < cumulative_.size() && cumulative_[place] <= uniform) ++place;
+    return place;
   }
 
   /// Probability of one alternative.
@@ -42,7 +48,20 @@ class WeightedChoice {
   }
 
  private:
+  /// Of every one of equal parts of (0, 1) the first alternative that its numbers may fall on: with at least as many
+  /// parts as alternatives two looks are enough on average (Chen and Asau 1974).
+  void find_starts() {
+    starts_.resize(std::bit_ceil(cumulative_.size()));
+    std::size_t place = 0;
+    for (std::size_t part = 0; part < starts_.size(); ++part) {
+      const double begin = static_cast<double>(part) / static_cast<double>(starts_.size());
+      while (place + 1 < cumulative_.size() && cumulative_[place] <= begin) ++place;
+      starts_[part] = static_cast<std::uint32_t>(place);
+    }
+  }
+
   std::vector<double> cumulative_;
+  std::vector<std::uint32_t> starts_;
 };
 
 }  // namespace axiometry::numeric

@@ -319,10 +319,7 @@ void DriftPosterior::consider_hypotheses(VariationSize size) {
     for (std::size_t r = 0; r < places; ++r) expected_[r] += seen_.of_readings[k * places + r] * mean[k];
 }
 
-void DriftPosterior::subtract(numeric::RandomKey key, std::span<const double> shapes,
-                              numeric::Rows<double> rows) const {
-  const std::size_t trials = rows.stride;
-  const std::size_t places = shapes.size() / seen_.count;
+DriftPosterior::Drawn DriftPosterior::draw(numeric::RandomKey key, std::size_t trials) const {
   std::vector<double> uniforms(trials);
   std::vector<double> coordinates(seen_.count * trials);
   numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms);
@@ -334,21 +331,36 @@ void DriftPosterior::subtract(numeric::RandomKey key, std::span<const double> sh
       c = own.mean[k] + own.sd[k] * c;
     }
   }
-  std::vector<double> of_place(seen_.count);
-  for (std::size_t r = 0; r < places; ++r) {
+  return coordinates;
+}
+
+/// Of all rows that there are, which belong to the places from the first on.
+void DriftPosterior::subtract(const Drawn& drawn, std::span<const double> shapes, std::size_t first,
+                              numeric::Rows<double> rows) const {
+  const std::size_t trials = rows.stride, count = rows.values.size() / trials;
+  const std::size_t places = shapes.size() / seen_.count;
+  std::vector<double> factors(seen_.count * count);  // shapes one after the other would be far apart
+  for (std::size_t k = 0; k < seen_.count; ++k)
+    for (std::size_t r = 0; r < count; ++r) factors[r * seen_.count + k] = shapes[k * places + first + r];
+  for (std::size_t r = 0; r < count; ++r) {
     const auto row = rows.row(r, trials);
     if (std::isnan(row[0])) continue;  // no reading here
-    for (std::size_t k = 0; k < seen_.count; ++k) of_place[k] = shapes[k * places + r];
-    numeric::subtract_products(of_place, numeric::Rows<const double>{coordinates, trials}, row);
+    numeric::subtract_products(std::span(factors).subspan(r * seen_.count, seen_.count),
+                               numeric::Rows<const double>{drawn, trials}, row);
   }
 }
 
 void DriftPosterior::subtract_from_readings(numeric::RandomKey key, numeric::Rows<double> readings) const {
-  subtract(key, seen_.of_readings, readings);
+  subtract(draw(key, readings.stride), seen_.of_readings, 0, readings);
+}
+
+void DriftPosterior::subtract_from_cell(const Drawn& drawn, std::size_t cell, numeric::Rows<double> readings) const {
+  const std::size_t runs = readings.values.size() / readings.stride;
+  subtract(drawn, seen_.of_readings, cell * runs, readings);
 }
 
 void DriftPosterior::subtract_from_means(numeric::RandomKey key, numeric::Rows<double> means) const {
-  subtract(key, seen_.of_means, means);
+  subtract(draw(key, means.stride), seen_.of_means, 0, means);
 }
 
 }  // namespace axiometry::iso230_2

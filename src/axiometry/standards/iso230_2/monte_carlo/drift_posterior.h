@@ -66,6 +66,11 @@ class DriftPosterior {
 
   /// Takes e − E(e) of every reading away: rows as in Series::make_dense(), a column for every trial. Uses one stream.
   void subtract_from_readings(numeric::RandomKey key, numeric::Rows<double> readings) const;
+  /// The same of the readings of one cell after the other: a row for each run of the cell at this place in the order
+  /// direction, target.
+  using Drawn = std::vector<double>;  ///< coordinates of e − E(e), a row for each shape
+  Drawn draw(numeric::RandomKey key, std::size_t trials) const;
+  void subtract_from_cell(const Drawn& drawn, std::size_t cell, numeric::Rows<double> readings) const;
   /// The same of the means of the cells: rows in the order direction, target.
   void subtract_from_means(numeric::RandomKey key, numeric::Rows<double> means) const;
 
@@ -76,7 +81,8 @@ class DriftPosterior {
     std::vector<double> sd;
   };
   void consider_hypotheses(VariationSize size);
-  void subtract(numeric::RandomKey key, std::span<const double> shapes, numeric::Rows<double> rows) const;
+  void subtract(const Drawn& drawn, std::span<const double> shapes, std::size_t first,
+                numeric::Rows<double> rows) const;
 
   SeenModes seen_;
   double relative_size_ = 1.0;

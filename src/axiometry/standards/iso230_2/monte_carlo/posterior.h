@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,6 +47,11 @@ class ReadingPosterior {
   /// What perfect instruments would have read: rows in the order of Series::cell (direction, target, run), NaN
   /// where no reading is. Uses the streams from `key.stream` on, `streams` of them.
   void draw_readings(numeric::RandomKey key, numeric::Rows<double> readings) const;
+
+  /// The same, one cell after the other, while its readings are in the nearest cache: calls visit(place of the cell in
+  /// the order direction, target; rows over its runs, NaN where no reading is). Cells without a reading are left out.
+  using VisitCell = std::function<void(std::size_t place, numeric::Rows<double> readings)>;
+  void draw_cells(numeric::RandomKey key, std::size_t trials, const VisitCell& visit) const;
 
   /// Contract: asked for. Long-run μ and σ of each cell: rows in the order direction, target; NaN where no reading is.
   /// σ contains the machine's own shifts from run to run.
@@ -93,6 +99,7 @@ class ReadingPosterior {
   void add_curve(const Series& series, CurveData data);
   void draw_means(State& state, std::span<const double> uniforms, std::span<const double> normals) const;
   State draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const;
+  std::vector<double> draw_target_shifts(State& state) const;
   void share_means(State& state) const;
   std::vector<double> draw_run_shifts(State& state) const;
   void draw_cell(std::size_t index, std::span<const double> shifts, State& state, numeric::Rows<double> readings) const;

@@ -61,6 +61,19 @@ TEST(ReadingPosterior, LeavesMissingReadingsMissing) {
   EXPECT_TRUE(std::isfinite(draws.rows().row(1 * 3 + 2, Draws::trials)[0]));
 }
 
+/// Numbers for what either direction has of its own are left out where it has nothing, and those behind them stay.
+TEST(ReadingPosterior, DrawsTheSameWhereDirectionsHaveNextToNothingOfTheirOwn) {
+  const Series series = table2::series();
+  for (std::size_t trials : {80u, 100u}) {
+    std::vector<double> without(2 * 11 * 5 * trials), with(without.size());
+    ReadingPosterior(series, {.reading = 0.3, .run = 0.2}).draw_readings({1, 0, 7}, {without, trials});
+    ReadingPosterior(series, {.reading = 0.3, .run = 0.2, .target_direction = 1e-160})
+        .draw_readings({1, 0, 7}, {with, trials});
+    ASSERT_NE(without[0], without[1]);
+    EXPECT_EQ(without, with) << trials;
+  }
+}
+
 TEST(ReadingPosterior, GivesASingleApproachTheUncertaintyOfItsNoise) {
   const Series series = testing_support::make_series({0, 50}, {{0, 100}}, {});
   Draws draws = readings_of(series, {.reading = 0.5});

@@ -71,6 +71,9 @@ TrialModel::TrialModel(const Series& series, const UncertaintyInputs& inputs, co
   }
 }
 
+numeric::RandomKey TrialModel::posterior_key(std::uint64_t place) const { return {options_.seed, of_posterior, place}; }
+numeric::RandomKey TrialModel::drift_key(std::uint64_t place) const { return {options_.seed, of_drift, place}; }
+
 /// Draws of one input.
 std::vector<double> TrialModel::draws(std::size_t input, std::uint64_t place) const {
   std::vector<double> values(chunk);
@@ -180,15 +183,21 @@ void TrialModel::add_length_errors(std::uint64_t place, std::size_t rows_per_cel
   }
 }
 
-/// What the draws of the station's offset take away: the readings hold its length difference, the trials do not.
-void TrialModel::add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
-  if (!station_) return;
+/// Squares of the station's offset.
+std::vector<double> TrialModel::station_squares(std::uint64_t place) const {
   std::vector<double> squares(chunk);
   for (std::size_t k = 0; k < inputs_.inputs.size(); ++k) {
     if (inputs_.inputs[k].effect != Effect::station) continue;
     const std::vector<double> offset = draws(k, place);
     for (std::size_t t = 0; t < chunk; ++t) squares[t] += offset[t] * offset[t];
   }
+  return squares;
+}
+
+/// What the draws of the station's offset take away: the readings hold its length difference, the trials do not.
+void TrialModel::add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const {
+  if (!station_) return;
+  const std::vector<double> squares = station_squares(place);
   const std::size_t targets = series_.target_count();
   std::vector<double> error(chunk);
   for (std::size_t i = 0; i < targets; ++i) {
@@ -279,8 +288,6 @@ void TrialModel::evaluate_figures(numeric::Rows<const double> means, numeric::Ro
 
 TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place) const {
   const bool long_run = is_long_run(options_);
-  const numeric::RandomKey posterior_key{options_.seed, of_posterior, place};
-  const numeric::RandomKey drift_key{options_.seed, of_drift, place};
   const ReadingPosterior& posterior = posteriors_[place % posteriors_.size()];
   DrawnCells drawn;
   if (long_run && options_.type_a != TypeA::resampled) {
@@ -288,14 +295,20 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place) const {
     drawn.estimators.resize(layout_.cell_rows() * chunk);
     const numeric::Rows<double> mean_rows{drawn.means, chunk}, estimator_rows{drawn.estimators, chunk};
     if (options_.type_a == TypeA::pooled) {
-      posterior.draw_long_run(posterior_key, mean_rows, estimator_rows);
+      posterior.draw_long_run(posterior_key(place), mean_rows, estimator_rows);
     } else {
       draw_t_scaled(place, mean_rows, estimator_rows);
       add_target_errors(place, 1, mean_rows);
     }
-    if (drift_) drift_->subtract_from_means(drift_key, mean_rows);
+    if (drift_) drift_->subtract_from_means(drift_key(place), mean_rows);
     add_length_errors(place, 1, mean_rows);
     add_station_errors(place, 1, mean_rows);
+    return drawn;
+  }
+  if (!long_run && options_.figures == nullptr) {
+    drawn.means.resize(layout_.cell_rows() * chunk);
+    drawn.estimators.resize(layout_.cell_rows() * chunk);
+    draw_cell_moments(place, {drawn.means, chunk}, {drawn.estimators, chunk});
     return drawn;
   }
   drawn.readings.resize(layout_.reading_rows() * chunk);
@@ -304,8 +317,8 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place) const {
     draw_resampled(place, rows);
     add_target_errors(place, series_.run_count(), rows);
   } else {
-    posterior.draw_readings(posterior_key, rows);
-    if (drift_) drift_->subtract_from_readings(drift_key, rows);
+    posterior.draw_readings(posterior_key(place), rows);
+    if (drift_) drift_->subtract_from_readings(drift_key(place), rows);
   }
   add_length_errors(place, series_.run_count(), rows);
   add_station_errors(place, series_.run_count(), rows);

@@ -66,10 +66,13 @@ class TrialModel {
   };
 
   void find_length_errors();
+  numeric::RandomKey posterior_key(std::uint64_t place) const;
+  numeric::RandomKey drift_key(std::uint64_t place) const;
   std::vector<double> draws(std::size_t input, std::uint64_t place) const;
   std::vector<double> draw(const LengthError& error, std::uint64_t place) const;
   std::vector<double> length_errors(std::uint64_t place) const;
   void add_length_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
+  std::vector<double> station_squares(std::uint64_t place) const;
   void add_station_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void add_target_errors(std::uint64_t place, std::size_t rows_per_cell, numeric::Rows<double> rows) const;
   void add_displacement_errors(std::uint64_t place, numeric::Rows<double> outputs) const;
@@ -87,6 +90,7 @@ class TrialModel {
   DrawnCells draw_cells(std::uint64_t place) const;
   std::vector<double> mean_of_cell(const DrawnCells& drawn, std::size_t target, Direction direction) const;
   std::vector<double> displacements(std::uint64_t place) const;
+  void draw_cell_moments(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> estimators) const;
   void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
 
   const Series& series_;

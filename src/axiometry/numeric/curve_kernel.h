@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Draws of curve_posterior.h in the axes of a curve, for one target; compiled once for each (vector_target.h). Lanes
+// are places: the axes differ from draw to draw.
+#include "axiometry/numeric/curve_kernel_types.h"
+#include "axiometry/numeric/lanes.h"
+
+namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET {
+namespace {
+
+/// Some registers of places, from the first on.
+template <size_t registers>
+[[gnu::always_inline]] inline void draw_places(const CurveView& view, const double* normals, size_t first,
+                                               double* values) {
+  Doubles sums[registers] = {};
+  for (size_t k = 0; k < view.places; ++k) {
+    const Doubles coordinate = all<Doubles>(view.means[k] + view.sds[k] * normals[k]);
+    const double* const column = view.columns + k * view.stride + first;
+    for (size_t r = 0; r < registers; ++r) sums[r] += coordinate * load<Doubles>(column + r * lanes<Doubles>);
+  }
+  for (size_t r = 0; r < registers; ++r) store(values + first + r * lanes<Doubles>, sums[r]);
+}
+
+void draw(const CurveView& view, const double* normals, double* values) {
+  constexpr size_t wide = 6;  // 12 places of two lanes, and 24 of four
+  size_t first = 0;
+  for (; first + wide * lanes<Doubles> <= view.places; first += wide * lanes<Doubles>)
+    draw_places<wide>(view, normals, first, values);
+  const size_t left = (view.places - first + lanes<Doubles> - 1) / lanes<Doubles>;
+  switch (left) {
+    case 1: return draw_places<1>(view, normals, first, values);
+    case 2: return draw_places<2>(view, normals, first, values);
+    case 3: return draw_places<3>(view, normals, first, values);
+    case 4: return draw_places<4>(view, normals, first, values);
+    case 5: return draw_places<5>(view, normals, first, values);
+    case 6: return draw_places<6>(view, normals, first, values);
+    default: return;
+  }
+}
+
+}  // namespace
+
+extern const CurveKernel curve_kernel;
+const CurveKernel curve_kernel = {draw};
+
+}  // namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// Draws of posterior.h: what is drawn of many trials, in rows with a number for each trial.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "axiometry/base/contract.h"
+#include "axiometry/numeric/kernel_table.h"
+#include "axiometry/standards/iso230_2/monte_carlo/cell_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/posterior.h"
+
+namespace axiometry::iso230_2 {
+
+AXIOMETRY_KERNEL_TABLE(cell_kernel, CellKernel);
+
+const CellKernel& cell_kernel_of(numeric::VectorTarget target) { return cell_kernel_table.of(target); }
+
+namespace {
+
+constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
+constexpr double negligible_share = 1e-12;  // of the variance of δ, below which other noise is none
+
+/// Rows of the normal numbers of one key, made when they are taken, so that they are in the nearest cache.
+class NormalRows {
+ public:
+  NormalRows(numeric::RandomKey key, std::size_t trials, std::size_t rows) : stream_(key), trials_(trials) {
+    if (trials % numeric::RandomKernel::normal_group == 0) return;
+    all_.resize(rows * trials);  // a piece must end with a group
+    stream_.fill_normal(all_);
+  }
+
+  /// The next rows, one after the other; those before are gone.
+  std::span<const double> next(std::size_t rows = 1) {
+    const std::size_t count = rows * trials_, begin = std::exchange(taken_, taken_ + count);
+    if (!all_.empty()) return std::span(all_).subspan(begin, count);
+    numbers_.resize(std::max(numbers_.size(), count));
+    stream_.fill_normal(std::span(numbers_).first(count));
+    return std::span(numbers_).first(count);
+  }
+
+  /// As next(), of a row that nobody wants: a group of normal numbers takes as many words of 64 bits.
+  void skip() {
+    taken_ += trials_;
+    if (!all_.empty()) return;
+    bits_.resize(trials_);
+    stream_.fill_bits(bits_);
+  }
+
+ private:
+  numeric::RandomStream stream_;
+  std::size_t trials_;
+  std::size_t taken_ = 0;
+  std::vector<double> numbers_, all_;
+  std::vector<std::uint64_t> bits_;
+};
+
+const CellKernel& best_cell_kernel() { return cell_kernel_of(numeric::best_vector_target()); }
+
+}  // namespace
+
+/// What all draws of a batch of trials need: rows over the cells, one value per trial.
+struct ReadingPosterior::State {
+  std::size_t trials = 0;
+  std::vector<double> sds;              ///< σ
+  std::vector<double> means;            ///< μ, then the true means of the cells' own approaches
+  std::vector<double> run_sds;          ///< σ_ρ, one row
+  std::vector<double> machines;         ///< σ²/(σ² + u²), the machine's share of the scatter; from share_means()
+  std::optional<NormalRows> normals{};  ///< of share_means() and the readings, which take them in this order
+  std::vector<double> residuals{};      ///< of the cell that is being drawn, as what follows
+  std::vector<const double*> run_shifts{};
+  std::vector<double*> rows{};
+
+  std::span<double> sd(std::size_t cell) { return std::span(sds).subspan(cell * trials, trials); }
+  std::span<double> mean(std::size_t cell) { return std::span(means).subspan(cell * trials, trials); }
+  std::span<double> machine(std::size_t cell) { return std::span(machines).subspan(cell * trials, trials); }
+};
+
+/// σ, σ_ρ and μ of every trial.
+ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const {
+  const std::size_t cells = cells_.size();
+  State state{trials,
+              std::vector<double>(cells * trials),
+              std::vector<double>(cells * trials, 0.0),
+              std::vector<double>(trials),
+              {}};
+  const std::size_t rows_shared = (shared_variance_ > 0.0 ? targets_ : 0) + 2 * cells;
+  const std::size_t rows_of_readings = runs_ + (noise_.reading > 0.0 ? cells * runs_ : 0);
+  if (asked == Asked::readings)
+    state.normals.emplace(numeric::RandomKey{key.seed, key.stream + 1, key.block}, trials,
+                          rows_shared + rows_of_readings);
+  const std::size_t uniforms_each = 4 + curves_.size() + cells;
+  std::vector<double> uniforms(uniforms_each * trials);
+  std::vector<double> curve_normals(curve_normals_ * trials);
+  numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms);
+  numeric::fill_normal({key.seed, key.stream, 2 * key.block + 1}, curve_normals);
+  std::vector<double> values(cells);
+  for (std::size_t t = 0; t < trials; ++t) {
+    const std::span<const double> u = std::span(uniforms).subspan(t * uniforms_each, uniforms_each);
+    spread_->draw({u[0], u[1], u.last(cells)}, values);
+    for (std::size_t c = 0; c < cells; ++c) state.sd(c)[t] = values[c];
+    state.run_sds[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
+  }
+  draw_means(state, uniforms, curve_normals);
+  return state;
+}
+
+/// μ of every trial; `uniforms` and `normals` hold what belongs to one trial after the other.
+void ReadingPosterior::draw_means(State& state, std::span<const double> uniforms,
+                                  std::span<const double> normals) const {
+  const std::size_t trials = state.trials, uniforms_each = uniforms.size() / trials;
+  std::vector<double> choices(trials), values;
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    const numeric::CurvePosterior& posterior = curves_[k].posterior;
+    for (std::size_t t = 0; t < trials; ++t) choices[t] = uniforms[t * uniforms_each + 4 + k];
+    values.resize(posterior.size() * trials);
+    posterior.draw({choices, normals, curve_normals_}, numeric::Rows<double>{values, trials});
+    normals = normals.subspan(posterior.normals_each());
+    for (const Curve::Term& term : curves_[k].terms) {
+      const auto of_cell = state.mean(term.cell);
+      for (std::size_t t = 0; t < trials; ++t) of_cell[t] += term.factor * values[term.place * trials + t];
+    }
+  }
+}
+
+/// δ of every target, as it acts on ↑: rows over the targets; none where there is no such noise.
+std::vector<double> ReadingPosterior::draw_target_shifts(State& state) const {
+  if (!(shared_variance_ > 0.0)) return {};
+  const double u2 = noise_.reading * noise_.reading;
+  std::vector<double> precision(targets_ * state.trials, 0.0), pull(targets_ * state.trials, 0.0);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Cell& cell = cells_[c];
+    const double sign = cell.place < targets_ ? 1.0 : down_sign_;
+    for (std::size_t t = 0; t < state.trials; ++t) {
+      const double sd = state.sd(c)[t];
+      const double of_mean = (sd * sd + u2) / static_cast<double>(cell.count);
+      // Means without any noise of their own (n = 1, or all readings alike) tell δ all but exactly.
+      const double own = std::max(of_mean + own_variance_, negligible_share * shared_variance_);
+      const double weight = 1.0 / own;
+      precision[cell.target * state.trials + t] += weight;
+      pull[cell.target * state.trials + t] += sign * weight * (cell.mean - state.mean(c)[t]);
+    }
+  }
+  std::vector<double> shift(targets_ * state.trials, 0.0);
+  for (std::size_t i = 0; i < targets_; ++i) {
+    const auto z = state.normals->next();
+    for (std::size_t t = 0; t < state.trials; ++t) {
+      const std::size_t k = i * state.trials + t;
+      const double variance = 1.0 / (precision[k] + 1.0 / shared_variance_);
+      shift[k] = variance * pull[k] + std::sqrt(variance) * z[t];
+    }
+  }
+  return shift;
+}
+
+/// From the long-run means to those of the cells' own approaches: what x̄ − μ holds is shared between the target's
+/// δ, the direction's own, the noise of the readings and the machine's scatter, in the ratio of their variances.
+void ReadingPosterior::share_means(State& state) const {
+  const std::vector<double> shifts = draw_target_shifts(state);
+  std::vector<double> signed_shift(shifts.empty() ? 0 : state.trials);
+  state.machines.resize(cells_.size() * state.trials);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Cell& cell = cells_[c];
+    const double sign = cell.place < targets_ ? 1.0 : down_sign_;
+    for (std::size_t t = 0; t < signed_shift.size(); ++t)
+      signed_shift[t] = sign * shifts[cell.target * state.trials + t];
+    const bool directions_differ = own_variance_ > 0.0;
+    if (!directions_differ) state.normals->skip();
+    const double* const z = state.normals->next(directions_differ ? 2 : 1).data();
+    best_cell_kernel().share({.trials = state.trials,
+                              .observed_mean = cell.mean,
+                              .count = static_cast<double>(cell.count),
+                              .noise_variance = noise_.reading * noise_.reading,
+                              .own_variance = own_variance_,
+                              .sds = state.sd(c).data(),
+                              .shift = shifts.empty() ? nullptr : signed_shift.data(),
+                              .direction_normals = z,
+                              .reading_normals = directions_differ ? z + state.trials : z,
+                              .means = state.mean(c).data(),
+                              .machines = state.machine(c).data()});
+  }
+}
+
+/// The machine's part of the runs' shifts: rows over the runs. What was seen of a run is ρ_j + d_j and the mean of what
+/// its C readings have of their own: the machine has σ_ρ² + σ²/C of it, the measurement u_d² + u²/C. draw_cell() brings
+/// the noise of single readings, so that its part is left out here.
+std::vector<double> ReadingPosterior::draw_run_shifts(State& state) const {
+  std::vector<double> shifts(runs_ * state.trials, 0.0);
+  if (cells_per_run_ == 0.0) return shifts;
+  const double u2 = noise_.reading * noise_.reading;
+  best_cell_kernel().run_shifts({.trials = state.trials,
+                                 .cells = cells_.size(),
+                                 .runs = runs_,
+                                 .noise_variance = u2,
+                                 .measured = noise_.run * noise_.run + u2 / cells_per_run_,
+                                 .cells_per_run = cells_per_run_,
+                                 .sds = state.sds.data(),
+                                 .run_sds = state.run_sds.data(),
+                                 .observed = run_shifts_.data(),
+                                 .normals = state.normals->next(runs_).data(),
+                                 .shifts = shifts.data()});
+  return shifts;
+}
+
+/// The readings of one cell about its true mean: shifts of the runs, and the machine's share of the residuals.
+void ReadingPosterior::draw_cell(std::size_t index, std::span<const double> shifts, State& state,
+                                 numeric::Rows<double> readings) const {
+  const Cell& cell = cells_[index];
+  state.residuals.clear();
+  state.run_shifts.clear();
+  state.rows.clear();
+  for (std::size_t j = 0; j < runs_; ++j) {
+    if (std::isnan(cell.residuals[j])) continue;
+    state.residuals.push_back(cell.residuals[j]);
+    state.run_shifts.push_back(shifts.data() + j * state.trials);
+    state.rows.push_back(readings.row(j, state.trials).data());
+  }
+  const auto normals = state.normals->next(noise_.reading > 0.0 ? state.rows.size() : 0);
+  best_cell_kernel().readings({.trials = state.trials,
+                               .count = state.rows.size(),
+                               .noise_sd = noise_.reading,
+                               .residuals = state.residuals.data(),
+                               .means = state.mean(index).data(),
+                               .machines = state.machine(index).data(),
+                               .shifts = state.run_shifts.data(),
+                               .normals = normals.data(),
+                               .readings = state.rows.data()});
+}
+
+void ReadingPosterior::draw_cells(numeric::RandomKey key, std::size_t trials, const VisitCell& visit) const {
+  std::vector<double> memory(runs_ * trials);
+  const numeric::Rows<double> readings{memory, trials};
+  if (exact_) {
+    for (const Cell& cell : cells_) {
+      for (std::size_t j = 0; j < runs_; ++j) std::ranges::fill(readings.row(j, trials), cell.readings[j]);
+      visit(cell.place, readings);
+    }
+    return;
+  }
+  State state = draw_state(key, trials, Asked::readings);
+  share_means(state);
+  const std::vector<double> shifts = draw_run_shifts(state);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    for (std::size_t j = 0; j < runs_; ++j)
+      if (std::isnan(cells_[c].residuals[j])) std::ranges::fill(readings.row(j, trials), no_reading);
+    draw_cell(c, shifts, state, readings);
+    visit(cells_[c].place, readings);
+  }
+}
+
+void ReadingPosterior::draw_readings(numeric::RandomKey key, numeric::Rows<double> readings) const {
+  const std::size_t trials = readings.stride;
+  std::ranges::fill(readings.values, no_reading);
+  draw_cells(key, trials, [&](std::size_t place, numeric::Rows<double> drawn) {
+    std::ranges::copy(drawn.values, readings.values.begin() + static_cast<std::ptrdiff_t>(place * runs_ * trials));
+  });
+}
+
+void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<double> means,
+                                     numeric::Rows<double> sds) const {
+  AXIOMETRY_CONTRACT(!curves_.empty());
+  std::ranges::fill(means.values, no_reading);
+  std::ranges::fill(sds.values, no_reading);
+  State state = draw_state(key, means.stride, Asked::long_run);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    std::ranges::copy(state.mean(c), means.row(cells_[c].place, means.stride).begin());
+    const auto sd = state.sd(c);
+    const auto row = sds.row(cells_[c].place, means.stride);
+    for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds[t]);
+  }
+}
+
+}  // namespace axiometry::iso230_2
