@@ -7,8 +7,10 @@
 
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "cli/flags/option_text.h"
 
 namespace axiometry::cli {
@@ -89,8 +91,12 @@ void add_square_flags(const Verb& verb, error_motions::SquarenessOptions& square
 
 }  // namespace
 
-void add_motion_flags(const Verb& verb, std::string_view kind, std::vector<std::string>& files,
-                      MotionChoices& choices) {
+void add_motion_flags(const Verb& verb, std::string_view kind, std::vector<std::string>& files, MotionChoices& choices,
+                      std::string& plan) {
+  if (kind != "squareness")
+    verb->add_option("--plan", plan, "The plan after which readings alone were taken, in its order (axiometry plan)")
+        ->check(fault_of_empty_name)
+        ->type_name("FILE");
   if (kind == "straightness") {
     files.resize(1);
     verb->add_option("FILE", files[0], "Readings as CSV, or - for the standard input")->required();
@@ -134,6 +140,13 @@ void check_motion_flags(std::string_view kind, const std::vector<std::string>& f
       (senses[0].coordinate < 'X' || senses[1].coordinate < 'X' || senses[0].coordinate == senses[1].coordinate))
     throw UsageError("--positive", fmt::format("found {},{}, expected two different directions such as +Y,-X",
                                                senses[0].text(), senses[1].text()));
+}
+
+Result<std::optional<Plan>> plan_of_motion(const std::string& file) {
+  if (file.empty()) return std::optional<Plan>();
+  AXIOMETRY_TRY(const std::string bytes, app::whole_file(file));
+  AXIOMETRY_TRY(Plan plan, app::in_file(formats::read_plan(bytes), file));
+  return std::optional(std::move(plan));
 }
 
 Result<app::EvaluatedMotion> evaluated_motion(std::string_view kind, const std::vector<std::string>& files,

@@ -14,7 +14,10 @@ namespace axiometry::cli {
 
 /// The files and all flags that `kind` has a use for ("straightness", "angles", "squareness").
 void add_motion_flags(const Verb& verb, std::string_view kind, std::vector<std::string>& files,
-                      app::MotionChoices& choices);
+                      app::MotionChoices& choices, std::string& plan);
+
+/// The plan of --plan, when it is read; none where that was not given.
+Result<std::optional<Plan>> plan_of_motion(const std::string& file);
 
 /// Throws UsageError on flags that do not fit the number of files, and on the standard input twice.
 void check_motion_flags(std::string_view kind, const std::vector<std::string>& files,

@@ -15,7 +15,7 @@ namespace axiometry::cli {
 namespace {
 
 struct MotionArguments {
-  std::string kind;
+  std::string kind, plan;
   std::vector<std::string> files;
   app::MotionChoices choices;
   ExperimentArguments outputs;
@@ -35,9 +35,13 @@ int run_motion(MotionArguments& arguments) {
   check_experiment_outputs(arguments.outputs);
   std::vector<app::InputFile> inputs;
   for (const std::string& file : arguments.files) inputs.push_back({file, false});
+  if (!arguments.plan.empty()) inputs.push_back({arguments.plan, false});
   app::OutputNames& names = arguments.outputs.outputs;
   names.inputs = app::InputFiles(inputs);
   if (const auto spared = app::check_inputs_spared(names); !spared) return failed(spared.error(), exit_usage);
+  auto plan = plan_of_motion(arguments.plan);
+  if (!plan) return failed(plan.error());
+  arguments.choices.plan = *std::move(plan);
   const auto measured = evaluated_motion(arguments.kind, arguments.files, arguments.choices);
   if (!measured) return failed(measured.error());
   const app::Experiment experiment = app::present_motion(
@@ -54,7 +58,7 @@ void add_motion_verb(const Verb& program, const std::string& kind, const std::st
   Verb verb = program.add_subcommand(kind, description);
   auto a = std::make_shared<MotionArguments>();
   a->kind = kind;
-  add_motion_flags(*verb, kind, a->files, a->choices);
+  add_motion_flags(*verb, kind, a->files, a->choices, a->plan);
   add_experiment_flags(*verb, a->outputs);
   verb->callback([a, &exit_code] { exit_code = run_motion(*a); });
   verb->footer(footer);
@@ -65,7 +69,9 @@ void add_motion_verb(const Verb& program, const std::string& kind, const std::st
 void add_straightness(const Verb& program, int& exit_code) {
   add_motion_verb(program, "straightness", "How far an axis strays across its way, about a reference line",
                   R"(The columns are position_mm,run,direction,straightness_um; # error: EYX above them names the error.
+With --plan they are straightness_um alone, a row for each approach of axiometry plan, in its order.
 Examples:
+  axiometry straightness readings.csv --plan plan.json --error EYX
   axiometry straightness x-in-y.csv
   axiometry straightness x-in-y.csv --reference end-points --instrument 0.4,0.5 --report x.pdf)",
                   exit_code);

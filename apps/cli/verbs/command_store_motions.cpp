@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/workbench/calibrations.h"
 #include "cli/flags/about_flags.h"
 #include "cli/flags/motion_flags.h"
@@ -17,7 +18,7 @@ namespace axiometry::cli {
 namespace {
 
 struct KeptMotionArguments {
-  std::string address, kind;
+  std::string address, kind, plan;
   std::vector<std::string> files;
   app::MotionChoices choices;
   AboutCalibration about;
@@ -35,6 +36,11 @@ Result<int> keep_motion(const KeptMotionArguments& a) {
     bytes.push_back(std::move(read));
     calibration.files.push_back({app::readings_role(bytes.size()), app::base_name(file), bytes.back()});
   }
+  std::string plan;
+  if (!a.plan.empty()) {
+    AXIOMETRY_TRY(plan, app::whole_file(a.plan));
+    calibration.files.push_back({"plan", app::base_name(a.plan), plan});
+  }
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {}));
   AXIOMETRY_TRY(const auto kept,
                 app::keep_calibration(*archive, calibration, {"import", fmt::format("axiometry store {}", a.kind)}));
@@ -47,7 +53,7 @@ void add_kept_motion(const Verb& store, const char* kind, const char* descriptio
   made->kind = kind;
   Verb verb = store_verb(store, {kind, description}, exit_code, made, keep_motion);
   verb->footer(footer);
-  add_motion_flags(*verb, kind, made->files, made->choices);
+  add_motion_flags(*verb, kind, made->files, made->choices, made->plan);
   add_about_flags(*verb, made->about, "--of-instrument");
 }
 

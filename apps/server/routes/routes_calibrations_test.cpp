@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "axiometry/app/workbench/workbench.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
@@ -289,6 +290,28 @@ TEST_F(CalibrationRoutes, keep_straightness_angles_and_squareness_apart_from_tes
                                         "options": {"positive": ["+Y", "-X"], "square_error_arcsec": 2}})"),
                                201);
   EXPECT_NEAR(*figure_of(again, "C0Y", ""), -10.0 + 2 * 4.84813681, 1e-6);
+}
+
+TEST_F(CalibrationRoutes, keep_readings_alone_with_the_plan_that_they_were_taken_after) {
+  Plan plan;
+  plan.axis.name = "X";
+  plan.targets = {Position::native(0.0), Position::native(100.0), Position::native(200.0)};
+  plan.cycle = TestCycle::unidirectional;
+  plan.runs = 1;
+  plan.overrun = Position::native(5.0);
+  plan.feed = 1000.0;
+  const Value kept = value_of(
+      keep({{"readings", "EYX_um\n0\n0.6\n0\n"}, {"plan", formats::write_plan(plan)}}, {{"kind", "straightness"}}),
+      201);
+  EXPECT_NEAR(*figure_of(kept, "straightness", "EYX"), 0.6, 1e-9);
+  EXPECT_EQ(send("GET", "/1/report.html").status, 200);  // found again from what is kept
+  EXPECT_THAT(
+      refusal(keep({{"readings", "EYX_um\n0\n"}, {"plan", formats::write_plan(plan)}}, {{"kind", "straightness"}})),
+      HasSubstr("found 1 readings, expected 3"));
+  EXPECT_THAT(
+      refusal(keep({{"readings", "EYX_um\n0\n"}, {"readings-2", "EXY_um\n0\n"}, {"plan", formats::write_plan(plan)}},
+                   {{"kind", "squareness"}})),
+      HasSubstr("found a plan, which squareness has no use for"));
 }
 
 TEST_F(CalibrationRoutes, compare_figures_of_one_unit_alone) {

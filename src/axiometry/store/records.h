@@ -100,7 +100,7 @@ struct KeptFigure {
 
 /// What a tracking interferometer found of a machine as a whole. Its result is a content, so that a list reads none.
 struct Calibration {
-  std::string kind;  ///< "lines": of a plan, each after ISO 230-2; or "volumetric": the 21 errors
+  std::string kind;  ///< calibration_kinds.h: "lines" of a plan, "volumetric": the 21 errors, and others
   std::string title;
   std::optional<Id> machine;
   std::optional<Id> instrument;

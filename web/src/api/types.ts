@@ -153,7 +153,7 @@ export interface components {
             "lengths-2"?: string;
             /**
              * Format: binary
-             * @description Of lines; of the 21 errors the plan that was driven, which recordings need.
+             * @description Of lines; of the 21 errors the plan that was driven, which recordings need; of straightness and angles as in MotionForm.
              */
             plan?: string;
             /**
@@ -2052,6 +2052,11 @@ export interface components {
              * @description A second file; further ones are readings-3 and so on.
              */
             "readings-2"?: string;
+            /**
+             * Format: binary
+             * @description After which readings alone were taken, of straightness and angles: one column, a row for each approach.
+             */
+            plan?: string;
         };
         /** @description One file, evaluated; docs/results.md explains it. */
         MotionOfFile: {

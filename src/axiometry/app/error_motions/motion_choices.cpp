@@ -78,6 +78,7 @@ Result<void> check_choices(std::string_view kind, std::size_t files, const Motio
   if (c.offset_mm && !angles) return refuse("offset_mm");
   if (c.square.square_error_arcsec && !square) return refuse("square_error_arcsec");
   if (c.square.square_uncertainty_arcsec && !square) return refuse("square_uncertainty_arcsec");
+  if (c.plan && square) return refuse("a plan");
   if (c.error && files > 1) return fail("found error with several files, expected one file, or # error: in each");
   if (c.reference == Reference::none && !angles) return refuse("the reference none");
   if (!c.positive.empty() && c.positive.size() != files)
@@ -160,6 +161,7 @@ Result<EvaluatedMotion> evaluate_motion(std::string_view kind, std::span<const G
   for (std::size_t k = 0; k < files.size(); ++k) {
     MotionRequest one{.file = files[k].name, .error = choices.error, .options = options};
     if (!choices.positive.empty()) one.sense = choices.positive[k];
+    one.plan = choices.plan;
     one.bytes = files[k].bytes;
     request.files.push_back(std::move(one));
   }

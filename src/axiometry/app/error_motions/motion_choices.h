@@ -22,6 +22,7 @@ struct MotionChoices {
   std::optional<MotionName> error{};        ///< of a single file
   std::vector<ReadingSense> positive{};     ///< none, or one of each file
   std::optional<Vector3> offset_mm{};       ///< of angles
+  std::optional<Plan> plan{};               ///< of straightness and angles; no option but a file of its own
   error_motions::SquarenessOptions square;  ///< of squareness; whether readings are in axes is found out
 };
 

@@ -72,7 +72,9 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
 }
 
 Result<MeasuredMotion> measure(const MotionRequest& request, std::string_view bytes, bool angle) {
-  AXIOMETRY_TRY(formats::MotionFile file, in_file(formats::read_motion_csv(bytes), request.file));
+  AXIOMETRY_TRY(formats::MotionFile file, in_file(request.plan ? formats::read_planned_motion(bytes, *request.plan)
+                                                               : formats::read_motion_csv(bytes),
+                                                  request.file));
   AXIOMETRY_TRY(MeasuredMotion measured, in_file(evaluated(request, std::move(file), angle), request.file));
   measured.sha256 = sha256(bytes);
   return measured;

@@ -21,6 +21,7 @@ struct MotionRequest {
   std::optional<MotionName> error{};    ///< what the file holds, where it does not say so itself
   std::optional<ReadingSense> sense{};  ///< likewise which way its readings are positive
   error_motions::MotionOptions options;
+  std::optional<Plan> plan{};               ///< after which readings alone were taken, read_planned_motion()
   std::optional<std::string_view> bytes{};  ///< those of `file` where they are at hand; they must outlive the call
 };
 
@@ -48,7 +49,7 @@ Result<MeasuredMotion> measure_angle(const MotionRequest& request);
 struct SquarenessRequest {
   std::string first, second;
   std::array<std::optional<std::string_view>, 2> bytes{};  ///< likewise
-  std::optional<std::array<ReadingSense, 2>> senses{};  ///< of both lines; they name the errors too
+  std::optional<std::array<ReadingSense, 2>> senses{};     ///< of both lines; they name the errors too
   error_motions::MotionOptions options;
   error_motions::SquarenessOptions square;  ///< whether readings are in axes is found out
 };

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/tracking/tracking_request.h"
 #include "axiometry/app/volumetric/identify_options.h"
@@ -18,6 +19,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
 #include "axiometry/store/kept/calibration_kinds.h"
 #include "axiometry/volumetric/field/tool_fields.h"
@@ -116,14 +118,19 @@ Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSourc
 Result<EvaluatedCalibration> evaluated_motion(std::string_view kind, std::span<const CalibrationSource> files,
                                               const Value& options) {
   std::vector<GivenFile> given;
-  for (std::size_t k = 1; k <= files.size(); ++k) {
+  const auto plan = std::ranges::find(files, "plan", &CalibrationSource::role);
+  const std::size_t readings = files.size() - (plan == files.end() ? 0 : 1);
+  for (std::size_t k = 1; k <= readings; ++k) {
     const auto file = std::ranges::find(files, readings_role(k), &CalibrationSource::role);
     if (file == files.end())
       return fail(
           fmt::format("found no file {}, expected readings, and of several readings-2 and so on", readings_role(k)));
     given.push_back({file->name, file->bytes});
   }
-  AXIOMETRY_TRY(const MotionChoices choices, motion_choices_from(options));
+  AXIOMETRY_TRY(MotionChoices choices, motion_choices_from(options));
+  if (plan != files.end()) {
+    AXIOMETRY_TRY(choices.plan, in_file(formats::read_plan(plan->bytes), plan->name));
+  }
   AXIOMETRY_TRY(EvaluatedMotion evaluated, evaluate_motion(kind, given, choices));
   return EvaluatedCalibration(std::move(evaluated));
 }

@@ -22,7 +22,8 @@ namespace axiometry::app {
 struct CalibrationSource {
   /// Of lines "lengths", "plan" and perhaps "station" and "tolerances" (of evaluate --tolerance-table); of the 21
   /// errors "lengths", of several "lengths-2" and so on, "machine", and "plan", which may stand for the machine. Of
-  /// straightness "readings", of several angles and the two lines of a squareness "readings-2" and so on too.
+  /// straightness "readings", of several angles and the two lines of a squareness "readings-2" and so on too, and
+  /// perhaps the "plan" of readings alone.
   std::string role;
   std::string name;
   std::string_view bytes;

@@ -69,7 +69,7 @@ Result<const Unit*> value_unit(const CsvCell& head, const TableHead& named, std:
   return unit;
 }
 
-Result<MotionColumns> motion_columns(std::string_view header, std::size_t line) {
+Result<MotionColumns> motion_columns(std::string_view header, std::size_t line, bool planned = false) {
   MotionColumns columns;
   columns.line = line;
   columns.delimiter = delimiter_of(header);
@@ -98,7 +98,12 @@ Result<MotionColumns> motion_columns(std::string_view header, std::size_t line) 
   const auto missing = [&](std::string_view name) {
     return fail(fmt::format("found no column {}, expected {}", name, columns_expected), {line, 1});
   };
-  if (!columns.at[position_column]) return missing("position_mm");
+  for (const MotionRole role : {position_column, run_column, direction_column})
+    if (planned && columns.at[role])
+      return fail(fmt::format("found the column {} beside a plan, expected readings alone in the order of the plan",
+                              text::quoted(heads[*columns.at[role]].text)),
+                  {line, heads[*columns.at[role]].column});
+  if (!columns.at[position_column] && !planned) return missing("position_mm");
   if (!columns.at[value_column]) return missing("straightness_um");
   return columns;
 }
@@ -118,7 +123,10 @@ double motion_value(const Unit& unit, double value) {
 
 class MotionRows {
  public:
-  explicit MotionRows(MotionColumns columns) : columns_(std::move(columns)), numbers_(columns_.delimiter) {}
+  MotionRows(MotionColumns columns, const Plan* plan)
+      : columns_(std::move(columns)), numbers_(columns_.delimiter), plan_(plan) {
+    if (plan != nullptr) order_ = approaches(*plan);
+  }
 
   Result<void> row(const TableLine& line, MotionFile& file) {
     AXIOMETRY_TRY(const std::vector<CsvCell> cells, split_row(line.text, columns_.delimiter, line.number));
@@ -128,9 +136,40 @@ class MotionRows {
                                                 .line = line.number,
                                                 .delimiter = columns_.delimiter,
                                                 .cut_off = !line.has_break}));
+    AXIOMETRY_TRY(MotionReading r, plan_ != nullptr ? planned(line.number) : stated(cells, line.number));
+    const CsvCell& reading = cells[*columns_.at[value_column]];
+    r.at = {line.number, reading.column};
+    if (is_missing(reading.text)) return {};
+    AXIOMETRY_TRY(const double value, numbers_.read(reading.text, r.at));
+    r.value = motion_value(*columns_.value_unit, value);
+    file.readings.push_back(r);
+    return {};
+  }
+
+  /// Whether every approach of the plan has its row.
+  Result<void> check_complete() const {
+    if (plan_ == nullptr || next_ == order_.size()) return {};
+    return fail(fmt::format("found {} readings, expected {} as the plan has approaches", next_, order_.size()));
+  }
+
+  const MotionColumns& columns() const { return columns_; }
+
+ private:
+  Result<MotionReading> planned(std::size_t line) {
+    if (next_ == order_.size())
+      return fail(fmt::format("found more than {} readings, expected as many as the plan has approaches", next_),
+                  {line, 1});
+    const Approach& approach = order_[next_++];
+    return MotionReading{.position_mm = plan_->targets[approach.target].in_native(),
+                         .direction = approach.direction,
+                         .run = approach.run + 1};
+  }
+
+  /// Position, direction and run of a row.
+  Result<MotionReading> stated(const std::vector<CsvCell>& cells, std::size_t line_number) {
     const auto cell = [&](MotionRole role) -> const CsvCell& { return cells[*columns_.at[role]]; };
     MotionReading r;
-    const TextPosition position_at{line.number, cell(position_column).column};
+    const TextPosition position_at{line_number, cell(position_column).column};
     AXIOMETRY_TRY(const double position, numbers_.read(cell(position_column).text, position_at));
     AXIOMETRY_TRY(r.position_mm,
                   length_in_mm(*columns_.position_unit, position, cell(position_column).text, position_at));
@@ -139,21 +178,13 @@ class MotionRows {
       if (!direction)
         return fail(fmt::format("found the direction {}, expected {}", text::quoted(cell(direction_column).text),
                                 direction_words),
-                    {line.number, cell(direction_column).column});
+                    {line_number, cell(direction_column).column});
       r.direction = *direction;
     }
-    AXIOMETRY_TRY(r.run, run_of(cells, r, line.number));
-    r.at = {line.number, cell(value_column).column};
-    if (is_missing(cell(value_column).text)) return {};
-    AXIOMETRY_TRY(const double value, numbers_.read(cell(value_column).text, r.at));
-    r.value = motion_value(*columns_.value_unit, value);
-    file.readings.push_back(r);
-    return {};
+    AXIOMETRY_TRY(r.run, run_of(cells, r, line_number));
+    return r;
   }
 
-  const MotionColumns& columns() const { return columns_; }
-
- private:
   /// As it stands there, or the how manieth approach this is.
   Result<std::size_t> run_of(const std::vector<CsvCell>& cells, const MotionReading& r, std::size_t line) {
     if (columns_.at[run_column]) {
@@ -171,6 +202,9 @@ class MotionRows {
 
   MotionColumns columns_;
   NumberReader numbers_;
+  const Plan* plan_;
+  std::vector<Approach> order_;  ///< of the plan
+  std::size_t next_ = 0;
   std::map<std::pair<double, Direction>, std::size_t> approaches_;
 };
 
@@ -265,7 +299,23 @@ Result<void> check_no_other_error(std::string_view head) {
               {1, 1});
 }
 
-Result<MotionFile> read_motion_csv(std::string_view bytes) {
+namespace {
+
+Result<void> check_plan_of_motion(const Plan& plan) {
+  if (plan.axis.kind != AxisKind::linear || !plan.axis.line_direction.empty())
+    return fail("found a plan of a rotary axis or of a line in space, expected one of a linear axis");
+  if (!plan.further.empty()) return fail("found a plan with further plans, expected one alone");
+  return {};
+}
+
+/// The axis that the plan moves is that of the error, where both have a name.
+Result<void> check_axis_of_plan(const MotionFile& file, const Plan& plan) {
+  if (!file.error || plan.axis.name.empty() || plan.axis.name == std::string(1, file.error->axis)) return {};
+  return fail(fmt::format("found readings of {} with a plan of the axis {}, expected one of {}", file.error->text(),
+                          text::quoted(plan.axis.name), file.error->axis));
+}
+
+Result<MotionFile> read_motion_table(std::string_view bytes, const Plan* plan) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
   MotionFile file;
   file.remarks = encoding_remarks(decoded);
@@ -273,18 +323,31 @@ Result<MotionFile> read_motion_csv(std::string_view bytes) {
   AXIOMETRY_TRY_VOID(for_table_lines(decoded.text, [&](const TableLine& line) -> Result<void> {
     if (line.content.starts_with('#')) return take_motion_comment(line.content, line.number, file);
     if (rows) return rows->row(line, file);
-    AXIOMETRY_TRY(MotionColumns columns, motion_columns(line.text, line.number));
+    AXIOMETRY_TRY(MotionColumns columns, motion_columns(line.text, line.number, plan != nullptr));
     file.unit = motion_unit_of(*columns.value_unit);
     if (columns.error) AXIOMETRY_TRY_VOID(put_error(file, *columns.error, line.number));
     if (!columns.passed_over.empty()) file.remarks.push_back({false, passed_over(columns.passed_over)});
-    if (!columns.at[direction_column])
+    if (!columns.at[direction_column] && plan == nullptr)
       file.remarks.push_back({false, "no column direction: all readings are taken as positive approaches"});
-    rows.emplace(std::move(columns));
+    rows.emplace(std::move(columns), plan);
     return {};
   }));
   if (!rows) return fail(fmt::format("found no header, expected one with {}", columns_expected), {1, 1});
   if (file.readings.empty()) return fail("found no readings below the header, expected one on each line");
   AXIOMETRY_TRY_VOID(check_kind(file, rows->columns().line));
+  AXIOMETRY_TRY_VOID(rows->check_complete());
+  return file;
+}
+
+}  // namespace
+
+Result<MotionFile> read_motion_csv(std::string_view bytes) { return read_motion_table(bytes, nullptr); }
+
+Result<MotionFile> read_planned_motion(std::string_view bytes, const Plan& plan) {
+  AXIOMETRY_TRY_VOID(check_plan_of_motion(plan));
+  AXIOMETRY_TRY(MotionFile file, read_motion_table(bytes, &plan));
+  AXIOMETRY_TRY_VOID(check_axis_of_plan(file, plan));
+  if (file.metadata.machine.name.empty()) file.metadata.machine.name = plan.machine;
   return file;
 }
 

@@ -7,6 +7,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/model/motion_series.h"
+#include "axiometry/model/plan.h"
 #include "axiometry/model/test.h"
 
 /// Readings of straightness, roll, pitch or yaw as a table: one row for each reading.
@@ -35,6 +36,13 @@ struct MotionFile {
 /// which is which, on cells that are no finite number, rows that are cut off, and as decoded_text() does. What belongs
 /// together is MotionSeries::make()'s question. Time grows as n log n with the rows.
 Result<MotionFile> read_motion_csv(std::string_view bytes);
+
+/// The same of readings alone, one row for each approach in the order in which a plan takes them (approaches() of
+/// model/plan.h): position, direction and run are the plan's, its machine's name stands where the file has none. A cell
+/// that is empty keeps its place. Fails also on a column of position, direction or run, which might say otherwise, on
+/// more or fewer rows than the plan has approaches, on an error of another axis than the plan's, and on a plan of a
+/// rotary axis, of a line in space or with further plans. Needs a sound plan.
+Result<MotionFile> read_planned_motion(std::string_view bytes, const Plan& plan);
 
 /// A test of positions must not be read out of such a table: its E, R and A would be taken for those of the positions.
 /// Fails on a beginning of a file that names a straightness or a rotation: by `# error: EYX` above its first row, or by

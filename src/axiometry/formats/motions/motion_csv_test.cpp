@@ -79,6 +79,56 @@ TEST(MotionCsv, AreNoDeviationsOfPositions) {
     EXPECT_EQ(fault(position), "") << position;
 }
 
+Plan plan_of_two_targets() {
+  Plan plan;
+  plan.axis.name = "X";
+  plan.machine = "Mill 5";
+  plan.targets = {Position::native(0.0), Position::native(100.0)};
+  plan.runs = 2;
+  plan.overrun = Position::native(5.0);
+  plan.feed = 1000.0;
+  return plan;
+}
+
+TEST(MotionCsv, TakesPositionsFromAPlan) {
+  const std::string rows = "note;EYX_um\na;1\n;2\n;3\n;4\n;5\n;6\n;\n;8\n";
+  const auto file = read_planned_motion(rows, plan_of_two_targets());
+  ASSERT_TRUE(file) << file.error().to_string();
+  ASSERT_EQ(file->readings.size(), 7u);  // the seventh was not taken, and the eighth keeps its place
+  // Figure 1 of the standard: up over all targets, then down, run by run.
+  const double at[] = {0, 100, 100, 0, 0, 100, 0}, values[] = {1, 2, 3, 4, 5, 6, 8};
+  for (std::size_t k = 0; k < 7; ++k) {
+    EXPECT_EQ(file->readings[k].position_mm, at[k]) << k;
+    EXPECT_EQ(file->readings[k].value, values[k]);
+    EXPECT_EQ(file->readings[k].direction, k < 2 || (k > 3 && k < 6) ? Direction::up : Direction::down) << k;
+    EXPECT_EQ(file->readings[k].run, k < 4 ? 1u : 2u);
+  }
+  EXPECT_EQ(file->metadata.machine.name, "Mill 5");
+  ASSERT_EQ(file->remarks.size(), 1u);  // of the note, none of a direction that lacks
+}
+
+TEST(MotionCsv, RefusesReadingsThatDoNotFitThePlan) {
+  const auto fault = [](const std::string& rows, const Plan& plan) {
+    const auto file = read_planned_motion(rows, plan);
+    return file ? std::string() : file.error().to_string();
+  };
+  const Plan plan = plan_of_two_targets();
+  const std::string eight = "1\n2\n3\n4\n5\n6\n7\n8\n";
+  EXPECT_EQ(fault("EYX_um\n" + eight, plan), "");
+  EXPECT_THAT(fault("EYX_um\n1\n2\n3\n", plan), HasSubstr("found 3 readings, expected 8"));
+  EXPECT_THAT(fault("EYX_um\n" + eight + "9\n", plan), HasSubstr("10:1: found more than 8 readings"));
+  EXPECT_THAT(fault("EYY_um\n" + eight, plan), HasSubstr("EYY"));
+  EXPECT_THAT(fault("EXY_um\n" + eight, plan), HasSubstr("found readings of EXY with a plan of the axis \"X\""));
+  EXPECT_THAT(fault("EYX_um,run\n1,1\n", plan), HasSubstr("1:8: found the column \"run\" beside a plan"));
+  EXPECT_THAT(fault("position_mm,EYX_um\n0,1\n", plan), HasSubstr("found the column \"position_mm\" beside a plan"));
+  Plan rotary = plan;
+  rotary.axis.kind = AxisKind::rotary;
+  EXPECT_THAT(fault("EYX_um\n" + eight, rotary), HasSubstr("a rotary axis"));
+  Plan several = plan;
+  several.further = {plan};
+  EXPECT_THAT(fault("EYX_um\n" + eight, several), HasSubstr("further plans"));
+}
+
 TEST(MotionCsv, CountsApproachesWhereNothingElseDoes) {
   const auto file = read_motions("position_mm,direction,straightness_um\n0,up,1\n0,down,2\n0,up,3\n");
   EXPECT_EQ(file.readings[1].run, 1u);
