@@ -79,13 +79,15 @@ void add_method_flags(const Verb& verb, app::UncertaintyOptions& options) {
       ->group(group);
 }
 
-void check_method_flags(const Verb& verb, const app::UncertaintyOptions& options) {
+void check_method_flags(const Verb& verb, const app::UncertaintyOptions& options, bool other_work_has_threads) {
   const std::optional<Flag> record = verb.find_option("--method");
   const bool of_record = record && (*record)->count() > 0 && (*record)->results().back() == "monte-carlo";
   if (options.monte_carlo || of_record) return;
-  for (const char* flag : {"--trials", "--seed", "--type-a", "--coverage", "--threads"})
+  for (const char* flag : {"--trials", "--seed", "--type-a", "--coverage", "--threads"}) {
+    if (other_work_has_threads && std::string_view(flag) == "--threads") continue;
     if (const auto given = verb.find_option(flag); given && given->count() > 0)
       throw UsageError(flag, "found it without the method it belongs to, expected --uncertainty monte-carlo");
+  }
 }
 
 }  // namespace axiometry::cli

@@ -13,7 +13,7 @@ void add_method_flags(const Verb& verb, app::UncertaintyOptions& options);
 /// The same without --threads, on which no result depends: what the archive keeps.
 void add_kept_method_flags(const Verb& verb, app::UncertaintyOptions& options);
 
-/// Refuses flags of the Monte Carlo method where that was not asked for.
-void check_method_flags(const Verb& verb, const app::UncertaintyOptions& options);
+/// Refuses flags of the Monte Carlo method where that was not asked for; --threads too, unless it bounds other work.
+void check_method_flags(const Verb& verb, const app::UncertaintyOptions& options, bool other_work_has_threads = false);
 
 }  // namespace axiometry::cli

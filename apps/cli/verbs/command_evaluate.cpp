@@ -234,7 +234,8 @@ void add_flags(const Verb& verb, const std::shared_ptr<EvaluateArguments>& argum
   add_temperature_log(verb, *arguments);
   verb.callback([verb, arguments, &exit_code] {
     take_temperatures(*arguments);
-    check_method_flags(verb, arguments->evaluate.uncertainty);
+    constexpr bool many_tests_have_threads = true;
+    check_method_flags(verb, arguments->evaluate.uncertainty, many_tests_have_threads);
     arguments->outputs.uncertainty = arguments->evaluate.uncertainty;
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
       throw UsageError("--report", outputs.error().message);
