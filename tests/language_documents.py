@@ -66,6 +66,11 @@ COMMANDS = [
     ("verdict", "compare-rules one-run.csv --report {out}"),
     ("temperatures", "temperatures parts.csv --began 2026-03-02T08:30 --ended 2026-03-02T10:00 --highest 20.4 --rate 5 --sensor T1=air --report {out}"),
     ("temperatures", "temperatures parts.csv --lowest 19 --report {out}"),
+    ("temperatures", "evaluate iso230-2-table2.json --temperatures parts.csv --began 2026-03-02T08:30 --ended 2026-03-02T10:00 "
+                     "--agreed-lowest 20.5 --agreed-highest 20.9 --agreed-rate 0.5 --agreed-gradient 0.1 --report {out}"),
+    ("temperatures", "evaluate iso230-2-table2.json --temperatures parts.csv --began 2026-03-02T08:30 --agreed-highest 24 "
+                     "--agreed-rate 5 --agreed-gradient 1 --report {out}"),
+    ("temperatures", "evaluate iso230-2-table2.json --temperatures parts.csv --sensor T1=machine --sensor T2=machine --report {out}"),
     ("label", "compensate step.csv --for siemens-lec --report {out}"),
     ("", f"{PLAN} --station 100,80,-600 --obstacle vice=box:450,130,-700:550,230,-520 --obstacle "
          "b=sphere:500,300,-300:50 --obstacle c=cylinder:300,500,-600:40:100 --machine Mill --sheet {out}"),

@@ -42,6 +42,10 @@ Result<std::vector<MeanDistribution>> mean_distributions(std::span<const Settled
       model.trials().draw_means(number, targets, outputs);
     };
     AXIOMETRY_TRY(auto own, uncertainty::propagate(block, rows_per_target * targets.size(), options));
+    for (uncertainty::OutputSummary& output : own.outputs) {  // hundreds of them, of which four numbers are wanted
+      output.distribution = {};
+      output.histogram = {};
+    }
     all.push_back(std::move(own));
   }
   std::vector<MeanDistribution> found;

@@ -37,7 +37,7 @@ TEST(MeanDistributions, AgreeWithTheLawOfPropagationWhereAllIsLinear) {  // Lira
   const auto propagated = gum(test, evaluate(test.series));
   ASSERT_TRUE(propagated && *propagated);
   ASSERT_EQ(found.means.size(), test.series.target_count());
-  EXPECT_EQ(found.mean_trials, 40'000u);
+  EXPECT_EQ(found.mean_trials, 20'000u);
   const auto& positions = (*propagated)->positions;
   for (std::size_t i = 0; i < found.means.size(); ++i) {
     ASSERT_TRUE(found.means[i].mean && positions[i].mean) << i;

@@ -17,8 +17,8 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr std::size_t most_means = 120;           // targets
-constexpr std::size_t trials_of_means = 100'000;  // know the ends of an interval of 95 % to 1 % of u
+constexpr std::size_t most_means = 120;          // targets
+constexpr std::size_t trials_of_means = 20'000;  // know the ends of an interval of 95 % to 2 % of u
 
 constexpr std::size_t least_runs_of_t = 4;  // variance (n − 1)/(n − 3) s²/n
 
