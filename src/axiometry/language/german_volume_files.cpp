@@ -25,6 +25,8 @@ constexpr Phrase rows[] = {
      "nimmt keine andere an"},
     {"found an uncertainty of the instrument of {0=} in the file and another one given, expected one",
      "eine Unsicherheit des Messgeräts von {0} in der Datei und eine andere angegeben; erwartet: eine"},
+    {"found equipment that is no object, expected one for each",
+     "Messmittel, das kein Objekt ist; erwartet: eines für jedes"},
     {"found error with several files, expected one file, or # error: in each",
      "error bei mehreren Dateien; erwartet: eine Datei, oder # error: in jeder"},
     {"found more than {0#} readings, expected as many as the plan has approaches",

@@ -256,6 +256,25 @@ TEST(AssembleResults, RefuseWhatDoesNotTellItsSignOrIsAnother) {
                                                "range that the errors of X have in common, from 0 to 900 mm"));
 }
 
+TEST(AssembleResults, NameTheInstrumentsThatTheFilesName) {
+  const SimulatedMachine m = simulated_machine();
+  const testing_support::TemporaryFolder folder;
+  AssembleRequest request = measured_by_turned_sensors(m, folder, error_motions::Reference::least_squares);
+  const std::string csv =
+      folder.written("named.csv", "# equipment: Laser head | Acme | LI-1 | 1234\n" + readings_of(m, {0, 3}, 1, true));
+  const std::string result = folder.written("named.json", json_of(*measure_angles({.files = {{.file = csv}}})));
+  request.items = {{.name = "EAX", .file = csv}, {.name = "EBX", .file = request.items[4].file}};
+  for (const std::string& file : {csv, result}) {
+    request.items[0].file = file;
+    const auto assembled = assemble_singles(request);
+    ASSERT_TRUE(assembled) << assembled.error().to_string();
+    EXPECT_EQ(assembled->items[0].equipment, "Acme LI-1 1234");
+    EXPECT_EQ(assembled->items[1].equipment, "");
+    const Experiment shown = present(*assembled, {});
+    EXPECT_THAT(json::dump(shown.json, 0), HasSubstr(R"("equipment":"Acme LI-1 1234")"));
+  }
+}
+
 TEST(AssembleResults, TellWhereNobodySaysWhichWayReadingsArePositive) {
   const SimulatedMachine m = simulated_machine();
   const testing_support::TemporaryFolder folder;

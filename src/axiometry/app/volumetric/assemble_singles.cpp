@@ -52,6 +52,7 @@ Value singles_to_json(const Assembled& a) {
     value.add("runs", item.runs > 0 ? Value(item.runs) : Value());
     value.add("u_largest", item.u_largest);
     value.add("instrument", instrument_to_json(item.instrument));
+    value.add("equipment", item.equipment.empty() ? Value() : Value(item.equipment));
   }
   object.add("at", stands_to_json(a.request.stands));
   Value& findings = object.add("findings", Value::array());
@@ -88,6 +89,8 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
                    {plain("largest u"), Align::decimal},
                    {plain("Unit")},
                    {plain("File")}};
+  const bool named = std::ranges::any_of(a.items, [](const AssembledItem& item) { return !item.equipment.empty(); });
+  if (named) table.columns.push_back({plain("Test equipment")});
   for (const AssembledItem& item : a.items) {
     auto& row = table.rows.emplace_back();
     row.push_back({report::verbatim(item.name)});
@@ -103,6 +106,7 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
       row.push_back(number ? number_cell(*number, 2, options) : report::TableCell{plain("–"), report::Tone::quiet});
     row.push_back(word_cell(error && !error->is_rotation() ? "µm" : "µrad"));
     row.push_back({report::verbatim(item.file)});
+    if (named) row.push_back({report::verbatim(item.equipment)});
   }
   table.notes = {
       plain("In the axes of the machine, without constants and without the slope of straightness, rotations "

@@ -40,6 +40,7 @@ struct AssembledItem {
   std::size_t runs = 0;    ///< likewise 0; of squareness the larger of both lines
   double u_largest = 0.0;  ///< of its readings, or of the squareness, µm or µrad, k = 1
   std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< µm or µrad: as given, or as its file states
+  std::string equipment{};  ///< maker, type and serial number of what it was measured with; empty where not named
 };
 
 struct Assembled {

@@ -42,6 +42,18 @@ std::optional<double> mean_u(const std::optional<double>& s_up, const std::optio
   return std::sqrt(variance / both + instrument * instrument);
 }
 
+/// "Acme LI-1 1234; Acme optics", as far as named.
+std::string equipment_text(const std::vector<Equipment>& equipment) {
+  std::string all;
+  for (const Equipment& component : equipment) {
+    std::string one;
+    for (const std::string* part : {&component.manufacturer, &component.type, &component.serial_number})
+      if (!part->empty()) one += (one.empty() ? "" : " ") + *part;
+    if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
+  }
+  return all;
+}
+
 Error no_uncertainty(std::string_view name) {
   return Error{fmt::format("found one run of {} and no uncertainty of its instrument, expected more runs or that "
                            "uncertainty: nothing tells how well it is known",
@@ -68,6 +80,7 @@ Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
     return d ? std::optional(d->in_native()) : std::optional<double>();
   };
   read.item.instrument = item.instrument;
+  read.item.equipment = equipment_text(metadata.equipment);
   if (!item.instrument) read.remarks.emplace_back(no_instrument_remark);
   const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
   const double first = evaluation.positions.front().target.in_native();
@@ -106,6 +119,7 @@ MotionResult as_result(const MeasuredMotion& measured) {
     if (p.s_down) result.s_down.push_back(*p.s_down);
   }
   result.remarks = measured.remarks;
+  result.equipment = measured.metadata.equipment;
   return result;
 }
 
@@ -141,6 +155,7 @@ Result<ReadSingle> read_motion(const SingleItem& item, ErrorMotion error, const 
   const double factor = result.unit == MotionUnit::arcsec ? single_urad_per_arcsec : 1.0;
   ReadSingle read{{error, {}, {}, {}}, {item.name, item.file, std::move(sha256), result.runs}, {}};
   AXIOMETRY_TRY(read.item.instrument, instrument_of(item, result, factor));
+  read.item.equipment = equipment_text(result.equipment);
   const double first = result.positions_mm.front();
   const auto scatter = [&](const std::vector<double>& s, std::size_t i) {
     return s.empty() ? std::optional<double>() : std::optional(factor * s[i]);
@@ -236,6 +251,9 @@ Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, v
   read.measured.u_instrument_urad = few_runs * location.u_instrument_urad;
   read.measured.u_square_urad = few_runs * single_urad_per_arcsec * results.square_U_arcsec.value_or(0.0) / 2.0;
   read.item = {item.name, item.file, sha256(bytes), std::max(results.motions[0].runs, results.motions[1].runs)};
+  read.item.equipment = equipment_text(results.motions[0].equipment);
+  if (const std::string second = equipment_text(results.motions[1].equipment); second != read.item.equipment)
+    read.item.equipment += (read.item.equipment.empty() || second.empty() ? "" : "; ") + second;
   if (!results.square_U_arcsec)
     read.remarks.emplace_back("no uncertainty of the optical square is stated: U does not hold it");
   return read;

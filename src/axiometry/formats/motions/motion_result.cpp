@@ -133,6 +133,26 @@ Result<void> read_remarks(const Value& object, std::vector<std::string>& remarks
   return {};
 }
 
+/// Names of the equipment; what else the metadata holds belongs to others.
+Result<void> read_equipment(const Value& object, std::vector<Equipment>& equipment) {
+  const Value* metadata = member_of(object, "metadata");
+  if (metadata == nullptr || !metadata->is(Kind::object)) return {};
+  const Value* list = member_of(*metadata, "equipment");
+  if (list == nullptr) return {};
+  AXIOMETRY_TRY(const std::vector<Value>* items, items_in(*list, "equipment"));
+  for (const Value& item : *items) {
+    if (!item.is(Kind::object)) return fail("found equipment that is no object, expected one for each", item.at());
+    Equipment& component = equipment.emplace_back();
+    for (const auto& [name, target] :
+         {std::pair{"role", &component.role}, std::pair{"manufacturer", &component.manufacturer},
+          std::pair{"type", &component.type}, std::pair{"serial_number", &component.serial_number}})
+      if (const Value* text = member_of(item, name)) {
+        AXIOMETRY_TRY(*target, text_in(*text, name));
+      }
+  }
+  return {};
+}
+
 Result<MotionResult> motion_of_result(const Value& object) {
   MotionResult motion;
   AXIOMETRY_TRY(const Value* unit, required_member(object, "unit"));
@@ -159,6 +179,7 @@ Result<MotionResult> motion_of_result(const Value& object) {
   AXIOMETRY_TRY_VOID(read_instrument(object, motion));
   AXIOMETRY_TRY_VOID(read_positions(object, motion));
   AXIOMETRY_TRY_VOID(read_remarks(object, motion.remarks));
+  AXIOMETRY_TRY_VOID(read_equipment(object, motion.equipment));
   return motion;
 }
 

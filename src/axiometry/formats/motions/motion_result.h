@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/metadata.h"
 #include "axiometry/model/motion_series.h"
 
 /// What `axiometry straightness`, `angles` and `squareness` write as JSON (docs/results.md), as far as a model of the
@@ -26,6 +27,7 @@ struct MotionResult {
   std::vector<double> s_up, s_down;  ///< over the runs; empty with one run, or without that direction
   std::optional<double> instrument_U, instrument_U_per_m;  ///< k = 2, in `unit`; both or none
   std::vector<std::string> remarks;
+  std::vector<Equipment> equipment;  ///< of its metadata, as far as named
 };
 
 /// The location error of a squareness: C0Y, B0Z or A0Z with what is known of its uncertainty.
