@@ -12,6 +12,7 @@
 #include "axiometry/app/evaluate/known_file.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/read_recording.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
@@ -171,6 +172,18 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
   return {};
 }
 
+/// Temperatures of another day than that of the test are not those about it.
+std::optional<iso230_2::Finding> other_day(const Test& test, const LogWithTest& temperatures) {
+  const std::string day = iso_date(test.metadata.conditions.date);
+  const std::string_view moment = temperatures.request.began;
+  const std::string began = iso_date(moment.substr(0, moment.find_first_of(" T")));
+  if (day.empty() || began.empty() || day == began) return std::nullopt;
+  return iso230_2::Finding{"environment-other-day", "4.1", iso230_2::Severity::missing,
+                           fmt::format("found a test dated {} that began on {} by what was said of its temperatures, "
+                                       "expected one day: nobody knows whose these temperatures are",
+                                       day, began)};
+}
+
 /// What the log of the temperatures tells of the test, among its findings.
 Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessment& assessment, const Test& test,
                                                               const EvaluateOptions& options, iso230_2::Depth depth) {
@@ -180,6 +193,7 @@ Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessme
   if (options.temperatures->request.agreed.rate)  // the agreed limit speaks
     std::erase_if(findings, [](const iso230_2::Finding& f) { return f.id == iso230_2::temperature_change_key; });
   std::ranges::move(iso230_2::environment_findings(found.environment, depth), std::back_inserter(findings));
+  if (auto finding = other_day(test, *options.temperatures)) findings.push_back(*std::move(finding));
   if (depth == iso230_2::Depth::every_finding)
     for (const std::string& remark : found.log.remarks)
       findings.push_back({"temperature-log-remark", iso230_2::source_clause, iso230_2::Severity::note,

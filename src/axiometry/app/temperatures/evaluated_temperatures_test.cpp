@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "axiometry/app/evaluate/evaluate.h"
@@ -83,6 +84,22 @@ TEST(LogWithTest, IsJudgedAmongTheFindingsOfTheTest) {
   const json::Value result = to_json(exceeded);
   EXPECT_TRUE(result.find("environment")->find("exceeded")->boolean());
   EXPECT_EQ(result.find("environment")->find("source")->find("file")->text(), "hall.csv");
+}
+
+TEST(LogWithTest, OfAnotherDayIsTold) {
+  const auto told = [](const std::string& day) {
+    axiometry::Test test = hour_of_test(true);
+    test.metadata.conditions.date = day;
+    EvaluateOptions options;
+    options.temperatures = log_of(20);
+    const auto evaluated = evaluate_test(std::move(test), options);
+    return evaluated && std::ranges::any_of(evaluated->assessment.findings, [](const iso230_2::Finding& finding) {
+             return finding.id == "environment-other-day" && finding.severity == iso230_2::Severity::missing;
+           });
+  };
+  EXPECT_TRUE(told("2014-05-15"));
+  EXPECT_FALSE(told("2026-03-02"));
+  EXPECT_FALSE(told("")) << "not stated, which is told elsewhere";
 }
 
 TEST(LogWithTest, FailsWithTheNameOfTheLog) {
