@@ -99,11 +99,9 @@ Result<CalibrationForm> calibration_form_of(const Request& request) {
 /// Straightness, angles or squareness that is only looked at. Without a kind, as the readings are.
 Result<app::EvaluatedCalibration> motions_of(const Request& request) {
   AXIOMETRY_TRY(CalibrationForm form, calibration_form_of(request));
-  if (!form.about.members().empty()) return fail("found the part about in the form, expected it where it is kept");
-  if (form.kind.empty() && !form.files.empty()) {
-    form.kind = app::motion_kind_of(form.files.front().bytes).value_or("straightness");
-    if (form.kind == "straightness" && form.files.size() == 2) form.kind = "squareness";
-  }
+  if (!form.about.is(json::Kind::object) || !form.about.members().empty())
+    return fail("found the part about in the form, expected it where it is kept");
+  if (form.kind.empty() && !form.files.empty()) form.kind = app::motion_kind_of_files(form.files);
   if (!app::is_motion_kind(form.kind))
     return fail(fmt::format("found the kind {}, expected straightness, angles or squareness", text::quoted(form.kind)));
   return app::evaluate_calibration(form.kind, form.files, form.options);

@@ -366,6 +366,7 @@ TEST_F(MotionRoutes, tell_what_readings_are_and_keep_nothing) {
   EXPECT_THAT(refusal(look({{"readings", "no table"}})), HasSubstr("found no column position_mm"));
   EXPECT_THAT(refusal(look({{"readings", eyx}}, {{"kind", "lines"}})), HasSubstr("straightness, angles or squareness"));
   EXPECT_THAT(refusal(look({{"readings", eyx}}, {{"about", R"({"title": "x"})"}})), HasSubstr("found the part about"));
+  EXPECT_THAT(refusal(look({{"readings", eyx}}, {{"about", "[]"}})), HasSubstr("found the part about"));
   const Response report = look({{"readings", eyx}}, {}, "/report.html");
   EXPECT_EQ(report.status, 200);
   EXPECT_THAT(report.body, HasSubstr("Straightness EYX"));

@@ -66,7 +66,9 @@ class Run {
       : model_(model), outputs_(outputs), options_(options), adaptive_(!options.trials) {
     AXIOMETRY_CONTRACT(options.least_tolerances.empty() || options.least_tolerances.size() == outputs);
     trials_end_ = adaptive_ ? options.trials_max : *options.trials;
-    threads_ = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t wanted =
+        options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    threads_ = std::min(wanted, std::max<std::size_t>(1, (trials_end_ + block_size - 1) / block_size));
   }
 
   Result<MonteCarloResult> carry_out() {

@@ -86,6 +86,17 @@ Result<MeasuredMotion> measure(const MotionRequest& request, bool angle) {
   return measure(request, bytes, angle);
 }
 
+/// Where one line's readings were turned into the axes and the other's were not, no formula holds for them.
+Result<void> name_by_senses(SquarenessMeasurement& s) {
+  if (s.first.sense.has_value() != s.second.sense.has_value())
+    return fail("found the sense of the readings of one line only, expected that of both or of neither");
+  if (!s.first.sense) return {};
+  const char one = s.first.sense->coordinate, two = s.second.sense->coordinate;
+  if (!s.first.error) s.first.error = MotionName{one, two};
+  if (!s.second.error) s.second.error = MotionName{two, one};
+  return {};
+}
+
 /// ε of each angle at each position, µrad, of the mean of both directions.
 Result<error_motions::AxisAngles> angles_of(const std::vector<MeasuredMotion>& list) {
   error_motions::AxisAngles angles;
@@ -134,6 +145,7 @@ Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& reques
   }
   AXIOMETRY_TRY(s.first, measure_straightness(first));
   AXIOMETRY_TRY(s.second, measure_straightness(second));
+  AXIOMETRY_TRY_VOID(name_by_senses(s));
   if (s.first.error && s.second.error)
     AXIOMETRY_TRY_VOID(error_motions::check_square_pair(*s.first.error, *s.second.error));
   s.square = request.square;

@@ -123,6 +123,10 @@ Result<void> evaluate_many(Source& source, const formats::Format& format, const 
   }
   ManyThreads used = threads;
   if (!in_full || options.uncertainty.monte_carlo) used.count = 1;
+  if (used.count != 1) {  // a test may state Monte Carlo for its method of record
+    for_many.uncertainty.trials.propagation.threads = 1;
+    for_many.uncertainty.trials.propagation.on_progress = {};
+  }
   TestsSideBySide tests(
       [&](Test&& test) {
         return evaluate_test(std::move(test), for_many, in_full ? Depth::every_finding : Depth::departures_only);

@@ -71,6 +71,16 @@ Notes notes_in(std::string_view bytes) {
   return notes;
 }
 
+/// And where what is noted behind it begins. Nothing where it is not whole.
+std::optional<std::pair<CaptureOrder, std::size_t>> order_in(std::string_view bytes) {
+  if (bytes.size() < order_end.size()) return {};
+  const std::size_t notes_at = std::min(bytes.find(order_end), bytes.size() - order_end.size()) + order_end.size();
+  const auto value = json::parse(bytes.substr(0, notes_at));
+  auto order = value ? capture_order_from(*value) : std::nullopt;
+  if (!order) return {};
+  return std::pair{*std::move(order), notes_at};
+}
+
 /// On a line of its own, whatever became of one before.
 Result<void> put_note(int descriptor, std::string_view note, std::string_view of = {}) {
   if ((::fcntl(descriptor, F_GETFL) & O_ACCMODE) == O_RDONLY) {
@@ -237,12 +247,10 @@ Result<HeldCapture> CaptureFolder::hold(store::Id id) const {
   AXIOMETRY_TRY(const int descriptor, lock(name, id));
   HeldCapture held(base(id), id, {}, descriptor);
   const std::string bytes = whole_file(name).value_or("");
-  if (bytes.size() < order_end.size()) return none();
-  const std::size_t notes_at = std::min(bytes.find(order_end), bytes.size() - order_end.size()) + order_end.size();
-  const auto value = json::parse(std::string_view(bytes).substr(0, notes_at));
-  auto order = value ? capture_order_from(*value) : std::nullopt;
+  auto order = order_in(bytes);
   if (!order) return none();
-  held.order_ = *std::move(order);
+  const std::size_t notes_at = order->second;
+  held.order_ = std::move(order->first);
   Notes notes = notes_in(std::string_view(bytes).substr(notes_at));
   held.noted_tests_ = std::move(notes.tests);
   held.ended_ = std::move(notes.ended);
@@ -270,19 +278,24 @@ Result<void> CaptureFolder::adopt(std::span<const EndedCapture> captures) {
   AXIOMETRY_TRY_VOID(make());
   AXIOMETRY_TRY(const FolderLock adopting, FolderLock::take(path_ + adopting_name, O_RDWR | O_CREAT));
   std::set<std::string> here;
-  for (const Ended& ended : this->ended()) here.insert(text_of(ended.capture));
+  for (const store::Id id : ids())  // whoever holds it
+    if (const auto order = order_in(whole_file(base(id) + std::string(order_suffix)).value_or("")))
+      here.insert(identity_of(order->first));
+  Result<void> all;
   for (const EndedCapture& capture : captures) {
-    if (!here.insert(text_of(capture)).second) continue;
-    AXIOMETRY_TRY(HeldCapture held, add(capture.order));
-    AXIOMETRY_TRY_VOID(held.end(capture.end));
+    if (!here.insert(identity_of(capture.order)).second) continue;
+    auto held = add(capture.order);
+    const auto taken = held ? held->end(capture.end) : std::unexpected(held.error());
+    if (!taken && all) all = std::unexpected(taken.error());
   }
-  return {};
+  return all;
 }
 
-Result<void> CaptureFolder::discard(store::Id id) {
+Result<void> CaptureFolder::discard(store::Id id, const std::function<Result<void>(const EndedCapture&)>& note) {
   AXIOMETRY_TRY(HeldCapture held, hold(id));
   if (!held.ended_)
     return fail(ErrorKind::conflict, fmt::format("found capture {} not at its end, expected one that has ended", id));
+  if (note) AXIOMETRY_TRY_VOID(note({held.order_, *held.ended_}));
   held.remove();
   return {};
 }

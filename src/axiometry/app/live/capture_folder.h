@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -77,10 +78,12 @@ class CaptureFolder {
   };
   /// Captures of lengths that came to their end, the oldest first.
   std::vector<Ended> ended() const;
-  /// Takes those that are not here, which an archive brought along from elsewhere. Fails as add() does.
+  /// Takes those whose order is not here, ended or not, which an archive brought along from elsewhere. Fails as add()
+  /// does, after all that can be taken.
   Result<void> adopt(std::span<const EndedCapture> captures);
   /// Forgets one of those; the store keeps what it came to. Fails with not_found, and with conflict as take() does.
-  Result<void> discard(store::Id id);
+  /// `note` is told of it before, and nothing is forgotten where that fails.
+  Result<void> discard(store::Id id, const std::function<Result<void>(const EndedCapture&)>& note = {});
 
   /// Recordings whose orders cannot be read: nobody can go on with them or keep them here, but a plan can play them.
   std::vector<std::string> without_order() const;

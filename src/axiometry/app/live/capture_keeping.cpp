@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <ranges>
 #include <set>
 
 #include "axiometry/app/files/file_name_part.h"
@@ -160,21 +162,27 @@ Result<std::vector<EndedCapture>> captures_noted_as(const store::Transaction& ar
   std::vector<EndedCapture> captures;
   AXIOMETRY_TRY(const std::vector<std::string> hashes, archive.contents(format));
   for (const std::string& hash : hashes) {
-    AXIOMETRY_TRY(const store::Content content, archive.content(hash));
-    if (auto capture = ended_capture_from(content.bytes)) captures.push_back(*std::move(capture));
+    const auto content = archive.content(hash);
+    if (!content && content.error().kind == ErrorKind::damaged) continue;  // `store verify` tells it
+    if (!content) return std::unexpected(content.error());
+    if (auto capture = ended_capture_from(content->bytes)) captures.push_back(*std::move(capture));
   }
   return captures;
 }
 
-/// What was discarded is not listed, whichever of the notes came first.
+/// What was discarded is not listed, whichever of the notes came first; of one capture that came to two ends, since the
+/// program was killed between them, the last.
 Result<ArchivedCaptures> captures_of(const store::Store& store) {
   return store.read([](const store::Transaction& archive) -> Result<ArchivedCaptures> {
     ArchivedCaptures captures;
     AXIOMETRY_TRY(captures.listed, captures_noted_as(archive, listed_format));
     AXIOMETRY_TRY(captures.discarded, captures_noted_as(archive, discarded_format));
-    std::set<std::string> gone;
-    for (const EndedCapture& capture : captures.discarded) gone.insert(text_of(capture));
-    std::erase_if(captures.listed, [&](const EndedCapture& capture) { return gone.contains(text_of(capture)); });
+    std::set<std::string> seen;
+    for (const EndedCapture& capture : captures.discarded) seen.insert(identity_of(capture.order));
+    std::vector<EndedCapture> last;
+    for (EndedCapture& capture : std::views::reverse(captures.listed))
+      if (seen.insert(identity_of(capture.order)).second) last.push_back(std::move(capture));
+    captures.listed.assign(std::make_move_iterator(last.rbegin()), std::make_move_iterator(last.rend()));
     return captures;
   });
 }

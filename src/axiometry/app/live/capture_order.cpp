@@ -56,6 +56,8 @@ std::optional<CaptureOrder> capture_order_from(const Value& value) {
   return order;
 }
 
+std::string identity_of(const CaptureOrder& order) { return json::dump(to_json(order)); }
+
 namespace {
 
 Value value_of(const EndedCapture& capture) {

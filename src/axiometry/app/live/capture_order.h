@@ -32,14 +32,16 @@ json::Value to_json(const CaptureOrder& order);
 /// Nothing where it is not what was written.
 std::optional<CaptureOrder> capture_order_from(const json::Value& value);
 
+/// Of one order, which says when it was begun: the same bytes wherever it is kept.
+std::string identity_of(const CaptureOrder& order);
+
 /// A capture of lengths that came to its end.
 struct EndedCapture {
   CaptureOrder order;
   LengthEnd end;
 };
 
-/// As the archive keeps it, so that a copy of the archive lists it too: {"order", "end"}. The same capture is the same
-/// bytes.
+/// As the archive keeps it, so that a copy of the archive lists it too: {"order", "end"}.
 std::string text_of(const EndedCapture& capture);
 /// The same with "discarded": true. Bytes of their own, since an archive keeps bytes once.
 std::string discard_text_of(const EndedCapture& capture);

@@ -80,13 +80,13 @@ void CaptureService::agree_with_archive() {
   const auto archived = keeping_.captures();
   if (!archived) return;
   std::set<std::string> listed, discarded;
-  for (const EndedCapture& capture : archived->listed) listed.insert(text_of(capture));
-  for (const EndedCapture& capture : archived->discarded) discarded.insert(text_of(capture));
+  for (const EndedCapture& capture : archived->listed) listed.insert(identity_of(capture.order));
+  for (const EndedCapture& capture : archived->discarded) discarded.insert(identity_of(capture.order));
   for (const CaptureFolder::Ended& ended : folder_.ended()) {
-    const std::string text = text_of(ended.capture);
-    if (discarded.contains(text))
+    const std::string identity = identity_of(ended.capture.order);
+    if (discarded.contains(identity))
       static_cast<void>(folder_.discard(ended.id));
-    else if (!listed.contains(text))
+    else if (!listed.contains(identity))
       static_cast<void>(keeping_.keep_capture(ended.capture));
   }
   static_cast<void>(folder_.adopt(archived->listed));
@@ -97,9 +97,9 @@ Result<void> CaptureService::discard(store::Id id, const std::string& actor) {
   const auto running = captures_.find(id);
   if (restarting_.contains(id) || (running != captures_.end() && !running->second->ended()))
     return fail(ErrorKind::conflict, fmt::format("found capture {} running, expected one that has ended", id));
-  for (const CaptureFolder::Ended& ended : folder_.ended())
-    if (ended.id == id && keeping_.discard_capture) AXIOMETRY_TRY_VOID(keeping_.discard_capture(ended.capture, actor));
-  AXIOMETRY_TRY_VOID(folder_.discard(id));
+  AXIOMETRY_TRY_VOID(folder_.discard(id, [&](const EndedCapture& capture) -> Result<void> {
+    return keeping_.discard_capture ? keeping_.discard_capture(capture, actor) : Result<void>{};
+  }));
   if (running != captures_.end()) captures_.erase(running);
   return {};
 }

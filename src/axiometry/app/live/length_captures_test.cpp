@@ -365,5 +365,28 @@ TEST_F(LengthCaptures, are_listed_where_the_archive_is) {
   EXPECT_FALSE(elsewhere()) << "nor where it was made";
 }
 
+/// The program was killed after the archive had the note of the end and before the folder had it.
+TEST_F(LengthCaptures, are_not_listed_twice_where_the_folder_has_the_order_already) {
+  CaptureState end;
+  {
+    const auto service = open();
+    end = end_of(*service, service->start(wish(lines_task(0))));
+    ASSERT_EQ(end.stage, Stage::complete) << end.error;
+  }
+  CaptureFolder folder(folder_);
+  const auto ended = folder.ended();
+  ASSERT_EQ(ended.size(), 1u);
+  const CaptureOrder& order = ended[0].capture.order;
+  ASSERT_TRUE(folder.discard(end.id));
+  {
+    const auto interrupted = folder.add(order);
+    ASSERT_TRUE(interrupted);
+    std::ofstream(interrupted->raw()) << "what had come";
+  }
+  const auto states = open()->states();
+  ASSERT_EQ(states.size(), 1u);
+  EXPECT_EQ(states[0].stage, Stage::interrupted);
+}
+
 }  // namespace
 }  // namespace axiometry::app

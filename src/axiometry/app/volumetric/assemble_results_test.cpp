@@ -126,6 +126,24 @@ TEST(SquarenessInTheMachine, IsNotTheMakersSumWhereBothReadingsAreAlongTheAxes) 
   EXPECT_NEAR(told->location->urad.value, 37.5 + 4.84813681, 1e-6);  // 1″: the square has more than 90°
 }
 
+TEST(SquarenessInTheMachine, TakesNoSignOfOneLineAlone) {
+  const testing_support::TemporaryFolder folder;
+  SimulatedMachine m = simulated_machine();
+  m.square[0] = 37.5;
+  const std::string first = readings_of(m, {0, 1}, 1, false), second = readings_of(m, {1, 0}, 1, false);
+  SquarenessRequest request;
+  request.first = folder.written("first.csv", "# positive: +Y\n" + first);
+  request.second = folder.written("second.csv", second);
+  const auto of_one = measure_squareness(request);
+  ASSERT_FALSE(of_one);
+  EXPECT_THAT(of_one.error().message, HasSubstr("one line only"));
+  request.second = folder.written("second.csv", "# positive: +X\n" + second);
+  const auto of_both = measure_squareness(request);
+  ASSERT_TRUE(of_both && of_both->location) << "the senses name the lines";
+  EXPECT_EQ(of_both->location->name, "C0Y");
+  EXPECT_NEAR(of_both->location->urad.value, 37.5, 1e-6);
+}
+
 /// Every error as the JSON of its measurement, with the sensors turned as it comes.
 AssembleRequest measured_by_turned_sensors(const SimulatedMachine& m, const testing_support::TemporaryFolder& folder,
                                            error_motions::Reference reference) {

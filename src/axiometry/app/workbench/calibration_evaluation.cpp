@@ -19,6 +19,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
+#include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
 #include "axiometry/store/kept/calibration_kinds.h"
@@ -141,10 +142,17 @@ void add_estimate(std::vector<KeptFigure>& figures, std::string parameter, const
   figures.push_back({std::move(parameter), of, estimate.value, estimate.u, std::string(unit)});
 }
 
+/// Ranges about different references are different figures. Usual: least squares of straightness, none of angles.
+std::string about_reference(const error_motions::AxisMotion& motion) {
+  using error_motions::Reference;
+  if (motion.reference == (is_angle(motion.unit) ? Reference::none : Reference::least_squares)) return "";
+  return motion.reference == Reference::end_points ? "_end_points" : "_least_squares";
+}
+
 void add_motion_figures(std::vector<KeptFigure>& figures, const MeasuredMotion& measured) {
   const error_motions::AxisMotion& motion = measured.motion;
   const std::string of = measured.error ? measured.error->text() : std::string();
-  const std::string range = is_angle(motion.unit) ? "angle_range" : "straightness";
+  const std::string range = (is_angle(motion.unit) ? "angle_range" : "straightness") + about_reference(motion);
   const std::string_view unit = motion_unit_name(motion.unit);
   add_estimate(figures, range, of, motion.principal().range, unit);
   if (motion.range_both) add_estimate(figures, range + "_both", of, *motion.range_both, unit);
@@ -160,7 +168,8 @@ std::vector<KeptFigure> motion_figures(const EvaluatedMotion& evaluated) {
   if (const auto* square = std::get_if<SquarenessMeasurement>(&evaluated)) {
     if (square->location)
       add_estimate(figures, std::string(square->location->name), "", square->location->urad, "urad");
-    add_estimate(figures, "squareness", "", square->result.squareness_arcsec, "arcsec");
+    add_estimate(figures, square->square.in_axes ? "squareness_in_axes" : "squareness", "",
+                 square->result.squareness_arcsec, "arcsec");
   }
   for (const MeasuredMotion* measured : measured_files(evaluated)) add_motion_figures(figures, *measured);
   return figures;
@@ -233,6 +242,19 @@ int serious_among(const Findings& findings) {
 }  // namespace
 
 std::string lengths_role(std::size_t number) { return numbered_role("lengths", number); }
+std::string motion_kind_of_files(std::span<const CalibrationSource> files) {
+  const auto first = std::ranges::find(files, readings_role(1), &CalibrationSource::role);
+  const auto plan_file = std::ranges::find(files, "plan", &CalibrationSource::role);
+  if (first == files.end()) return "straightness";
+  std::optional<Plan> plan;
+  if (plan_file != files.end())
+    if (auto read = formats::read_plan(plan_file->bytes)) plan = *std::move(read);
+  const auto readings =
+      plan ? formats::read_planned_motion(first->bytes, *plan) : formats::read_motion_csv(first->bytes);
+  if (readings && is_angle(readings->unit)) return "angles";
+  return files.size() - (plan_file == files.end() ? 0 : 1) == 2 ? "squareness" : "straightness";
+}
+
 std::string readings_role(std::size_t number) { return numbered_role("readings", number); }
 
 Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,

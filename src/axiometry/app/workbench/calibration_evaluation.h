@@ -36,6 +36,10 @@ std::string lengths_role(std::size_t number);
 /// Likewise "readings", "readings-2".
 std::string readings_role(std::size_t number);
 
+/// What the files are of where nobody says it: "squareness" of two files of straightness, else as the first says or its
+/// columns do; "straightness" of what cannot be read, which evaluate_calibration() then refuses.
+std::string motion_kind_of_files(std::span<const CalibrationSource> files);
+
 /// Options as evaluate_options_from() has them of lines, identify_choices_from() of the 21 errors,
 /// motion_choices_from() of the others. Fails as these and as evaluate_presentable(), identify_lengths() and
 /// evaluate_motion() do, on another kind, and on files that are missing, of no use or there twice.

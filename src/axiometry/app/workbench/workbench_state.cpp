@@ -97,6 +97,15 @@ constexpr std::size_t least_weight = 16'384;  // of a file that is remembered: w
 
 std::string version_key(const store::TestRecord& record) { return fmt::format("{}/{}", record.id, record.version); }
 
+/// Of 64: as much as a version without a log, and more with a long one.
+std::size_t weight_of(const Evaluated& evaluated) {
+  constexpr std::size_t readings_of_one = 100'000;
+  std::size_t readings = 0;
+  if (evaluated.temperatures)
+    for (const TemperatureCourse& course : evaluated.temperatures->log.sensors) readings += course.celsius.size();
+  return 1 + readings / readings_of_one;
+}
+
 /// The same bytes hold other tests by another profile.
 std::string file_key(const std::string& hash, const std::optional<formats::ImportProfile>& profile) {
   return profile ? hash + sha256(formats::write_profile(*profile)) : hash;
@@ -203,7 +212,7 @@ Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store
   found.evaluated.name = record.name_in_file;
   AXIOMETRY_TRY_VOID(check_same(record, found.evaluated));
   auto shared = std::make_shared<const Evaluated>(std::move(found.evaluated));
-  evaluations.remember(version_key(record), shared, 1);
+  evaluations.remember(version_key(record), shared, weight_of(*shared));
   return shared;
 }
 

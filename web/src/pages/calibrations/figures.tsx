@@ -11,14 +11,22 @@ export const sign_of = (unit: string): string => signs[unit as CalibrationFigure
 
 /** Lengths and angles with one decimal, those of straightness and angles with two, χ²/ν with three, counts with none. */
 export function figure_text(parameter: string, unit: string, value: number | null): string {
-  if (of_motion.some((one) => one === parameter) || /^[ABC]0[YZ]$/.test(parameter)) return fixed(value, 2);
+  if (motion_figure(parameter).figure || /^[ABC]0[YZ]$/.test(parameter)) return fixed(value, 2);
   return fixed(value, unit !== '' ? 1 : parameter === 'chi2_per_dof' ? 3 : 0);
 }
 
 const named = ['chi2_per_dof', 'rank', 'unknowns', 'unseen_errors', 'readings'] as const;
 const of_volume = ['volume_largest', 'volume_percent_95', 'volume_mean'] as const;
 
-const of_motion = ['straightness', 'straightness_both', 'angle_range', 'angle_range_both', 'motion_reversal', 'motion_repeatability', 'squareness'] as const;
+const of_motion = ['straightness', 'straightness_both', 'angle_range', 'angle_range_both', 'motion_reversal', 'motion_repeatability', 'squareness', 'squareness_in_axes'] as const;
+const references = ['end_points', 'least_squares'] as const;
+
+/** "straightness_end_points": the figure, and about which reference where that is not the usual one. */
+function motion_figure(parameter: string): { figure: (typeof of_motion)[number] | undefined; reference: (typeof references)[number] | undefined } {
+  const reference = references.find((one) => parameter.includes(`_${one}`));
+  const bare = reference ? parameter.replace(`_${reference}`, '') : parameter;
+  return { figure: of_motion.find((one) => one === bare), reference };
+}
 
 /** "A (xyz)", "Largest error, T1", "EXX". */
 export function figure_name(parameter: string, of: string): string {
@@ -26,8 +34,8 @@ export function figure_name(parameter: string, of: string): string {
   if (volume) return t(volume, { of });
   const known = named.find((one) => one === parameter);
   if (known) return t(known);
-  const motion = of_motion.find((one) => one === parameter);
-  if (motion) return of === '' ? t(motion) : `${of}: ${t(motion)}`;
+  const { figure: motion, reference } = motion_figure(parameter);
+  if (motion) return `${of === '' ? '' : `${of}: `}${t(motion)}${reference ? ` (${t(reference)})` : ''}`;
   if (/^E[XYZABC][XYZ]$/.test(parameter)) return `max |${parameter}|`;
   return of === '' ? parameter : `${parameter} (${of})`;
 }
@@ -41,9 +49,11 @@ const is_location = (parameter: string): boolean => /^[ABC]0[YZ]$/.test(paramete
 
 /** What a straightness, an angle or a squareness is known by: with its location error first, and without its lines. */
 export function is_main_figure({ parameter }: CalibrationFigure, _: number, figures: readonly CalibrationFigure[]): boolean {
-  if (figures.some((one) => one.parameter === 'squareness'))
-    return is_location(parameter) || (parameter === 'squareness' && !figures.some((one) => is_location(one.parameter)));
-  return parameter === 'straightness' || parameter === 'angle_range';
+  const is_squareness = (one: string): boolean => one === 'squareness' || one === 'squareness_in_axes';
+  if (figures.some((one) => is_squareness(one.parameter)))
+    return is_location(parameter) || (is_squareness(parameter) && !figures.some((one) => is_location(one.parameter)));
+  const { figure } = motion_figure(parameter);
+  return figure === 'straightness' || figure === 'angle_range';
 }
 
 /** Of squareness C0Y and its like where the sign is known, else S; of the others the range of each error. */

@@ -42,7 +42,8 @@ export function MotionHistory({ calibration }: { calibration: KeptCalibration })
   const page = use_get<CalibrationPage>(`/api/calibrations${query({ kind: calibration.kind, machine: calibration.machine?.id ?? null, order: 'measured', descending: 0, limit: 500 })}`);
   const main = useMemo(() => calibration.figures.filter(is_main_figure), [calibration]);
   const rows = useMemo(() => {
-    const same_machine = (row: CalibrationRow) => (row.machine?.id ?? null) === (calibration.machine?.id ?? null);
+    const machine = calibration.machine?.id;
+    const same_machine = (row: CalibrationRow) => machine !== undefined && row.machine?.id === machine;
     const has_any = ({ figures }: CalibrationRow) => figures.some((one) => main.some((figure) => name_of(figure) === name_of(one)));
     return (page.data?.calibrations ?? []).filter((row) => same_machine(row) && has_any(row)).sort((a, b) => seconds_of(a) - seconds_of(b) || a.id - b.id);
   }, [page.data, main, calibration]);

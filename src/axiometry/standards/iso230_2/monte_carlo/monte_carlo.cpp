@@ -40,6 +40,15 @@ bool resampling_would_lose_readings(const Series& series) {
   return false;
 }
 
+/// Of those that have readings.
+std::size_t fewest_in_a_cell(const Series& series) {
+  std::size_t fewest = series.run_count();
+  for (const Direction direction : {Direction::up, Direction::down})
+    for (std::size_t target = 0; target < series.target_count(); ++target)
+      if (const std::size_t count = series.count(target, direction); count > 0) fewest = std::min(fewest, count);
+  return fewest;
+}
+
 /// What the method cannot treat.
 Result<void> check(const Series& series, const UncertaintyInputs& inputs, TypeA type_a, Measurand measurand) {
   for (const UncertaintyInput& input : inputs.inputs)
@@ -51,11 +60,12 @@ Result<void> check(const Series& series, const UncertaintyInputs& inputs, TypeA 
     return fail(
         "found a single approach per direction, expected at least two where the uncertainty of this machine is "
         "wanted: its scatter cannot be known (6.2)");
-  if (type_a == TypeA::t_scaled && series.run_count() < least_runs_of_t)
+  const std::size_t fewest = fewest_in_a_cell(series);
+  if (type_a == TypeA::t_scaled && fewest < least_runs_of_t)
     return fail(fmt::format(
         "found {} approaches per direction, expected at least {} for the t distribution to have a standard deviation; "
         "'pooled' needs two",
-        series.run_count(), least_runs_of_t));
+        fewest, least_runs_of_t));
   if (type_a == TypeA::resampled && resampling_would_lose_readings(series))
     return fail(
         "found missing readings, expected every run at every target where runs are resampled; 'pooled' needs none");

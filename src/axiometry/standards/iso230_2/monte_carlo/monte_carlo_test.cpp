@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "axiometry/standards/iso230_2/monte_carlo/trials.h"
 #include "tests/support/series.h"
@@ -141,6 +142,23 @@ TEST(PositioningMonteCarlo, ScalesByStudentWhereAsked) {
     variance += std::pow(position.s_up->in_native(), 2) / 7.0 * 6.0 / 4.0;
   }
   EXPECT_NEAR(result.distributions[4]->summary.sd, std::sqrt(variance), 0.02);  // E↑, the difference of two means
+}
+
+/// A cell of one reading has no t distribution, however many readings others have.
+TEST(PositioningMonteCarlo, RefusesStudentWhereACellHasTooFewReadings) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const Series series =
+      testing_support::make_series({0, 100}, {{0, 1000}, {1, none}, {2, none}, {3, none}, {4, none}}, {});
+  Metadata metadata;
+  metadata.gum.measurand = Measurand::this_machine;
+  MonteCarloOptions chosen = options(1000);
+  chosen.type_a = TypeA::t_scaled;
+  const auto refused = monte_carlo({metadata, series, {}}, evaluate(series), chosen);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(
+      refused.error().message,
+      "found 1 approaches per direction, expected at least 4 for the t distribution to have a standard deviation; "
+      "'pooled' needs two");
 }
 
 TEST(PositioningMonteCarlo, ResamplesWholeRuns) {
