@@ -30,7 +30,15 @@ export const surroundings = {
     await panel_of(page).getByLabel('Test ended').fill('2026-03-02T10:10');
     await panel_of(page).getByLabel('Agreed highest, °C').fill('22');
     await page.keyboard.press('Tab');
-    await shows(panel_of(page), /Highest temperature of the air\s*22\.93 °C\s*at most 22 °C\s*exceeded/);
+    const exceeded = /Highest temperature of the air\s*22\.93 °C\s*at most 22 °C\s*exceeded/;
+    await shows(panel_of(page), exceeded);
+    // By less than two decimals show.
+    await panel_of(page).getByLabel('Agreed highest, °C').fill('22.929');
+    await page.keyboard.press('Tab');
+    await shows(panel_of(page), /Highest temperature of the air\s*22\.9300 °C\s*at most 22\.929 °C\s*exceeded/);
+    await panel_of(page).getByLabel('Agreed highest, °C').fill('22');
+    await page.keyboard.press('Tab');
+    await shows(panel_of(page), exceeded);
     await shows(panel_of(page), /Gradient over the machine\s*0\.82 °C\s*–?\s*no limit agreed/);
     await shows(page.locator('.findings-panel'), /highest temperature of the air: 22\.93 °C, expected at most 22 °C as agreed/);
     await save(page, 'Temperatures of the hall');

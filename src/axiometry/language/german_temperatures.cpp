@@ -7,6 +7,8 @@ namespace {
 
 constexpr Phrase rows[] = {
     {"What is not known", "Was nicht bekannt ist"},
+    {"an agreed limit was exceeded, and nobody can say whether that was during the test",
+     "ein vereinbarter Grenzwert wurde überschritten, und niemand kann sagen, ob das während der Prüfung war"},
     {"change per hour, during the test", "Änderung je Stunde, während der Prüfung"},
     {"change per hour, in the twelve hours before", "Änderung je Stunde, in den zwölf Stunden davor"},
     {"found a file of many tests, expected one test with --temperatures",
@@ -73,10 +75,21 @@ constexpr Phrase rows[] = {
      "{0}: {1}, und kein Grenzwert, den die Parteien vereinbart haben"},
     {"found {0}: {1#}, expected {2} as agreed between the parties",
      "{0}: {1}; erwartet: {2}, wie zwischen den Parteien vereinbart"},
+    {"found {0}: {1#}, expected {2} as agreed between the parties; nobody can say whether that was during the test",
+     "{0}: {1}; erwartet: {2}, wie zwischen den Parteien vereinbart; niemand kann sagen, ob das während der Prüfung "
+     "war"},
     {"gradient over the machine", "Temperaturunterschied über die Maschine"},
     {"highest temperature of the air", "höchste Lufttemperatur"},
     {"lowest temperature of the air", "niedrigste Lufttemperatur"},
     {"of the temperature log: {0}", "zur Temperaturaufzeichnung: {0}"},
+    {"temperature sensor {0=} recorded {1#} h of the twelve hours before the test, of which clause 4.1 asks for all",
+     "Temperatursensor {0} hat {1} h der zwölf Stunden vor der Prüfung aufgezeichnet, die Abschnitt 4.1 alle verlangt"},
+    {"temperature sensor {0=} recorded {1#} h of the {2#} h of the test; what it was there in the rest is not known",
+     "Temperatursensor {0} hat {1} h der {2} h der Prüfung aufgezeichnet; wie warm es dort im Rest war, ist nicht "
+     "bekannt"},
+    {"the gradient over the machine is known in {0#} h of the {1#} h of the test",
+     "der Temperaturunterschied über die Maschine ist in {0} h der {1} h der Prüfung bekannt"},
+    {"{0=} (by the times of the readings)", "{0} (nach den Zeiten der Messwerte)"},
 };
 
 }  // namespace

@@ -1508,7 +1508,10 @@ export interface components {
             open: boolean;
             log_begin: string | null;
             began: string | null;
+            /** @description As asked. */
             ended: string | null;
+            /** @description Moment of the last reading by the times of the readings, where nobody told the end. */
+            ended_by_readings: string | null;
             /** @description Whether it is known when in the log the test was. */
             test_placed: boolean;
             during: components["schemas"]["RecordedShare"] | null;

@@ -194,10 +194,10 @@ Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessme
   if (!options.temperatures) return std::nullopt;
   AXIOMETRY_TRY(EvaluatedTemperatures found, evaluate_log_with_test(*options.temperatures, course_of(test).duration));
   std::vector<iso230_2::Finding>& findings = assessment.findings;
-  if (options.temperatures->request.agreed.rate)  // the agreed limit speaks
-    std::erase_if(findings, [](const iso230_2::Finding& f) { return f.id == iso230_2::temperature_change_key; });
   std::ranges::move(iso230_2::environment_findings(found.environment, depth), std::back_inserter(findings));
-  if (auto finding = other_day(test, *options.temperatures)) findings.push_back(*std::move(finding));
+  auto of_other_day = other_day(test, *options.temperatures);
+  assessment.temperatures_recorded = found.environment.ends_recorded && !of_other_day;
+  if (of_other_day) findings.push_back(*std::move(of_other_day));
   if (depth == iso230_2::Depth::every_finding)
     for (const std::string& remark : found.log.remarks)
       findings.push_back({"temperature-log-remark", iso230_2::source_clause, iso230_2::Severity::note,

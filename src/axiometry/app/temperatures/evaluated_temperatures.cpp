@@ -92,9 +92,10 @@ TemperatureRequest with_end_of_readings(TemperatureRequest request, const std::o
 
 Result<EvaluatedTemperatures> evaluate_log_with_test(const LogWithTest& log, const std::optional<Duration>& duration) {
   const TemperatureRequest request = with_end_of_readings(log.request, duration);
-  if (!log.bytes) return evaluate_temperatures(log.file, request);
-  auto evaluated = evaluate_temperatures(*log.bytes, log.file, request);
-  if (!evaluated) return std::unexpected(in_file(std::move(evaluated).error(), log.file));
+  auto evaluated =
+      log.bytes ? evaluate_temperatures(*log.bytes, log.file, request) : evaluate_temperatures(log.file, request);
+  if (!evaluated && log.bytes) return std::unexpected(in_file(std::move(evaluated).error(), log.file));
+  if (evaluated && log.request.ended.empty()) evaluated->ended_by_readings = std::exchange(evaluated->ended, "");
   return evaluated;
 }
 

@@ -47,7 +47,8 @@ struct LogWithTest {
 /// times (`duration`).
 TemperatureRequest with_end_of_readings(TemperatureRequest request, const std::optional<Duration>& duration);
 
-/// As evaluate_temperatures(), of a test that lasted `duration` where its readings have times.
+/// As evaluate_temperatures(), of a test that lasted `duration` where its readings have times: LoggedEnvironment keeps
+/// the end that they tell apart from what was asked.
 Result<EvaluatedTemperatures> evaluate_log_with_test(const LogWithTest& log, const std::optional<Duration>& duration);
 
 }  // namespace axiometry::app

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include "axiometry/app/evaluate/evaluate.h"
+#include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/report/temperatures/temperatures.h"
 #include "axiometry/standards/iso230_2/rules/environment_findings.h"
 #include "tests/support/series.h"
 
@@ -55,15 +58,28 @@ Evaluated evaluated_with(const LogWithTest& log, bool timed = true) {
 
 TEST(LogWithTest, EndsWithTheReadingsWhereTheyHaveTimes) {
   const Evaluated timed = evaluated_with(log_of(20));
-  EXPECT_EQ(timed.temperatures->ended, "2026-03-02T13:28:30") << "nineteen steps of 90 s";
+  EXPECT_EQ(timed.temperatures->ended_by_readings, "2026-03-02T13:28:30") << "nineteen steps of 90 s";
+  EXPECT_EQ(timed.temperatures->ended, "") << "nobody said so";
+  const json::Value result = to_json(timed);
+  const json::Value* environment = result.find("environment");
+  EXPECT_EQ(environment->find("ended")->kind(), json::Kind::null);
+  EXPECT_EQ(environment->find("ended_by_readings")->text(), "2026-03-02T13:28:30");
+  EXPECT_TRUE(timed.assessment.temperatures_recorded);
+  const auto section = report::surroundings_section(report_subject(timed), {});
+  const auto& facts = std::get<report::Facts>(section->blocks.back()).facts;
+  EXPECT_EQ(report::plain_text(facts[1].value.text), "2026-03-02T13:28:30 (by the times of the readings)");
   EXPECT_TRUE(timed.temperatures->environment.during->end_told);
   const Evaluated untimed = evaluated_with(log_of(20), false);
   EXPECT_EQ(untimed.temperatures->ended, "");
+  EXPECT_EQ(untimed.temperatures->ended_by_readings, "");
+  EXPECT_FALSE(untimed.assessment.temperatures_recorded);
   EXPECT_FALSE(untimed.temperatures->environment.during->end_told);
   EXPECT_THAT(untimed.assessment.findings, Contains(Field(&iso230_2::Finding::id, "environment-gap")));
   LogWithTest said = log_of(20);
   said.request.ended = "2026-03-02T14:00";
-  EXPECT_EQ(evaluated_with(said).temperatures->ended, "2026-03-02T14:00") << "who says it is believed";
+  const Evaluated told = evaluated_with(said);
+  EXPECT_EQ(told.temperatures->ended, "2026-03-02T14:00") << "who says it is believed";
+  EXPECT_EQ(told.temperatures->ended_by_readings, "");
 }
 
 TEST(LogWithTest, IsJudgedAmongTheFindingsOfTheTest) {
@@ -76,11 +92,10 @@ TEST(LogWithTest, IsJudgedAmongTheFindingsOfTheTest) {
                             Field(&iso230_2::Finding::severity, iso230_2::Severity::departure),
                             Field(&iso230_2::Finding::message, HasSubstr("highest temperature of the air: 23 °C")))));
   EXPECT_THAT(findings, Contains(Field(&iso230_2::Finding::message, HasSubstr("of the temperature log: "))));
-  EXPECT_THAT(findings, Contains(Field(&iso230_2::Finding::id, iso230_2::temperature_change_key)))
-      << "nobody agreed on a rate: the sensors' change is still worth a word";
+  EXPECT_THAT(findings, Contains(Field(&iso230_2::Finding::id, "temperature-change")));
   log.request.agreed.rate = 0.5;
-  EXPECT_THAT(evaluated_with(log).assessment.findings,
-              testing::Not(Contains(Field(&iso230_2::Finding::id, iso230_2::temperature_change_key))));
+  EXPECT_THAT(evaluated_with(log).assessment.findings, Contains(Field(&iso230_2::Finding::id, "temperature-change")))
+      << "a limit of the air says nothing of sensors of machine and equipment";
   const json::Value result = to_json(exceeded);
   EXPECT_TRUE(result.find("environment")->find("exceeded")->boolean());
   EXPECT_EQ(result.find("environment")->find("source")->find("file")->text(), "hall.csv");

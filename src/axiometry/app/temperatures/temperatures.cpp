@@ -87,6 +87,7 @@ json::Value environment_to_json(const EvaluatedTemperatures& evaluated) {
   object.add("log_begin", evaluated.log.begin ? Value(moment_text(*evaluated.log.begin)) : Value());
   object.add("began", evaluated.began.empty() ? Value() : Value(evaluated.began));
   object.add("ended", evaluated.ended.empty() ? Value() : Value(evaluated.ended));
+  object.add("ended_by_readings", evaluated.ended_by_readings.empty() ? Value() : Value(evaluated.ended_by_readings));
   object.add("test_placed", evaluated.test.has_value());
   object.add("during", share_to_json(environment.during));
   object.add("before", share_to_json(environment.before));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 
@@ -13,9 +15,12 @@ Facts facts_of_log(const iso230_2::LoggedEnvironment& logged) {
   const auto as_said = [](const std::string& text) {
     return text.empty() ? quiet_cell("not stated") : verbatim_cell(text);
   };
+  const std::string& by_readings = logged.ended_by_readings;
   Facts facts;
   facts.facts = {{plain("Test began"), as_said(logged.began)},
-                 {plain("Test ended"), as_said(logged.ended)},
+                 {plain("Test ended"), by_readings.empty()
+                                           ? as_said(logged.ended)
+                                           : text_cell(fmt::format("{} (by the times of the readings)", by_readings))},
                  {plain("File"), verbatim_cell(subject_of(logged).file)},
                  {plain("SHA-256"), verbatim_cell(logged.sha256)}};
   return facts;

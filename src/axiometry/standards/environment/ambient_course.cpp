@@ -164,16 +164,20 @@ TimeStretch stretch_of(std::span<const TemperatureCourse> sensors) {
   return all.begin_s <= all.end_s ? all : TimeStretch{};
 }
 
-double recorded_s(std::span<const TemperatureCourse> sensors, std::string_view role, const TimeStretch& stretch,
-                  bool second) {
-  double longest = 0.0, next = 0.0;
+LeastRecorded least_recorded(std::span<const TemperatureCourse> sensors, std::string_view role,
+                             const TimeStretch& stretch) {
+  constexpr double alike_s = 1.0;
+  std::optional<LeastRecorded> least;
+  double longest = 0.0;
   for (const TemperatureCourse& course : sensors) {
     if (!is_of(course, role)) continue;
     const double own = length_of(pieces_within(course, stretch));
-    next = std::max(next, std::min(own, longest));
     longest = std::max(longest, own);
+    if (!least || own < least->recorded_s) least = LeastRecorded{own, course.location};
   }
-  return second ? next : longest;
+  if (!least) return {};
+  if (longest - least->recorded_s <= alike_s) least->sensor.clear();
+  return *std::move(least);
 }
 
 std::optional<TimeStretch> test_in_log(const std::optional<Moment>& began, const std::optional<Moment>& ended,
@@ -199,19 +203,19 @@ AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const
   for (const TemperatureCourse& course : sensors) {
     if (is_of(course, "machine")) on_machine.push_back(&course);
     if (!is_of(course, "air")) continue;
-    const auto pieces = pieces_within(course, during);
-    for (const Piece& piece : pieces)
+    for (const Piece& piece : pieces_within(course, during))
       for (const Point& point : piece) {
         const Temperature own = Temperature::celsius(point.celsius);
         if (!found.lowest || own.in_celsius() < found.lowest->in_celsius()) found.lowest = own;
         if (!found.highest || own.in_celsius() > found.highest->in_celsius()) found.highest = own;
       }
-    // The time before stands in for no test: only with a reading of it is there a rate.
-    if (!pieces.empty()) found.rate = larger(found.rate, rate_of(pieces_within(course, for_rate)));
-    if (!test) continue;
-    const auto earlier = pieces_within(course, before);
-    found.rate_before = larger(found.rate_before, rate_of(earlier));
-    found.hours_before = larger(found.hours_before, length_of(earlier) / hour_s);
+    // The time before stands in for no test: only what goes on into it tells its rate.
+    auto for_its_rate = pieces_within(course, for_rate);
+    std::erase_if(for_its_rate, [&](const Piece& piece) { return piece.back().time_s <= during.begin_s; });
+    const auto own_rate = rate_of(for_its_rate);
+    found.rate = larger(found.rate, own_rate);
+    found.rate_of_every_sensor = found.rate_of_every_sensor && own_rate.has_value();
+    if (test) found.rate_before = larger(found.rate_before, rate_of(pieces_within(course, before)));
   }
   if (on_machine.size() > 1)
     if (const auto difference = greatest_difference(on_machine, during))

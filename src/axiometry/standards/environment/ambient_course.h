@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,8 +16,8 @@
 /// Between two readings at most half an hour apart a temperature is taken to go straight; what lies farther apart is
 /// not recorded. The rate in °C/h is the greatest change between any two moments at most an hour apart. Where nothing
 /// of an hour was recorded in one piece, it is the range of a piece of ten minutes or more, divided by its length; of
-/// shorter ones there is none. Of several sensors of the air the extremes and the largest rate count, and the longest
-/// recording.
+/// shorter ones there is none, and pieces that end before the test count for none of it. Of several sensors of the air
+/// the extremes and the largest rate count, and the shortest recording.
 namespace axiometry {
 
 /// Absent means not measured.
@@ -24,8 +25,8 @@ struct AmbientTemperatures {
   std::optional<Temperature> lowest;  ///< of the air, during the test
   std::optional<Temperature> highest;
   std::optional<double> rate;                             ///< °C/h, during the test
+  bool rate_of_every_sensor = true;                       ///< of the air; else one recorded too little for a rate
   std::optional<double> rate_before;                      ///< °C/h, in the twelve hours before it
-  std::optional<double> hours_before;                     ///< of how many of these twelve hours that is known
   std::optional<TemperatureDifference> machine_gradient;  ///< largest, between places on the machine at one moment
 };
 
@@ -47,10 +48,14 @@ inline constexpr double shortest_for_a_rate_s = 600.0;
 /// looked at together with the time before it, to an hour, for its rate.
 AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const std::optional<TimeStretch>& test);
 
-/// How much of a stretch the sensor of that role recorded that recorded most, s; or the one that recorded the second
-/// most, since differences take two.
-double recorded_s(std::span<const TemperatureCourse> sensors, std::string_view role, const TimeStretch& stretch,
-                  bool second = false);
+struct LeastRecorded {
+  double recorded_s = 0.0;
+  std::string sensor{};  ///< its name, where another one of the role recorded more
+};
+
+/// How much of a stretch the sensor of that role recorded that recorded least; nothing where there is none.
+LeastRecorded least_recorded(std::span<const TemperatureCourse> sensors, std::string_view role,
+                             const TimeStretch& stretch);
 
 /// From the first to the last reading of any sensor.
 TimeStretch stretch_of(std::span<const TemperatureCourse> sensors);

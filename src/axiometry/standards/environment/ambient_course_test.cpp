@@ -35,7 +35,6 @@ TEST(AmbientCourse, OfASteadyRiseHasItsRateBeforeAndDuring) {
   const auto all = found({course("air", 0, 14 * hour, 600, rise)}, TimeStretch{12 * hour, 14 * hour});
   EXPECT_NEAR(*all.rate, 0.4, 1e-9);
   EXPECT_NEAR(*all.rate_before, 0.4, 1e-9);
-  EXPECT_NEAR(*all.hours_before, 12.0, 1e-9);
   EXPECT_NEAR(all.lowest->in_celsius(), 24.8, 1e-9);
   EXPECT_NEAR(all.highest->in_celsius(), 25.6, 1e-9);
   EXPECT_FALSE(all.machine_gradient) << "no sensor on the machine";
@@ -82,11 +81,47 @@ TEST(AmbientCourse, KnowsNothingOfGaps) {
   broken.times_s.insert(broken.times_s.end(), later.times_s.begin(), later.times_s.end());
   broken.celsius.insert(broken.celsius.end(), later.celsius.begin(), later.celsius.end());
   const auto all = found({broken}, TimeStretch{12 * hour, 13 * hour});
-  EXPECT_NEAR(*all.hours_before, 9.0, 1e-9);
+  EXPECT_NEAR(least_recorded(std::vector{broken}, "air", {0, 12 * hour}).recorded_s, 9.0 * hour, 1e-6);
   EXPECT_EQ(*all.rate_before, 0.0) << "what happened in the gap is not known";
   const auto in_gap = found({broken}, TimeStretch{5.5 * hour, 7.5 * hour});
   EXPECT_FALSE(in_gap.lowest);
   EXPECT_FALSE(in_gap.rate);
+}
+
+/// One sensor, what it recorded in two parts.
+TemperatureCourse joined(TemperatureCourse first, const TemperatureCourse& second) {
+  first.times_s.insert(first.times_s.end(), second.times_s.begin(), second.times_s.end());
+  first.celsius.insert(first.celsius.end(), second.celsius.begin(), second.celsius.end());
+  return first;
+}
+
+TEST(AmbientCourse, TakesNoRateOfTheTestFromWhatEndedBeforeIt) {
+  const double nine = 9 * hour;
+  const auto quiet = course("air", nine - 3120, nine - 1920, 60, [](double) { return 20.0; });
+  const auto steep = course("air", nine, nine + 480, 60, [&](double t) { return 20.0 + (t - nine) / 100.0; });
+  const TimeStretch test{nine, nine + 480};
+  const auto all = found({joined(quiet, steep)}, test);
+  EXPECT_FALSE(all.rate) << "eight minutes tell none, and what was before a gap is none of the test";
+  EXPECT_FALSE(all.rate_of_every_sensor);
+  EXPECT_NEAR(all.highest->in_celsius(), 24.8, 1e-9);
+  const auto level = course("air", 0, nine + 480, 60, [](double) { return 20.0; });
+  const auto both = found({joined(quiet, steep), level}, test);
+  EXPECT_EQ(*both.rate, 0.0);
+  EXPECT_FALSE(both.rate_of_every_sensor) << "the other one may have changed by more";
+  EXPECT_TRUE(found({level}, test).rate_of_every_sensor);
+}
+
+TEST(LeastRecorded, IsOfTheSensorThatRecordedLeastAndNamesIt) {
+  const auto level = [](double) { return 20.0; };
+  auto bed = course("machine", 0, 4 * hour, 600, level), column = course("machine", 0, hour, 600, level);
+  bed.location = "Bed", column.location = "Column";
+  const TimeStretch test{0, 4 * hour};
+  const std::vector sensors{bed, column, course("air", 0, 600, 60, level)};
+  const LeastRecorded least = least_recorded(sensors, "machine", test);
+  EXPECT_NEAR(least.recorded_s, hour, 1e-6);
+  EXPECT_EQ(least.sensor, "Column");
+  EXPECT_EQ(least_recorded(sensors, "air", test).sensor, "") << "there is no other";
+  EXPECT_EQ(least_recorded(sensors, "equipment", test).recorded_s, 0.0);
 }
 
 TEST(AmbientCourse, TakesTheWorstOfSeveralSensorsOfTheAirAndNoneOfOthers) {
@@ -210,6 +245,78 @@ TEST(EnvironmentOfATest, ExceedsALimitAlsoWhereOnlyAPartWasRecorded) {
                                  TimeStretch{12 * hour, 14 * hour}, agreed);
   EXPECT_EQ(standing(part, "highest_C"), EnvironmentStanding::exceeded);
   EXPECT_TRUE(part.exceeded());
+}
+
+TEST(EnvironmentOfATest, ExceedsNoLimitByWhatMayHaveBeenOutsideTheTest) {
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  agreed.rate = 0.5;
+  agreed.machine_gradient = TemperatureDifference::kelvin(1);
+  const auto late = [](double from_s) { return [=](double t) { return t < from_s ? 20.0 : 26.0; }; };
+  const auto log =
+      log_of({course("air", 0, 20 * hour, 600, late(16 * hour)), course("machine", 0, 20 * hour, 600, late(16 * hour)),
+              course("machine", 0, 20 * hour, 600, [](double) { return 20.0; })});
+  const auto began = moment_of("2026-03-02T12:30");
+  const auto open_ended = test_in_log(began, std::nullopt, log);
+  for (const auto& test : {open_ended, std::optional<TimeStretch>{}}) {
+    const auto found = iso230_2::test_environment(log, test, agreed);
+    for (const char* key : {"highest_C", "rate_C_per_h", "machine_gradient_C"})
+      EXPECT_EQ(standing(found, key), EnvironmentStanding::known_in_part) << key;
+    EXPECT_FALSE(found.exceeded());
+    EXPECT_TRUE(found.open());
+    EXPECT_TRUE(found.items[1].perhaps_exceeded);
+    EXPECT_EQ(iso230_2::gaps_of(found).back(),
+              "an agreed limit was exceeded, and nobody can say whether that was during the test");
+  }
+  const auto told = iso230_2::test_environment(log, test_in_log(began, moment_of("2026-03-02T18:00"), log), agreed);
+  for (const char* key : {"highest_C", "rate_C_per_h", "machine_gradient_C"})
+    EXPECT_EQ(standing(told, key), EnvironmentStanding::exceeded) << key;
+}
+
+TEST(EnvironmentOfATest, ExceedsALimitByWhatWasAtItsBeginningAndBeforeWithoutItsEnd) {
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  agreed.rate = 0.5;
+  const auto log = log_of({course("air", 0, 20 * hour, 600, [](double t) { return 14.0 + t / hour; })});
+  const auto found =
+      iso230_2::test_environment(log, test_in_log(moment_of("2026-03-02T12:30"), std::nullopt, log), agreed);
+  EXPECT_EQ(standing(found, "highest_C"), EnvironmentStanding::exceeded);
+  EXPECT_NEAR(*found.items[1].measured, 26.5, 1e-9) << "at the beginning; the 34 at the end of the log are not told";
+  EXPECT_EQ(standing(found, "rate_before_C_per_h"), EnvironmentStanding::exceeded);
+  EXPECT_EQ(standing(found, "rate_C_per_h"), EnvironmentStanding::known_in_part);
+}
+
+TEST(EnvironmentOfATest, IsKnownByTheSensorThatRecordedLeast) {
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  agreed.rate = 0.5;
+  agreed.machine_gradient = TemperatureDifference::kelvin(1);
+  const auto level = [](double) { return 20.0; };
+  const TimeStretch test{12 * hour, 16 * hour};
+  auto dead = course("machine", 0, 12.5 * hour, 600, level), hall = course("air", 0, 16 * hour, 600, level);
+  dead.location = "Column";
+  const auto bed = course("machine", 0, 16 * hour, 600, level);
+  const auto gradient = iso230_2::test_environment(log_of({hall, bed, bed, dead}), test, agreed);
+  EXPECT_EQ(standing(gradient, "machine_gradient_C"), EnvironmentStanding::known_in_part);
+  EXPECT_EQ(standing(gradient, "highest_C"), EnvironmentStanding::kept);
+  EXPECT_TRUE(gradient.ends_recorded);
+  ASSERT_EQ(iso230_2::gaps_of(gradient).size(), 1u);
+  EXPECT_EQ(iso230_2::gaps_of(gradient)[0],
+            "temperature sensor \"Column\" recorded 0.50 h of the 4.00 h of the test; what it was there in the rest is "
+            "not known");
+  dead.role = "air";
+  const auto air = iso230_2::test_environment(log_of({hall, dead}), test, agreed);
+  for (const char* key : {"highest_C", "rate_C_per_h"})
+    EXPECT_EQ(standing(air, key), EnvironmentStanding::known_in_part) << key;
+  EXPECT_EQ(standing(air, "rate_before_C_per_h"), EnvironmentStanding::kept);
+  EXPECT_EQ(air.during->sensor, "Column");
+  auto late = course("air", 6 * hour, 16 * hour, 600, level);
+  late.location = "Late";
+  const auto before = iso230_2::test_environment(log_of({hall, late}), test, agreed);
+  EXPECT_EQ(standing(before, "rate_before_C_per_h"), EnvironmentStanding::known_in_part);
+  EXPECT_EQ(iso230_2::gaps_of(before).back(),
+            "temperature sensor \"Late\" recorded 6.00 h of the twelve hours before the test, of which clause 4.1 asks "
+            "for all");
 }
 
 }  // namespace

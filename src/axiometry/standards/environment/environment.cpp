@@ -4,11 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+
+#include "axiometry/base/text.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr std::string_view before_key = "rate_before_C_per_h", gradient_key = "machine_gradient_C";
+constexpr std::string_view rate_key = "rate_C_per_h", before_key = "rate_before_C_per_h",
+                           gradient_key = "machine_gradient_C";
 constexpr double hour_in_s = 3600.0;
 constexpr double at_limit = 1e-9;  // °C: rounding of a double, far below any display
 
@@ -31,13 +37,36 @@ std::optional<double> in_kelvin(const std::optional<TemperatureDifference>& t) {
   return t ? std::optional(t->in_kelvin()) : std::nullopt;
 }
 
-EnvironmentStanding standing_of(const EnvironmentItem& item, bool complete) {
+/// What each quantity has, in their order.
+std::array<std::optional<double>, 5> values_of(const AmbientTemperatures& found) {
+  return {in_celsius(found.lowest), in_celsius(found.highest), found.rate, found.rate_before,
+          in_kelvin(found.machine_gradient)};
+}
+
+/// Of what was found that which nobody can take for anything but the test or the twelve hours before it.
+AmbientTemperatures certain_of(const AmbientTemperatures& found, std::span<const TemperatureCourse> sensors,
+                               const std::optional<TimeStretch>& test) {
+  if (!test) return {};
+  if (test->end_told) return found;
+  return ambient_of(sensors, TimeStretch{test->begin_s, test->begin_s, false});  // its beginning, and what was before
+}
+
+bool beyond(const EnvironmentItem& item, double value) {
+  return (item.lower_limit ? *item.agreed - value : value - *item.agreed) > at_limit;
+}
+
+void judge_item(EnvironmentItem& item, const std::optional<double>& certain, bool complete) {
   using enum EnvironmentStanding;
-  if (!item.measured) return not_measured;
-  if (!item.agreed) return not_agreed;
-  const double beyond = item.lower_limit ? *item.agreed - *item.measured : *item.measured - *item.agreed;
-  if (beyond > at_limit) return exceeded;
-  return complete ? kept : known_in_part;
+  if (!item.measured) return;
+  if (!item.agreed) {
+    item.standing = not_agreed;
+  } else if (certain && beyond(item, *certain)) {
+    item.standing = exceeded;
+    item.measured = certain;
+  } else {
+    item.perhaps_exceeded = beyond(item, *item.measured);
+    item.standing = complete && !item.perhaps_exceeded ? kept : known_in_part;
+  }
 }
 
 /// Whether what is measured is known of all the time that it is stated for.
@@ -47,13 +76,54 @@ struct Completeness {
   bool gradient = true;
 };
 
-Completeness find_shares(TestEnvironment& environment, const TemperatureLog& log, const TimeStretch& test,
-                         const std::optional<double>& hours_before) {
-  const double whole_h = test.length_s() / hour_in_s;
-  const RecordedShare on_machine{recorded_s(log.sensors, "machine", test, true) / hour_in_s, whole_h, test.end_told};
-  environment.during = RecordedShare{recorded_s(log.sensors, "air", test) / hour_in_s, whole_h, test.end_told};
-  environment.before = RecordedShare{hours_before.value_or(0.0), hours_before_test};
-  return {environment.during->complete(), environment.before->complete(), on_machine.complete()};
+Completeness find_shares(TestEnvironment& environment, const TemperatureLog& log, const TimeStretch& test) {
+  const auto share = [&](std::string_view role, const TimeStretch& stretch) {
+    LeastRecorded least = least_recorded(log.sensors, role, stretch);
+    return RecordedShare{least.recorded_s / hour_in_s, stretch.length_s() / hour_in_s, stretch.end_told,
+                         std::move(least.sensor)};
+  };
+  environment.during = share("air", test);
+  environment.before = share("air", {test.begin_s - hours_before_test * hour_in_s, test.begin_s});
+  const auto on_machine = std::ranges::count_if(log.sensors, [](const TemperatureCourse& course) {
+    return text::equal_ignoring_case(course.role, "machine") && !course.times_s.empty();
+  });
+  if (on_machine > 1) environment.on_machine = share("machine", test);
+  const auto known_at = [&](double time_s) {
+    return ambient_of(log.sensors, TimeStretch{time_s, time_s}).lowest.has_value();
+  };
+  environment.ends_recorded = test.end_told && known_at(test.begin_s) && known_at(test.end_s);
+  return {environment.during->complete(), environment.before->complete(),
+          environment.on_machine && environment.on_machine->complete()};
+}
+
+/// What of the test was not recorded of the air, in words.
+std::string gap_during(const RecordedShare& share, const std::string& recorded, const std::string& whole) {
+  if (!share.sensor.empty())
+    return fmt::format(
+        "temperature sensor {} recorded {} h of the {} h of the test; what it was there in the rest is "
+        "not known",
+        text::quoted(share.sensor), recorded, whole);
+  return fmt::format(
+      "the temperature of the air was recorded in {} h of the {} h of the test; what it was in the rest "
+      "is not known",
+      recorded, whole);
+}
+
+std::string gap_before(const RecordedShare& share, const std::string& recorded) {
+  if (!share.sensor.empty())
+    return fmt::format(
+        "temperature sensor {} recorded {} h of the twelve hours before the test, of which clause 4.1 "
+        "asks for all",
+        text::quoted(share.sensor), recorded);
+  return fmt::format(
+      "the temperature of the air was recorded in {} h of the twelve hours before the test, of which "
+      "clause 4.1 asks for all",
+      recorded);
+}
+
+std::string gap_on_machine(const RecordedShare& share, const std::string& recorded, const std::string& whole) {
+  if (!share.sensor.empty()) return gap_during(share, recorded, whole);
+  return fmt::format("the gradient over the machine is known in {} h of the {} h of the test", recorded, whole);
 }
 
 }  // namespace
@@ -88,26 +158,29 @@ TestEnvironment test_environment(const TemperatureLog& log, const std::optional<
   TestEnvironment environment;
   environment.placed = test.has_value();
   environment.items = {
-      {"lowest_C", "Lowest temperature of the air", "°C", "7", true, in_celsius(found.lowest),
-       in_celsius(agreed.lowest)},
-      {"highest_C", "Highest temperature of the air", "°C", "7", false, in_celsius(found.highest),
-       in_celsius(agreed.highest)},
-      {"rate_C_per_h", "Change per hour, during the test", "°C/h", "4.1", false, found.rate, agreed.rate},
-      {before_key, "Change per hour, in the twelve hours before", "°C/h", "4.1", false, found.rate_before, agreed.rate},
-      {gradient_key, "Gradient over the machine", "°C", "4.1", false, in_kelvin(found.machine_gradient),
-       in_kelvin(agreed.machine_gradient)},
+      {"lowest_C", "Lowest temperature of the air", "°C", "7", true, {}, in_celsius(agreed.lowest)},
+      {"highest_C", "Highest temperature of the air", "°C", "7", false, {}, in_celsius(agreed.highest)},
+      {rate_key, "Change per hour, during the test", "°C/h", "4.1", false, {}, agreed.rate},
+      {before_key, "Change per hour, in the twelve hours before", "°C/h", "4.1", false, {}, agreed.rate},
+      {gradient_key, "Gradient over the machine", "°C", "4.1", false, {}, in_kelvin(agreed.machine_gradient)},
   };
   // Where the test was is not known: what was recorded may not be all of it.
   Completeness complete{false, false, false};
-  if (test) complete = find_shares(environment, log, *test, found.hours_before);
-  for (EnvironmentItem& item : environment.items) {
-    const bool before = item.key == before_key, gradient = item.key == gradient_key;
-    item.standing = standing_of(item, before ? complete.before : gradient ? complete.gradient : complete.during);
+  if (test) complete = find_shares(environment, log, *test);
+  const auto measured = values_of(found), certain = values_of(certain_of(found, log.sensors, test));
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    EnvironmentItem& item = environment.items[k];
+    item.measured = measured[k];
+    const bool during = complete.during && (item.key != rate_key || found.rate_of_every_sensor);
+    judge_item(item, certain[k],
+               item.key == before_key     ? complete.before
+               : item.key == gradient_key ? complete.gradient
+                                          : during);
   }
   return environment;
 }
 
-std::vector<std::string> gaps_of(const TestEnvironment& environment, const NumberStyle& numbers) {
+std::vector<std::string> time_gaps_of(const TestEnvironment& environment, const NumberStyle& numbers) {
   const auto hours = [&](double h) { return format_fixed(h, 2, numbers); };
   std::vector<std::string> gaps;
   if (!environment.placed)
@@ -120,15 +193,19 @@ std::vector<std::string> gaps_of(const TestEnvironment& environment, const Numbe
     gaps.emplace_back(nothing_of_it ? "nobody said when the test ended, and the log ends no later than the test began"
                                     : "nobody said when the test ended: the end of the log is taken for it");
   if (during && !nothing_of_it && !during->gapless())
-    gaps.push_back(
-        fmt::format("the temperature of the air was recorded in {} h of the {} h of the test; what it was in "
-                    "the rest is not known",
-                    hours(during->recorded_h), hours(during->whole_h)));
+    gaps.push_back(gap_during(*during, hours(during->recorded_h), hours(during->whole_h)));
+  const auto& on_machine = environment.on_machine;
+  if (on_machine && !nothing_of_it && !on_machine->gapless())
+    gaps.push_back(gap_on_machine(*on_machine, hours(on_machine->recorded_h), hours(on_machine->whole_h)));
   if (environment.before && !environment.before->complete())
-    gaps.push_back(
-        fmt::format("the temperature of the air was recorded in {} h of the twelve hours before the test, of "
-                    "which clause 4.1 asks for all",
-                    hours(environment.before->recorded_h)));
+    gaps.push_back(gap_before(*environment.before, hours(environment.before->recorded_h)));
+  return gaps;
+}
+
+std::vector<std::string> gaps_of(const TestEnvironment& environment, const NumberStyle& numbers) {
+  std::vector<std::string> gaps = time_gaps_of(environment, numbers);
+  if (std::ranges::any_of(environment.items, &EnvironmentItem::perhaps_exceeded))
+    gaps.emplace_back("an agreed limit was exceeded, and nobody can say whether that was during the test");
   return gaps;
 }
 

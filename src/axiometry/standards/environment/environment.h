@@ -28,7 +28,7 @@ enum class EnvironmentStanding {
   exceeded,
   not_measured,   ///< whether a limit was agreed or not
   not_agreed,     ///< measured, and no limit to hold it against
-  known_in_part,  ///< within the limit as far as it was recorded, and a part of the time was not
+  known_in_part,  ///< a part of the time was not recorded, or nobody can say that the test was when it was exceeded
 };
 
 std::string_view standing_key(EnvironmentStanding standing);   ///< "not-measured"
@@ -43,13 +43,15 @@ struct EnvironmentItem {
   std::optional<double> measured;
   std::optional<double> agreed;
   EnvironmentStanding standing = EnvironmentStanding::not_measured;
+  bool perhaps_exceeded = false;  ///< known in part, and exceeded at a time that nobody knows to be of the test
 };
 
-/// How much of a stretch of time was recorded, h.
+/// How much of a stretch of time was recorded by the sensor that recorded least, h.
 struct RecordedShare {
   double recorded_h = 0.0;
   double whole_h = 0.0;
   bool end_told = true;  ///< of the stretch; else whole_h is only what is known of it
+  std::string sensor{};  ///< that recorded no more than this, where others did
 
   /// All of what is known of the stretch, but for a minute, or a hundredth.
   bool gapless() const;
@@ -60,9 +62,11 @@ struct RecordedShare {
 struct TestEnvironment {
   /// Lowest, highest, °C/h during the test and in the twelve hours before, gradient over the machine: always all five.
   std::vector<EnvironmentItem> items;
-  std::optional<RecordedShare> during;  ///< of the test, where a log tells when it was
-  std::optional<RecordedShare> before;  ///< of the twelve hours before it, where that is known
-  bool placed = false;                  ///< whether somebody said when the test was
+  std::optional<RecordedShare> during;      ///< of the test, where a log tells when it was
+  std::optional<RecordedShare> before;      ///< of the twelve hours before it, where that is known
+  std::optional<RecordedShare> on_machine;  ///< of the test, by the sensors on the machine, where there are two
+  bool placed = false;                      ///< whether somebody said when the test was
+  bool ends_recorded = false;               ///< whether the temperature of the air is known at its start and at its end
 
   /// Whether any limit is exceeded.
   bool exceeded() const;
@@ -71,12 +75,16 @@ struct TestEnvironment {
 };
 
 /// By the log, of the test within it; without one all of the log counts as the test, and nothing is known of before it.
-/// Where nobody told its end, nothing of the test is kept.
+/// Where nobody told its end, nothing of the test is kept, and what may have been after it exceeds no limit; nor does
+/// anything where nobody said when the test was.
 TestEnvironment test_environment(const TemperatureLog& log, const std::optional<TimeStretch>& test,
                                  const AgreedEnvironment& agreed);
 
 /// What of the time was not recorded, and that nobody said when the test was or when it ended; sentences without full
 /// stop.
+std::vector<std::string> time_gaps_of(const TestEnvironment& environment, const NumberStyle& numbers = {});
+
+/// These, and that a limit was exceeded when nobody can say whether the test was.
 std::vector<std::string> gaps_of(const TestEnvironment& environment, const NumberStyle& numbers = {});
 
 /// A log that was held against what was agreed, with where it comes from.
@@ -84,10 +92,11 @@ struct LoggedEnvironment {
   std::string file;  ///< as the user gave it
   std::string sha256;
   std::string began;  ///< of the test, as asked; may be empty
-  std::string ended;
+  std::string ended;  ///< likewise
   TemperatureLog log;
   std::optional<TimeStretch> test;  ///< within the log; absent: all of it counts as the test
   TestEnvironment environment;
+  std::string ended_by_readings{};  ///< moment that the times of the readings tell, where nobody told its end
 };
 
 }  // namespace axiometry::iso230_2

@@ -38,6 +38,7 @@ const t = texts({
   'known-in-part': ['known in part only', 'nur teilweise bekannt'],
   began: ['Test began', 'Beginn der Prüfung'],
   ended: ['Test ended', 'Ende der Prüfung'],
+  ended_by_readings: ['Test ended {moment} (by the times of the readings)', 'Die Prüfung endete {moment} (nach den Zeiten der Messwerte)'],
   moment: ['Such as {example}', 'Etwa {example}'],
   limit_low: ['Agreed lowest, °C', 'Vereinbart: niedrigste, °C'],
   limit_high: ['Agreed highest, °C', 'Vereinbart: höchste, °C'],
@@ -89,6 +90,7 @@ export function Surroundings({ state }: { state: TestState }) {
       {!log && !newest && <p class="quiet foot">{t('none')}</p>}
       {log && <p class="quiet foot">{t('log', { name: log.name })}</p>}
       {found && log && <Quantities found={found} />}
+      {found?.ended_by_readings && <p class="quiet foot">{t('ended_by_readings', { moment: found.ended_by_readings })}</p>}
       {found && found.gaps.length > 0 && <ul class="small caution foot">{found.gaps.map((gap) => <li key={gap}>{sentence(gap)}</li>)}</ul>}
       {state.test.value.options.temperatures && <Drawn state={state} />}
       {log && state.editing.value && <Agreed log={log} put={put} />}
@@ -107,7 +109,7 @@ function Quantities({ found }: { found: Found }) {
           {found.quantities.map((row) => (
             <tr key={row.key}>
               <th scope="row">{t(row.key)}</th>
-              <td class="number">{row.measured === null ? absent : `${fixed(row.measured, 2)} ${row.unit}`}</td>
+              <td class="number">{row.measured === null ? absent : `${fixed(row.measured, decimals_of(row))} ${row.unit}`}</td>
               <td>{row.agreed === null ? absent : t(row.limit === 'lowest' ? 'at_least' : 'at_most', { x: `${marked(String(row.agreed))} ${row.unit}` })}</td>
               <td class={tones[row.standing]}>{t(row.standing)}</td>
             </tr>
@@ -117,6 +119,10 @@ function Quantities({ found }: { found: Found }) {
     </div>
   );
 }
+
+/** As the report has it: more where two would show the limit itself. */
+const decimals_of = ({ measured, agreed }: Found['quantities'][number]) =>
+  measured !== null && agreed !== null && Math.abs(measured - agreed) < 0.01 ? 4 : 2;
 
 const sentence = (words: string) => `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
 

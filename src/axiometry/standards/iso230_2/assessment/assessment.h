@@ -41,6 +41,7 @@ struct Assessment {
   std::vector<UncorrectedEffect> uncorrected;  ///< no verdict may rest on what they act on
   std::vector<Finding> findings;
   std::string label;  ///< must stand wherever the results do: "step cycle (Annex B), not for acceptance"; else empty
+  bool temperatures_recorded = false;  ///< of the air at the start and the end of the test, by a log beside it
 
   /// Whether no finding is a departure: nothing that is known of the test contradicts the standard. What may be claimed
   /// for it is another question (iso230_2_claims.h).

@@ -108,6 +108,37 @@ TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
   }
 }
 
+std::vector<std::string> ids_against_tested(const axiometry::Test& test, const Assessment& assessment) {
+  std::vector<std::string> ids;
+  const Claims all = claims_of(test, assessment);
+  for (const Finding& f : claim(all, ClaimKind::tested).against) ids.push_back(f.id);
+  return ids;
+}
+
+TEST(Claims, OfTheTestFallWithAgreedSurroundingsOfWhichNobodyKnows) {
+  for (const char* id : {"environment-known-in-part", "environment-perhaps-exceeded", "environment-rate-not-measured",
+                         "environment-other-day"}) {
+    Assessment assessment = assess(whole());
+    assessment.findings.push_back({id, "4.1", Severity::missing, "found something open"});
+    EXPECT_EQ(ids_against_tested(whole(), assessment), std::vector<std::string>{id});
+  }
+  Assessment noted = assess(whole());
+  noted.findings.push_back({"environment-gap", "4.1", Severity::note, "found a gap"});
+  EXPECT_TRUE(ids_against_tested(whole(), noted).empty());
+}
+
+TEST(Claims, OfTheTestTakeTemperaturesFromALogToo) {
+  axiometry::Test test = whole();
+  test.metadata.environment = {};
+  const auto asked = [&](bool recorded) {
+    Assessment assessment = assess(test);
+    assessment.temperatures_recorded = recorded;
+    return std::ranges::count(ids_against_tested(test, assessment), std::string("temperatures-not-stated"));
+  };
+  EXPECT_EQ(asked(false), 1);
+  EXPECT_EQ(asked(true), 0);
+}
+
 TEST(Claims, OfTheTestAreContradictedByWhatTheStandardForbids) {
   const std::pair<const char*, Change> changes[] = {
       {"4.1", [](axiometry::Test& t) { t.metadata.nde.applied = false; }},

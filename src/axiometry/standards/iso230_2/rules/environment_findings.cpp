@@ -65,6 +65,13 @@ Finding exceeded_finding(const EnvironmentItem& item) {
                                       rules::within_sentence(item.title), measured_in(item), limit_in(item)));
 }
 
+Finding doubtful_finding(const EnvironmentItem& item) {
+  return rules::missing("environment-perhaps-exceeded", std::string(item.clause),
+                        fmt::format("found {}: {}, expected {} as agreed between the parties; nobody can say whether "
+                                    "that was during the test",
+                                    rules::within_sentence(item.title), measured_in(item), limit_in(item)));
+}
+
 Finding unmeasured_finding(const EnvironmentItem& item) {
   const std::string id = ids_of(item).not_measured;
   return rules::missing(id, std::string(item.clause),
@@ -82,7 +89,8 @@ Finding unlimited_finding(const EnvironmentItem& item) {
 std::optional<Finding> known_in_part(const Items& items) {
   std::vector<std::string> titles;
   for (const EnvironmentItem& item : items)
-    if (item.standing == EnvironmentStanding::known_in_part) titles.push_back(rules::within_sentence(item.title));
+    if (item.standing == EnvironmentStanding::known_in_part && !item.perhaps_exceeded)
+      titles.push_back(rules::within_sentence(item.title));
   if (titles.empty()) return std::nullopt;
   return rules::missing("environment-known-in-part", "4.1",
                         fmt::format("found agreed limits of which nobody can say whether they were kept, "
@@ -94,6 +102,7 @@ void add_standings(std::vector<Finding>& found, const Items& items, Depth depth)
   for (const EnvironmentItem& item : items) {
     if (item.standing == EnvironmentStanding::exceeded) found.push_back(exceeded_finding(item));
     if (depth == Depth::departures_only) continue;
+    if (item.perhaps_exceeded) found.push_back(doubtful_finding(item));
     const bool is_rate = item.unit == "°C/h";
     if (item.standing == EnvironmentStanding::not_measured && item.agreed) found.push_back(unmeasured_finding(item));
     if (item.standing == EnvironmentStanding::not_agreed && is_rate) found.push_back(unlimited_finding(item));
@@ -107,7 +116,7 @@ std::vector<Finding> environment_findings(const TestEnvironment& environment, De
   add_standings(found, environment.items, depth);
   if (depth == Depth::departures_only) return found;
   if (auto finding = known_in_part(environment.items)) found.push_back(*std::move(finding));
-  for (const std::string& gap : gaps_of(environment)) found.push_back(rules::note("environment-gap", "4.1", gap));
+  for (const std::string& gap : time_gaps_of(environment)) found.push_back(rules::note("environment-gap", "4.1", gap));
   return found;
 }
 

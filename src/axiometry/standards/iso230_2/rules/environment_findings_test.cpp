@@ -66,6 +66,20 @@ TEST(EnvironmentFindings, MissWhatWasAgreedAndNotMeasured) {
   EXPECT_EQ(found[0].severity, Severity::missing);
 }
 
+TEST(EnvironmentFindings, MissWhetherALimitWasExceededDuringTheTest) {
+  AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  const auto found = environment_findings(test_environment(hall(13, 23), std::nullopt, agreed));
+  ASSERT_THAT(keys_of(found),
+              ElementsAre("environment-perhaps-exceeded", "environment-rate-not-agreed", "environment-gap"));
+  EXPECT_EQ(found[0].severity, Severity::missing);
+  EXPECT_EQ(found[0].message,
+            "found highest temperature of the air: 23 °C, expected at most 22 °C as agreed between the parties; nobody "
+            "can say whether that was during the test");
+  EXPECT_THAT(environment_findings(test_environment(hall(13, 23), std::nullopt, agreed), Depth::departures_only),
+              IsEmpty());
+}
+
 TEST(EnvironmentFindings, TellWhatIsKnownInPartOnly) {
   AgreedEnvironment agreed;
   agreed.highest = Temperature::celsius(22);
