@@ -25,6 +25,8 @@ export const tables = {
     assert.equal(await figure(page, 'E', 'Before'), Number(E.value));
     assert.ok(await figure(page, 'E', 'Predicted') < 0.2 * Number(E.value));
     assert.ok(await figure(page, 'E', '95 % below') > await figure(page, 'E', 'Predicted'));
+    await shows(page.locator('.table-results'), /at each target, once the zero is shifted by [−-]?[\d.]+ µm, if the axis stays as it is\.[\s\S]*Anywhere between the first target and the last/);
+    await shows(page.locator('.table-results'), /On how well positions are known[\s\S]*The calibration of the instrument is not in [\s\S]*repeats from target to target alike/);
     assert.equal(await page.locator('.table-results .mark').count(), 2, 'a verdict at E and at A as they were measured, none at a prediction');
     await shows(page.locator('main'), /Verified of this format[\s\S]*Inferred, not seen\s+nothing/);
     const file = await downloaded(page, () => page.getByRole('button', { name: 'Download' }).click());

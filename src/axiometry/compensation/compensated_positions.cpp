@@ -5,7 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "axiometry/numeric/median.h"
+#include "axiometry/standards/iso230_2/inputs/uncorrected_effects.h"
+#include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/standards/iso230_2/uncertainty/gum_model.h"
+#include "axiometry/standards/readings/reading_change.h"
+#include "axiometry/standards/readings/test_course.h"
 
 namespace axiometry::compensation {
 namespace {
@@ -15,6 +21,8 @@ using iso230_2::ComponentSum;
 using iso230_2::ExpandedUncertainty;
 
 constexpr double no_limit = iso230_2::infinite;
+constexpr double wide_gap =
+    1.5;  // of the median gap: the bow, which grows with its square, is then over twice as large
 
 double freedom_of(const ExpandedUncertainty& x) { return x.effective_degrees_of_freedom.value_or(no_limit); }
 
@@ -59,7 +67,7 @@ std::optional<Component> between_targets(const std::vector<MeanOnWay>& means) {
   const auto near = distance_from_lines(means, 1), far = distance_from_lines(means, 2);
   if (!near) return std::nullopt;
   const double D1 = *near * *near, D2 = far ? *far * *far : D1;
-  const double q = std::max(D1 / 16.0, D1 - std::max(0.0, D2 - D1) / 16.0);
+  const double q = std::max(D1 / 16.0, 4.0 / 3.0 * D1 - 61.0 / 720.0 * std::max(0.0, D2 - D1));
   return Component{std::sqrt(q), std::max(1.0, 0.5 * static_cast<double>(means.size() - 2))};
 }
 
@@ -99,13 +107,26 @@ std::vector<MeanOnWay> means_on_way(const iso230_2::Evaluation& measured, Direct
   return means;
 }
 
+/// The gap beyond which (10) tells nothing of it; none of fewer than two means.
+double widest_known(const std::vector<MeanOnWay>& means) {
+  std::vector<double> gaps;
+  for (std::size_t k = 0; k + 1 < means.size(); ++k) gaps.push_back(means[k + 1].position - means[k].position);
+  return gaps.empty() ? 0.0 : wide_gap * (1.0 + 1e-9) * numeric::median(std::move(gaps));
+}
+
 /// Of one direction, for compensated_positions() alone.
 class Way {
  public:
   Way(const iso230_2::Evaluation& measured, const TableInControl& table, Direction direction)
-      : measured_(measured), table_(table), direction_(direction), means_(means_on_way(measured, direction)) {}
+      : measured_(measured),
+        table_(table),
+        direction_(direction),
+        means_(means_on_way(measured, direction)),
+        widest_(widest_known(means_)) {}
 
   const std::vector<MeanOnWay>& means() const { return means_; }
+  /// Whether the gap behind mean `k` is one of which the others do not tell.
+  bool wide(std::size_t k) const { return means_[k + 1].position - means_[k].position > widest_; }
   double before_zero(const MeanOnWay& m) const { return m.mean + change_at(table_, m.position, direction_); }
 
   CompensatedMean at(const MeanOnWay& m, double zero, const iso230_2::GumUncertainty* gum) const {
@@ -132,7 +153,7 @@ class Way {
     const MeanOnWay &a = means_[k], &b = means_[k + 1];
     CompensatedGap gap{Position::native(a.position), Position::native(b.position),
                        largest_residual(a, b, table_, direction_, zero), std::nullopt};
-    if (!first || !last || !first->mean || !last->mean || !q) return gap;
+    if (!first || !last || !first->mean || !last->mean || !q || wide(k)) return gap;
     const bool first_mean = first->mean->u.in_native() > last->mean->u.in_native(), first_s = *first->s > *last->s;
     const ExpandedUncertainty& mean = first_mean ? *first->mean : *last->mean;
     ComponentSum sum;
@@ -148,6 +169,7 @@ class Way {
   const TableInControl& table_;
   Direction direction_;
   std::vector<MeanOnWay> means_;
+  double widest_;
 };
 
 /// The largest |r| + U; nothing more once one is not known.
@@ -157,7 +179,10 @@ class LargestBound {
     known_ = known_ && u.has_value();
     if (u) most_ = std::max(most_, std::abs(residual) + u->U.in_native());
   }
-  std::optional<double> most() const { return known_ ? std::optional(most_) : std::nullopt; }
+  /// With what it may be off beside U.
+  std::optional<double> most(const std::optional<double>& more) const {
+    return known_ && more ? std::optional(most_ + *more) : std::nullopt;
+  }
 
  private:
   bool known_ = true;
@@ -171,8 +196,87 @@ double zero_of(const std::array<Way, 2>& ways) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-bool knows_scatter_alone(const iso230_2::GumUncertainty& gum) {
-  return std::ranges::all_of(gum.sources, [](const iso230_2::GumSource& source) { return source.key == "approaches"; });
+/// What U does not hold.
+struct Caveats {
+  std::vector<std::string> notes;
+  std::optional<double> more = 0.0;  ///< by how much positions may be off beside it; absent where nobody can tell
+};
+
+void add_uncorrected(Caveats& caveats, const Test& test) {
+  const auto effects = iso230_2::uncorrected_effects(test);
+  const auto targets = test.series.targets();
+  const double datum = datum_of(test).in_native(), travel = test.series.travel_native();
+  const double farthest =
+      std::max(std::abs(targets.front().in_native() - datum), std::abs(targets.back().in_native() - datum));
+  const double lever = travel > 0.0 ? std::max(1.0, farthest / travel) : 1.0;  // sizes are those over the travel
+  for (const iso230_2::UncorrectedEffect& effect : effects) {
+    caveats.notes.push_back(effect.reason());
+    if (!effect.on_lengths || !effect.on_repeats)
+      caveats.more.reset();
+    else if (caveats.more)
+      *caveats.more += std::max(lever * effect.on_lengths->in_native(), effect.on_repeats->in_native());
+  }
+  if (effects.empty()) return;
+  caveats.notes.emplace_back(
+      caveats.more ? "what such an effect may amount to is added to the largest that is stated, not to U of a target"
+                   : "to within what positions are known is not stated: nobody knows how large such an effect is");
+}
+
+void add_gross_errors(Caveats& caveats, const Test& test) {
+  const double step = iso230_2::step_of(test.as_measured ? *test.as_measured : test.series);
+  const auto errors = iso230_2::gross_errors(test.series, course_of(test), step);
+  if (errors.empty()) return;
+  caveats.more.reset();
+  caveats.notes.push_back(iso230_2::reason_of(errors, test));
+  caveats.notes.emplace_back(
+      "to within what positions are known is not stated: no scatter explains all of the readings");
+}
+
+bool is_of_instrument(const iso230_2::UncertaintyInput& input) {
+  using iso230_2::Effect;
+  if (input.key == "environment" || input.key.ends_with("_resolution") || input.key == "probing") return false;
+  return input.effect == Effect::scale || input.effect == Effect::displacement || input.effect == Effect::target ||
+         input.effect == Effect::target_direction;
+}
+
+/// Groups of inputs of which nothing is stated.
+void add_missing(Caveats& caveats, const iso230_2::UncertaintyInputs& inputs, AxisKind kind) {
+  using iso230_2::Effect;
+  bool instrument = false, temperatures = kind != AxisKind::linear, alignment = temperatures;
+  for (const iso230_2::UncertaintyInput& input : inputs.inputs) {
+    instrument = instrument || is_of_instrument(input);
+    temperatures =
+        temperatures || input.effect == Effect::machine_expansion || input.effect == Effect::machine_temperature;
+    alignment = alignment || input.effect == Effect::alignment || input.effect == Effect::station;
+  }
+  if (!instrument)
+    caveats.notes.emplace_back("the calibration of the instrument is not in U: nothing is stated of its uncertainty");
+  if (!temperatures)
+    caveats.notes.emplace_back(
+        "temperatures and expansion of the machine are not in U: nothing is stated of their uncertainty");
+  if (!alignment) caveats.notes.emplace_back("the alignment is not in U: nothing is stated of its uncertainty");
+}
+
+/// Why some place has no U, and what that of places between targets does not hold.
+void add_of_places(Caveats& caveats, const std::array<Way, 2>& ways, const CompensatedPositions& found) {
+  bool once = false, few = false, wide = false;
+  for (const CompensatedTarget& target : found.targets)
+    for (const auto* side : {&target.up, &target.down}) once = once || (*side && !(*side)->approach);
+  for (const Way& way : ways) {
+    const std::size_t count = way.means().size();
+    few = few || count == 2;
+    for (std::size_t k = 0; k + 1 < count; ++k) wide = wide || (count > 2 && way.wide(k));
+  }
+  if (once)
+    caveats.notes.emplace_back(
+        "to within what positions are known is not stated: it takes two approaches to every target");
+  if (few) caveats.notes.emplace_back("what is between the targets is not stated: it takes three of them");
+  if (wide)
+    caveats.notes.emplace_back(
+        "what is between targets over 1.5 times as far apart as the median is not stated: the other gaps do not tell");
+  caveats.notes.emplace_back(
+      "an error that repeats from target to target alike, as with the pitch of a screw, is not in what is stated "
+      "between the targets");
 }
 
 }  // namespace
@@ -182,6 +286,8 @@ Result<CompensatedPositions> compensated_positions(const Test& test, const Table
   machine.metadata.gum.measurand = Measurand::this_machine;
   const iso230_2::Evaluation measured = iso230_2::evaluate(machine.series);
   AXIOMETRY_TRY(const auto gum, iso230_2::gum(machine, measured));
+  AXIOMETRY_TRY(const auto inputs,
+                iso230_2::uncertainty_inputs(machine.metadata, machine.series, machine.provenance.stated));
   const std::array<Way, 2> ways{Way(measured, table, Direction::up), Way(measured, table, Direction::down)};
   CompensatedPositions found;
   found.zero = zero_of(ways);
@@ -206,12 +312,17 @@ Result<CompensatedPositions> compensated_positions(const Test& test, const Table
       found.gaps[d].push_back(gap);
     }
   }
-  found.at_targets = at_targets.most();
-  found.anywhere = anywhere.most();
-  if (!gum || knows_scatter_alone(*gum))
-    found.notes.emplace_back(
-        "nothing is stated of the uncertainty of instrument, temperatures and alignment: only the scatter of the "
-        "approaches counts");
+  Caveats caveats;
+  add_uncorrected(caveats, test);
+  add_gross_errors(caveats, test);
+  add_missing(caveats, inputs, test.metadata.axis.kind);
+  if (gum)
+    caveats.notes.insert(caveats.notes.end(), gum->notes.begin(),
+                         gum->notes.begin() + static_cast<std::ptrdiff_t>(gum->position_notes));
+  add_of_places(caveats, ways, found);
+  found.at_targets = at_targets.most(caveats.more);
+  found.anywhere = anywhere.most(caveats.more);
+  found.notes = std::move(caveats.notes);
   return found;
 }
 

@@ -22,16 +22,24 @@
 ///     one approach:               u² = u²[x̄_i] + s_i²                                    (8)
 ///     between targets:            u² = max u²[x̄] + max s² + q²  of both ends           (9)
 ///
-/// z is the mean of all x̄_i + c(P_i), which a new zero of axis or instrument takes away. c is what the control makes
-/// of its file, known to the digit, so that rounding is in r and no uncertainty. Between targets r follows the straight
-/// line between the means, as far from which the axis may be as inner targets are from the line between others:
+/// z is a number, the mean of all x̄_i + c(P_i) of this test as `zero` says: r_i and its u are those of the position
+/// against a zero that is shifted by that number. It has no uncertainty: nothing is said of the mean deviation that
+/// another test would find. c is what the control makes of its file, known to the digit, so that rounding is in r and
+/// no uncertainty. Between targets r follows the straight line between the means, as far from which the axis may be as
+/// inner targets are from the line between others:
 ///
-///     q² = max(D₁²/16, D₁² − max(0, D₂² − D₁²)/16)                                       (10)
+///     q² = max(D₁²/16, 4/3 D₁² − 61/720 max(0, D₂² − D₁²))                               (10)
 ///
 /// D₁ the root mean square of their distance from the line between the targets beside them, D₂ between those next but
-/// one; a smooth curve has D₂ = 4 D₁ and q = D₁/4, one that differs from target to target anyhow D₂ = D₁ = q. Without
-/// D₂ (fewer than five targets) q = D₁; without D₁ (fewer than three) nobody knows. What repeats from target to target
-/// alike is not seen in it (5.3.2); what the scatter does to means is in it, on the safe side.
+/// one; a smooth curve has D₂ = 4 D₁ and q = D₁/4, one that differs by τ from place to place anyhow D₂ = D₁ = τ √1.5
+/// and q = τ √2, the most that a place is from the line (beside a target). Without D₂ (fewer than five targets) it is
+/// taken for D₁; without D₁ (fewer than three) nobody knows, nor of a gap over 1.5 times the median one of its
+/// direction. What repeats from target to target alike is not seen in it (5.3.2), and a note says so; what the scatter
+/// does to means is in it, on the safe side.
+///
+/// The largest |r| + U is not stated where an effect of unknown size was not corrected (uncorrected_effects.h) or a
+/// reading is a gross error (gross_errors.h); an effect of known size is added to it, over the travel or from the datum
+/// to the farthest target, whichever is longer.
 namespace axiometry::compensation {
 
 /// In one direction; native deviation unit.
@@ -52,18 +60,18 @@ struct CompensatedTarget {
 struct CompensatedGap {
   Position from, to;
   double residual = 0.0;                                  ///< the largest by amount, with its sign
-  std::optional<iso230_2::ExpandedUncertainty> approach;  ///< absent where an end has none, or no q
+  std::optional<iso230_2::ExpandedUncertainty> approach;  ///< absent where an end has none, no q, or wide
 };
 
 struct CompensatedPositions {
-  double zero = 0.0;  ///< z
+  double zero = 0.0;  ///< z: the new zero, in the deviations as measured with the table
   std::vector<CompensatedTarget> targets;
   std::array<std::vector<CompensatedGap>, 2> gaps;       ///< of ↑ and of ↓
   std::array<std::optional<double>, 2> between_targets;  ///< q, likewise
-  /// The largest |r| + U of one approach, at the targets and from the first of them to the last; absent where any is
-  /// not known.
+  /// The largest |r| + U of one approach and what was not corrected, at the targets and from the first of them to the
+  /// last; absent where any is not known.
   std::optional<double> at_targets, anywhere;
-  std::vector<std::string> notes;  ///< what does not count, sentences without full stop
+  std::vector<std::string> notes;  ///< what does not count, was assumed or is not known; sentences without full stop
 };
 
 struct TableInControl {

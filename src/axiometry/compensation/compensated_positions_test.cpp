@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/compensation/compensated_positions.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -12,11 +14,15 @@
 #include <vector>
 
 #include "axiometry/compensation/fit.h"
+#include "axiometry/model/fields.h"
 #include "tests/support/series.h"
 
 namespace axiometry::compensation {
 namespace {
 
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
 using testing_support::make_series;
 using testing_support::RunDeviations;
 using Curve = std::function<double(double)>;
@@ -82,14 +88,17 @@ struct Coverage {
   Share means, approaches, between;
 };
 
-Coverage coverage_of(const std::vector<double>& nodes, std::size_t axes, std::uint64_t seed) {
+/// Each axis measured by an instrument whose scale is off by `scale_sd` µm/m or so.
+Coverage coverage_of(const std::vector<double>& nodes, std::size_t axes, std::uint64_t seed, double scale_sd = 0.0) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> scatter(0.0, scatter_of_them);
   const std::vector<double> targets = equal_targets(11, 50.0);
   Coverage found;
   for (std::size_t axis = 0; axis < axes; ++axis) {
     const Curve curve = any_axis(random);
-    const axiometry::Test test = tested(curve, targets, 5, random);
+    const double scale = scale_sd > 0.0 ? 1e-3 * std::normal_distribution<double>(0.0, scale_sd)(random) : 0.0;
+    axiometry::Test test = tested([&](double x) { return curve(x) + scale * x; }, targets, 5, random);
+    if (scale_sd > 0.0) test.metadata.gum.distributions = {{"scale:laser", fmt::format("normal 0 {}", scale_sd)}};
     const auto fit = fit_correction(test.series, AxisKind::linear, {.nodes = nodes, .curves = TableCurves::each_way});
     EXPECT_TRUE(fit);
     const AxisCorrection table = rounded(fit->correction);
@@ -98,8 +107,7 @@ Coverage coverage_of(const std::vector<double>& nodes, std::size_t axes, std::ui
     const auto truth = [&](double x, Direction d) {
       return curve(x) + (d == Direction::up ? 0.0 : reversal_of_them) + table.at(x, d);
     };
-    double zero = 0.0;
-    for (const double x : targets) zero += 0.5 * (truth(x, Direction::up) + truth(x, Direction::down)) / 11.0;
+    const double zero = known->zero;  // the number that is printed, not the mean of what is true
     for (const Direction d : {Direction::up, Direction::down}) {
       for (std::size_t i = 0; i < targets.size(); ++i) {
         const CompensatedMean& own = d == Direction::up ? *known->targets[i].up : *known->targets[i].down;
@@ -133,6 +141,39 @@ TEST(CompensatedPositions, HoldWhereTheTableIsCoarserThanTheTargets) {
   EXPECT_GT(found.between.value(), 0.9545);
 }
 
+/// At the datum a scale does nothing, but what it does to the mean of all is there too, where that were the zero.
+TEST(CompensatedPositions, HoldAgainstTheZeroThatIsPrintedWhereTheScaleIsOff) {
+  const Coverage found = coverage_of(equal_targets(11, 50.0), 400, 23, 20.0);
+  // All targets of an axis share its scale: 400 of them, three standard deviations of the binomial are 3.1 %.
+  EXPECT_NEAR(found.means.value(), 0.9545, 0.032);
+  EXPECT_NEAR(found.approaches.value(), 0.9545, 0.032);
+  EXPECT_GT(found.between.value(), 0.9545 - 0.032);
+}
+
+/// Every place its own, targets and a place close beside each of them: the variance of one from the line between the
+/// others is 1.5 τ², as (10) sees it, and that of such a place 2 τ².
+TEST(CompensatedPositions, HoldBesideTargetsWhereEveryPlaceIsItsOwn) {
+  std::mt19937_64 random(24);
+  std::normal_distribution<double> anything(0.0, 5.0), scatter(0.0, scatter_of_them);
+  const std::vector<double> targets = equal_targets(41, 10.0);
+  const AxisCorrection none = *AxisCorrection::make(AxisKind::linear, {0.0}, {0.0}, {0.0});
+  Share between;
+  for (int axis = 0; axis < 200; ++axis) {
+    std::vector<double> rough(targets.size());
+    for (double& x : rough) x = anything(random);
+    const auto at = [&](double x) { return rough[static_cast<std::size_t>(std::lround(x / 10.0))]; };
+    const auto known = compensated_positions(tested(at, targets, 5, random), {none, none});
+    ASSERT_TRUE(known);
+    for (std::size_t k = 0; k + 1 < targets.size(); ++k) {
+      // From the line, 2 % of the gap behind its first target.
+      const double line = 0.98 * known->targets[k].up->residual + 0.02 * known->targets[k + 1].up->residual;
+      const double place = anything(random) + scatter(random) - known->zero;
+      between.see(place - line, known->gaps[0][k].approach->U.in_native());
+    }
+  }
+  EXPECT_GE(between.value(), 0.95) << "with 1.5 τ² in place of 2 τ²: 0.92";
+}
+
 TEST(CompensatedPositions, KnowFromTheTargetsHowFarTheAxisIsBetweenThem) {
   std::mt19937_64 random(3);
   const std::vector<double> targets = equal_targets(41, 10.0);
@@ -147,7 +188,7 @@ TEST(CompensatedPositions, KnowFromTheTargetsHowFarTheAxisIsBetweenThem) {
   std::vector<double> rough(targets.size());
   for (double& x : rough) x = anything(random);
   const auto at = [&](double x) { return rough[static_cast<std::size_t>(std::lround(x / 10.0))]; };
-  EXPECT_NEAR(q_of(at), 2.0 * std::sqrt(1.5), 0.8) << "each target its own";
+  EXPECT_NEAR(q_of(at), 2.0 * std::sqrt(2.0), 0.9) << "each target its own, and places beside them too";
 }
 
 TEST(CompensatedPositions, TellWhatRoundingDoes) {
@@ -164,8 +205,10 @@ TEST(CompensatedPositions, TellWhatRoundingDoes) {
     EXPECT_GT(target.up->approach->u, target.up->mean->u);
   }
   EXPECT_GE(*known->anywhere, *known->at_targets);
-  ASSERT_EQ(known->notes.size(), 1u);
-  EXPECT_THAT(known->notes[0], testing::HasSubstr("only the scatter"));
+  EXPECT_THAT(known->notes, Contains(HasSubstr("calibration of the instrument is not in U")));
+  EXPECT_THAT(known->notes, Contains(HasSubstr("temperatures and expansion of the machine are not in U")));
+  EXPECT_THAT(known->notes, Contains(HasSubstr("the alignment is not in U")));
+  EXPECT_THAT(known->notes, Contains(HasSubstr("repeats from target to target alike")));
 }
 
 TEST(CompensatedPositions, CountTheInstrumentWhereItIsStated) {  // Lira & Cargill, eq. 8
@@ -177,7 +220,9 @@ TEST(CompensatedPositions, CountTheInstrumentWhereItIsStated) {  // Lira & Cargi
   test.metadata.gum.distributions = {{"scale:laser", "normal 0 20"}};  // µm/m: 8 µm at 400 mm
   const auto with = compensated_positions(test, {none, none});
   ASSERT_TRUE(without && with);
-  EXPECT_TRUE(with->notes.empty());
+  EXPECT_THAT(with->notes, Not(Contains(HasSubstr("calibration of the instrument"))));
+  EXPECT_THAT(with->notes, Contains(HasSubstr("temperatures and expansion of the machine are not in U")));
+  EXPECT_THAT(with->notes, Contains(HasSubstr("the alignment is not in U")));
   const auto u = [](const auto& known, std::size_t i) { return known->targets[i].up->mean->u.in_native(); };
   EXPECT_DOUBLE_EQ(u(with, 0), u(without, 0));
   EXPECT_NEAR(u(with, 4), std::hypot(u(without, 4), 8.0), 1e-9);
@@ -189,6 +234,9 @@ TEST(CompensatedPositions, CountTheInstrumentWhereItIsStated) {  // Lira & Cargi
   ASSERT_TRUE(drifting) << drifting.error().message;
   EXPECT_GT(u(drifting, 0), 3.0);
   EXPECT_LT(drifting->targets[0].up->approach->k, 2.05);
+  EXPECT_THAT(drifting->notes, Contains(HasSubstr("part of the scatter and not counted again"))) << "of gum()";
+  EXPECT_THAT(drifting->notes, Not(Contains(HasSubstr("The parameters are extremes")))) << "nothing of parameters";
+  EXPECT_THAT(drifting->notes, Contains(HasSubstr("calibration of the instrument is not in U")));
 }
 
 TEST(CompensatedPositions, SayNothingOfWhatNobodyKnows) {
@@ -200,11 +248,96 @@ TEST(CompensatedPositions, SayNothingOfWhatNobodyKnows) {
   EXPECT_FALSE(once->at_targets) << "one approach has no scatter";
   EXPECT_FALSE(once->anywhere);
   EXPECT_FALSE(once->targets[0].up->mean);
+  EXPECT_THAT(once->notes, Contains(HasSubstr("it takes two approaches")));
   const auto two = compensated_positions(tested(line, equal_targets(2, 100.0), 5, random), {none, none});
   ASSERT_TRUE(two);
   EXPECT_TRUE(two->at_targets);
   EXPECT_FALSE(two->anywhere) << "two targets do not tell what is between them";
   EXPECT_FALSE(two->between_targets[0]);
+  EXPECT_THAT(two->notes, Contains(HasSubstr("it takes three of them")));
+}
+
+double largest_at_targets(const CompensatedPositions& known) {
+  double most = 0.0;
+  for (const CompensatedTarget& target : known.targets)
+    for (const auto& side : {target.up, target.down})
+      most = std::max(most, std::abs(side->residual) + side->approach->U.in_native());
+  return most;
+}
+
+/// Straight, with a scatter that is the same in every build; one reading off by `error`, that of ↑ in run 3 at 300 mm.
+axiometry::Test calm(double error = 0.0) {
+  constexpr std::array scatter{0.4, -0.3, 0.1, -0.5, 0.2};
+  const std::vector<double> targets = equal_targets(5, 100.0);
+  std::vector<RunDeviations> up(5), down(5);
+  for (std::size_t j = 0; j < 5; ++j)
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      up[j].push_back(scatter[(i + j) % 5]);
+      down[j].push_back(scatter[(i + 2 * j) % 5] + reversal_of_them);
+    }
+  up[2][3] += error;
+  return {Metadata{}, make_series(targets, up, down), {}};
+}
+
+TEST(CompensatedPositions, TellWhatWasNotCorrected) {
+  const AxisCorrection none = *AxisCorrection::make(AxisKind::linear, {0.0}, {0.0}, {0.0});
+  axiometry::Test test = calm();
+  const auto plain = compensated_positions(test, {none, none});
+  ASSERT_TRUE(plain && plain->at_targets && plain->anywhere);
+  EXPECT_DOUBLE_EQ(*plain->at_targets, largest_at_targets(*plain));
+  // 12 µm/(m·°C) · 6 °C · 0.4 m, of which nobody said whether it was corrected.
+  ASSERT_TRUE(set_field_text(test.metadata, "sensors", "machine | bed | 26 | 26"));
+  const auto warm = compensated_positions(test, {none, none});
+  ASSERT_TRUE(warm && warm->at_targets && warm->anywhere);
+  EXPECT_THAT(warm->notes, Contains(HasSubstr("about 28.8 µm over the travel")));
+  EXPECT_THAT(warm->notes, Contains(HasSubstr("is added to the largest")));
+  EXPECT_NEAR(*warm->at_targets, largest_at_targets(*warm) + 28.8, 1e-9);
+  EXPECT_GT(*warm->anywhere, 28.8);
+  test.metadata.nde.datum = Position::native(-400.0);  // to the farthest target it is twice the travel
+  const auto far = compensated_positions(test, {none, none});
+  ASSERT_TRUE(far && far->at_targets);
+  EXPECT_NEAR(*far->at_targets, largest_at_targets(*far) + 57.6, 1e-9);
+  test.metadata.instrument.sign_reversed = true;  // nobody knows what that does
+  const auto turned = compensated_positions(test, {none, none});
+  ASSERT_TRUE(turned) << turned.error().message;
+  EXPECT_FALSE(turned->at_targets);
+  EXPECT_FALSE(turned->anywhere);
+  EXPECT_TRUE(turned->targets[0].up->approach) << "U of the target is what it is";
+  EXPECT_THAT(turned->notes, Contains(HasSubstr("the reversed sign of the instrument is neither corrected")));
+  EXPECT_THAT(turned->notes, Contains(HasSubstr("nobody knows how large")));
+}
+
+TEST(CompensatedPositions, SayNothingWhereAReadingIsAGrossError) {
+  const AxisCorrection none = *AxisCorrection::make(AxisKind::linear, {0.0}, {0.0}, {0.0});
+  const auto wrong = compensated_positions(calm(40.0), {none, none});
+  ASSERT_TRUE(wrong);
+  EXPECT_FALSE(wrong->at_targets);
+  EXPECT_FALSE(wrong->anywhere);
+  EXPECT_THAT(wrong->notes, Contains(HasSubstr("↑ of run 3 at 300 mm departs by ")));
+  EXPECT_THAT(wrong->notes, Contains(HasSubstr("no scatter explains all of the readings")));
+}
+
+TEST(CompensatedPositions, SayNothingOfAGapThatIsWiderThanTheOthers) {
+  std::mt19937_64 random(10);
+  std::vector<double> targets = equal_targets(11, 10.0);
+  targets.push_back(600.0);
+  // Straight where targets are near, with a bow of 50 µm between the last two.
+  const auto curve = [](double x) {
+    return x <= 100.0 ? 0.0 : 50.0 * std::sin(std::numbers::pi * (x - 100.0) / 500.0);
+  };
+  const AxisCorrection none = *AxisCorrection::make(AxisKind::linear, {0.0}, {0.0}, {0.0});
+  const auto known = compensated_positions(tested(curve, targets, 5, random), {none, none});
+  ASSERT_TRUE(known) << known.error().message;
+  EXPECT_TRUE(known->gaps[0][9].approach);
+  EXPECT_FALSE(known->gaps[0][10].approach);
+  EXPECT_TRUE(known->targets[11].up->approach);
+  EXPECT_FALSE(known->anywhere);
+  EXPECT_THAT(known->notes, Contains(HasSubstr("over 1.5 times as far apart as the median")));
+  targets.back() = 115.0;  // 1.5 times is not over 1.5 times
+  const auto near = compensated_positions(tested(curve, targets, 5, random), {none, none});
+  ASSERT_TRUE(near);
+  EXPECT_TRUE(near->gaps[0][10].approach);
+  EXPECT_THAT(near->notes, Not(Contains(HasSubstr("as far apart as the median"))));
 }
 
 TEST(CompensatedPositions, CountFromWhatWasActiveDuringTheTest) {

@@ -35,6 +35,7 @@ struct KnownPositions {
     std::optional<KnownMean> up, down;
   };
   std::vector<Row> targets;
+  double zero = 0.0;                           ///< by which the zero is shifted that positions are against
   std::optional<double> at_targets, anywhere;  ///< the largest |r| + U
   std::vector<std::string> notes;              ///< sentences without full stop
 };

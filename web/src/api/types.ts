@@ -1004,11 +1004,11 @@ export interface components {
         };
         /** @description To within what positions are known with the table in the control: equations (7) to (10) of docs/theory/compensation.md. Native unit. */
         CompensationKnown: {
-            /** @description The largest amount of a residual and U at a target; null where any is not known. */
+            /** @description The largest amount of a residual and U at a target, with the size of what was not corrected; null where any is not known: notes tell why. */
             at_targets: number | null;
             /** @description And between them. */
             anywhere: number | null;
-            /** @description The mean of what the table leaves, which a new zero takes away; residuals are about it. */
+            /** @description The mean of what the table leaves: the new zero that residuals and U are against. */
             zero: number;
             targets: {
                 target: number;

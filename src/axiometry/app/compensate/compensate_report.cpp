@@ -97,7 +97,7 @@ Value known_to_json(const compensation::CompensatedPositions& known) {
 }
 
 report::KnownPositions known_for_report(const compensation::CompensatedPositions& known) {
-  report::KnownPositions shown{{}, known.at_targets, known.anywhere, known.notes};
+  report::KnownPositions shown{{}, known.zero, known.at_targets, known.anywhere, known.notes};
   const auto side = [](const std::optional<compensation::CompensatedMean>& mean) -> std::optional<report::KnownMean> {
     if (!mean) return std::nullopt;
     return report::KnownMean{mean->residual,

@@ -19,15 +19,14 @@ Paragraph known_in_words(const KnownPositions& known, AxisKind kind, const Optio
     return fmt::format("{} {}", format_fixed(x, 2, options.numbers), deviation_unit(kind));
   };
   if (!known.at_targets)
-    return {plain("To within what positions are known nobody can say: it takes two approaches to every target."),
-            Tone::caution};
+    return {plain("To within what positions are known nobody can say; the notes tell why."), Tone::caution};
   std::string words = fmt::format(
-      "At each target about 95 % of approaches or more will end within {} of their position, a new zero apart, if the "
-      "axis stays as it is.",
-      text(*known.at_targets));
+      "At each target about 95 % of approaches or more will end within {} of their position, once the zero is shifted "
+      "by {}, if the axis stays as it is.",
+      text(*known.at_targets), text(known.zero));
   words += known.anywhere
                ? fmt::format(" Anywhere between the first target and the last: within {}.", text(*known.anywhere))
-               : " What it is between the targets nobody can say: it takes three of them.";
+               : " What it is between the targets nobody can say; the notes tell why.";
   return {plain(words), Tone::normal};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-import type { CompensationResult, Parameter, ParameterNumbers, Shown, Test } from '../../api/types';
+import type { CompensationKnown, CompensationResult, Parameter, ParameterNumbers, Shown, Test } from '../../api/types';
 import { Aligned, most_decimals } from '../../components/aligned';
+import { sentence } from '../../components/findings';
+import { Formula } from '../../components/formula';
 import { ParameterSymbol } from '../../components/symbol';
 import { DataTable, type Column } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
@@ -54,6 +56,7 @@ export function FigureTable({ result, test, retest = null }: { result: Compensat
         ] : []),
       ]} />
       <p class="small quiet foot">{foot_text(result, shown)}</p>
+      <KnownNotes notes={result.known_to_within?.notes ?? []} />
     </>
   );
 }
@@ -67,12 +70,30 @@ function Bar({ row: { parameter, limit }, result }: { row: Row; result: Compensa
   return <LimitBar value={value} low={typeof most === 'number' ? value : null} high={most ?? null} limit={limit.limit} tone="none" />;
 }
 
+/** As the report says it: nothing of the places between where nothing is known of the targets. */
+function known_text({ at_targets, anywhere, zero }: CompensationKnown, unit: string): string[] {
+  if (at_targets === null) return [t('known_not')];
+  return [
+    t('known_at', { at: fixed(at_targets, 2), zero: fixed(zero, 2), unit }),
+    anywhere === null ? t('known_not_between') : t('known_anywhere', { anywhere: fixed(anywhere, 2), unit }),
+  ];
+}
+
+/** What of it does not count, was assumed, or is not known. */
+function KnownNotes({ notes }: { notes: readonly string[] }) {
+  if (notes.length === 0) return null;
+  return (
+    <div class="small quiet foot">
+      <p>{t('known_notes')}:</p>
+      <ul>{notes.map((note) => <li key={note}><Formula text={sentence(note)} /></li>)}</ul>
+    </div>
+  );
+}
+
 function foot_text(result: CompensationResult, shown: readonly Shown[]): string {
   const parts = [t('units', { unit: unit_sign(result.unit) }), t('predicted_how')];
   if (result.expected_retest) parts.push(t('percent_95_how', { n: result.expected_retest.trials }));
-  const known = result.known_to_within;
-  if (known && known.at_targets !== null && known.anywhere !== null)
-    parts.push(t('known', { at: fixed(known.at_targets, 2), anywhere: fixed(known.anywhere, 2), unit: unit_sign(result.unit) }));
+  if (result.known_to_within) parts.push(...known_text(result.known_to_within, unit_sign(result.unit)));
   parts.push(t('scatter_how'));
   const E = shown_parameters(result.before).find((parameter) => parameter.startsWith('E'));
   const [fitted, interpolated] = E === undefined ? [] : [result.least_squares[E], result.interpolated[E]];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -197,6 +199,19 @@ std::vector<GrossError> gross_errors(const Series& series, const TestCourse& cou
   }
   std::ranges::stable_sort(found, std::ranges::greater{}, &GrossError::factor);
   return found;
+}
+
+std::string reason_of(std::span<const GrossError> found, const Test& test) {
+  if (found.empty()) return {};
+  const GrossError& worst = found.front();
+  const AxisKind kind = test.metadata.axis.kind;
+  std::string reason = fmt::format(
+      "{} of run {} at {:.6g} {} departs by {:.3g} {} from the other approaches, {:.1f} times the standard deviation "
+      "of such a departure",
+      arrow(worst.direction), worst.run + 1, test.series.targets()[worst.target].in_native(), position_unit(kind),
+      worst.departure.in_native(), deviation_unit(kind), worst.factor);
+  if (found.size() > 1) reason += fmt::format("; such readings: {}", found.size());
+  return reason;
 }
 
 }  // namespace axiometry::iso230_2

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <string>
 #include <vector>
 
-#include "axiometry/model/series.h"
+#include "axiometry/model/test.h"
 #include "axiometry/standards/readings/test_course.h"
 
 /// Readings that no scatter explains: what breaks every model of normal scatter and noise.
@@ -30,5 +32,9 @@ inline constexpr double one_test_in_ten = 0.1;         ///< the reading may be a
 /// taken); no scatter is smaller than half of it, nor of 1e-4 of the native unit.
 std::vector<GrossError> gross_errors(const Series& series, const TestCourse& course, double step,
                                      double false_alarms = one_test_in_a_hundred);
+
+/// Of gross_errors() of the readings of `test` that `found` are: the worst of them and how many there are, a sentence
+/// without full stop. Empty where there are none.
+std::string reason_of(std::span<const GrossError> found, const Test& test);
 
 }  // namespace axiometry::iso230_2

@@ -212,18 +212,7 @@ Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, st
 
 /// Why nothing is drawn of readings that no normal scatter explains: they break the models. Empty where there are none.
 std::string refusal_where_outliers(const Subject& subject) {
-  const auto found = gross_errors(subject.test.series, subject.course, subject.step());
-  if (found.empty()) return {};
-  const GrossError& worst = found.front();
-  std::string reason = fmt::format(
-      "{} of run {} at {:.6g} {} departs by {:.3g} {} from the other approaches, {:.1f} times the standard deviation "
-      "of "
-      "such a departure",
-      arrow(worst.direction), worst.run + 1, subject.test.series.targets()[worst.target].in_native(),
-      position_unit(subject.test.metadata.axis.kind), worst.departure.in_native(),
-      deviation_unit(subject.test.metadata.axis.kind), worst.factor);
-  if (found.size() > 1) reason += fmt::format("; such readings: {}", found.size());
-  return reason;
+  return reason_of(gross_errors(subject.test.series, subject.course, subject.step()), subject.test);
 }
 
 /// Whether it did.

@@ -303,6 +303,7 @@ void add_notes(GumUncertainty& result, const GumModel& model, const Evaluation& 
                                           [](const PositionResult& p) { return p.count_up == 1 || p.count_down == 1; });
   if (model.measurand == Measurand::this_machine && single)
     result.notes.push_back("A single approach has no scatter: there the known noise counts alone");
+  result.position_notes = result.notes.size();
   std::vector<std::string_view> without;
   for (const ParameterInfo& info : parameters)
     if (evaluation.parameters.*info.member && result.find(info.key) == nullptr) without.push_back(info.symbol);

@@ -90,6 +90,7 @@ struct GumUncertainty {
   std::vector<PositionUncertainty> positions;  ///< one per target
   std::vector<GumParameter> parameters;        ///< those that exist and on which some source acts
   std::vector<std::string> notes;              ///< what was assumed, and where the method ends
+  std::size_t position_notes = 0;              ///< of these the first ones, which concern `positions` too
 
   /// nullptr where it has none.
   const GumParameter* find(std::string_view key) const;
