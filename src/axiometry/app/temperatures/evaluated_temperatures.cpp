@@ -83,8 +83,9 @@ Result<EvaluatedTemperatures> evaluate_temperatures(const std::string& file, con
 
 TemperatureRequest with_end_of_readings(TemperatureRequest request, const std::optional<Duration>& duration) {
   const auto began = moment_of(request.began);
-  if (!request.ended.empty() || !began || !duration || !(duration->in_s() > 0.0)) return request;
-  constexpr double ns_per_s = 1e9;
+  constexpr double ns_per_s = 1e9, longest_s = 366.0 * 86'400.0;  // times over a year are those of no test
+  if (!request.ended.empty() || !began || !duration) return request;
+  if (!(duration->in_s() > 0.0 && duration->in_s() <= longest_s)) return request;
   request.ended =
       moment_text({began->ns + static_cast<std::int64_t>(std::ceil(duration->in_s()) * ns_per_s), began->zoned});
   return request;
