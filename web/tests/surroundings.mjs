@@ -51,7 +51,7 @@ export const surroundings = {
     const test = await world.api('GET', `/api/tests/${id}`);
     assert.equal(test.options.temperatures.highest_C, 22);
     assert.equal(test.result.environment.exceeded, true);
-    assert.ok(test.result.findings.some(({ key }) => key === 'environment-highest-exceeded'));
+    assert.ok(test.result.findings.some(({ id }) => id === 'environment-highest-exceeded'));
     const kept = await downloaded(page, () => page.getByRole('link', { name: 'hall.csv' }).click());
     assert.deepEqual(kept.bytes, bytes, 'byte by byte');
     // The version before has no log, and knows nothing of it.
