@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/numeric/median.h"
 #include "axiometry/standards/iso230_2/inputs/uncorrected_effects.h"
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
@@ -21,8 +20,7 @@ using iso230_2::ComponentSum;
 using iso230_2::ExpandedUncertainty;
 
 constexpr double no_limit = iso230_2::infinite;
-constexpr double wide_gap =
-    1.5;  // of the median gap: the bow, which grows with its square, is then over twice as large
+constexpr double wide_gap = 2.0;  // of the mean gap, as of targets after 5.2; beyond it nothing is told by the others
 
 double freedom_of(const ExpandedUncertainty& x) { return x.effective_degrees_of_freedom.value_or(no_limit); }
 
@@ -107,11 +105,10 @@ std::vector<MeanOnWay> means_on_way(const iso230_2::Evaluation& measured, Direct
   return means;
 }
 
-/// The gap beyond which (10) tells nothing of it; none of fewer than two means.
-double widest_known(const std::vector<MeanOnWay>& means) {
-  std::vector<double> gaps;
-  for (std::size_t k = 0; k + 1 < means.size(); ++k) gaps.push_back(means[k + 1].position - means[k].position);
-  return gaps.empty() ? 0.0 : wide_gap * (1.0 + 1e-9) * numeric::median(std::move(gaps));
+/// 0 of fewer than two means.
+double mean_gap_of(const std::vector<MeanOnWay>& means) {
+  if (means.size() < 2) return 0.0;
+  return (means.back().position - means.front().position) / static_cast<double>(means.size() - 1);
 }
 
 /// Of one direction, for compensated_positions() alone.
@@ -122,11 +119,11 @@ class Way {
         table_(table),
         direction_(direction),
         means_(means_on_way(measured, direction)),
-        widest_(widest_known(means_)) {}
+        mean_gap_(mean_gap_of(means_)) {}
 
   const std::vector<MeanOnWay>& means() const { return means_; }
   /// Whether the gap behind mean `k` is one of which the others do not tell.
-  bool wide(std::size_t k) const { return means_[k + 1].position - means_[k].position > widest_; }
+  bool wide(std::size_t k) const { return gaps_in(k) > wide_gap * (1.0 + 1e-9); }
   double before_zero(const MeanOnWay& m) const { return m.mean + change_at(table_, m.position, direction_); }
 
   CompensatedMean at(const MeanOnWay& m, double zero, const iso230_2::GumUncertainty* gum) const {
@@ -159,17 +156,21 @@ class Way {
     ComponentSum sum;
     sum.add({mean.u.in_native(), freedom_of(mean)});
     sum.add({first_s ? *first->s : *last->s, static_cast<double>((first_s ? a : b).count) - 1.0});
-    sum.add(*q);
+    const double bow = std::max(1.0, gaps_in(k) * gaps_in(k));  // grows with the square
+    sum.add({bow * q->u, q->degrees_of_freedom});
     gap.approach = sum.expanded();
     return gap;
   }
 
  private:
+  /// The gap behind mean `k`, in mean gaps.
+  double gaps_in(std::size_t k) const { return (means_[k + 1].position - means_[k].position) / mean_gap_; }
+
   const iso230_2::Evaluation& measured_;
   const TableInControl& table_;
   Direction direction_;
   std::vector<MeanOnWay> means_;
-  double widest_;
+  double mean_gap_;
 };
 
 /// The largest |r| + U; nothing more once one is not known.
@@ -210,11 +211,12 @@ void add_uncorrected(Caveats& caveats, const Test& test) {
       std::max(std::abs(targets.front().in_native() - datum), std::abs(targets.back().in_native() - datum));
   const double lever = travel > 0.0 ? std::max(1.0, farthest / travel) : 1.0;  // sizes are those over the travel
   for (const iso230_2::UncorrectedEffect& effect : effects) {
+    const double own = effect.key == "dead-path" ? 1.0 : lever;  // the same at every position
     caveats.notes.push_back(effect.reason());
     if (!effect.on_lengths || !effect.on_repeats)
       caveats.more.reset();
     else if (caveats.more)
-      *caveats.more += std::max(lever * effect.on_lengths->in_native(), effect.on_repeats->in_native());
+      *caveats.more += std::max(own * effect.on_lengths->in_native(), effect.on_repeats->in_native());
   }
   if (effects.empty()) return;
   caveats.notes.emplace_back(
@@ -273,7 +275,8 @@ void add_of_places(Caveats& caveats, const std::array<Way, 2>& ways, const Compe
   if (few) caveats.notes.emplace_back("what is between the targets is not stated: it takes three of them");
   if (wide)
     caveats.notes.emplace_back(
-        "what is between targets over 1.5 times as far apart as the median is not stated: the other gaps do not tell");
+        "what is between targets over twice as far apart as they are on average is not stated: the other gaps do not "
+        "tell");
   caveats.notes.emplace_back(
       "an error that repeats from target to target alike, as with the pitch of a screw, is not in what is stated "
       "between the targets");

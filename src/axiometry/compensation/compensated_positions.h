@@ -33,13 +33,13 @@
 /// D₁ the root mean square of their distance from the line between the targets beside them, D₂ between those next but
 /// one; a smooth curve has D₂ = 4 D₁ and q = D₁/4, one that differs by τ from place to place anyhow D₂ = D₁ = τ √1.5
 /// and q = τ √2, the most that a place is from the line (beside a target). Without D₂ (fewer than five targets) it is
-/// taken for D₁; without D₁ (fewer than three) nobody knows, nor of a gap over 1.5 times the median one of its
-/// direction. What repeats from target to target alike is not seen in it (5.3.2), and a note says so; what the scatter
-/// does to means is in it, on the safe side.
+/// taken for D₁; without D₁ (fewer than three) nobody knows, nor of a gap over twice the mean one of its direction;
+/// in one wider than the mean q grows with its square, as a bow does. What repeats from target to target alike is not
+/// seen in it (5.3.2), and a note says so; what the scatter does to means is in it, on the safe side.
 ///
 /// The largest |r| + U is not stated where an effect of unknown size was not corrected (uncorrected_effects.h) or a
 /// reading is a gross error (gross_errors.h); an effect of known size is added to it, over the travel or from the datum
-/// to the farthest target, whichever is longer.
+/// to the farthest target, whichever is longer (a dead path's is the same everywhere).
 namespace axiometry::compensation {
 
 /// In one direction; native deviation unit.

@@ -317,6 +317,22 @@ TEST(CompensatedPositions, SayNothingWhereAReadingIsAGrossError) {
   EXPECT_THAT(wrong->notes, Contains(HasSubstr("no scatter explains all of the readings")));
 }
 
+/// Targets after formula (1) of 5.3.2, with a random part of 30 % of the interval either way.
+TEST(CompensatedPositions, HoldBetweenTargetsAsTheStandardHasThem) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> part(-30.0, 30.0);
+  const AxisCorrection none = *AxisCorrection::make(AxisKind::linear, {0.0}, {0.0}, {0.0});
+  for (int axis = 0; axis < 20; ++axis) {
+    std::vector<double> targets;
+    for (int i = 0; i < 11; ++i) targets.push_back(100.0 * i + part(random));
+    std::ranges::sort(targets);
+    const auto known =
+        compensated_positions(tested([](double x) { return 0.01 * x; }, targets, 5, random), {none, none});
+    ASSERT_TRUE(known);
+    for (const CompensatedGap& gap : known->gaps[0]) EXPECT_TRUE(gap.approach);
+  }
+}
+
 TEST(CompensatedPositions, SayNothingOfAGapThatIsWiderThanTheOthers) {
   std::mt19937_64 random(10);
   std::vector<double> targets = equal_targets(11, 10.0);
@@ -332,12 +348,12 @@ TEST(CompensatedPositions, SayNothingOfAGapThatIsWiderThanTheOthers) {
   EXPECT_FALSE(known->gaps[0][10].approach);
   EXPECT_TRUE(known->targets[11].up->approach);
   EXPECT_FALSE(known->anywhere);
-  EXPECT_THAT(known->notes, Contains(HasSubstr("over 1.5 times as far apart as the median")));
-  targets.back() = 115.0;  // 1.5 times is not over 1.5 times
+  EXPECT_THAT(known->notes, Contains(HasSubstr("over twice as far apart as they are")));
+  targets.back() = 119.0;
   const auto near = compensated_positions(tested(curve, targets, 5, random), {none, none});
   ASSERT_TRUE(near);
   EXPECT_TRUE(near->gaps[0][10].approach);
-  EXPECT_THAT(near->notes, Not(Contains(HasSubstr("as far apart as the median"))));
+  EXPECT_THAT(near->notes, Not(Contains(HasSubstr("over twice as far"))));
 }
 
 TEST(CompensatedPositions, CountFromWhatWasActiveDuringTheTest) {

@@ -44,9 +44,9 @@ constexpr Phrase rows[] = {
      "wie genau Positionen bekannt sind, wird nicht angegeben: Keine Streuung erklärt alle Messwerte"},
     {"to within what positions are known is not stated: nobody knows how large such an effect is",
      "wie genau Positionen bekannt sind, wird nicht angegeben: Niemand weiß, wie groß ein solcher Einfluss ist"},
-    {"what is between targets over 1.5 times as far apart as the median is not stated: the other gaps do not tell",
-     "was zwischen Zielen liegt, die über 1,5-mal so weit wie der Median auseinander sind, wird nicht angegeben: Die "
-     "anderen Abstände sagen es nicht"},
+    {"what is between targets over twice as far apart as they are on average is not stated: the other gaps do not tell",
+     "was zwischen Zielpositionen liegt, die mehr als doppelt so weit auseinander sind wie im Mittel, ist nicht "
+     "angegeben: Die anderen Abstände sagen darüber nichts"},
     {"what is between the targets is not stated: it takes three of them",
      "was zwischen den Zielen liegt, wird nicht angegeben: Dazu braucht es drei"},
     {"what such an effect may amount to is added to the largest that is stated, not to U of a target",

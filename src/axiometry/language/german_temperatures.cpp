@@ -17,10 +17,8 @@ constexpr Phrase rows[] = {
      "Zeile von {0} Byte in einer Temperaturaufzeichnung; erwartet: höchstens {1}"},
     {"found a temperature log without dates, expected dates to know when the test was",
      "Temperaturaufzeichnung ohne Datum; erwartet: ein Datum, um zu wissen, wann die Prüfung war"},
-    {"found a test dated {0=} that began on {1=} by what was said of its temperatures, expected one day: nobody knows "
-     "whose these temperatures are",
-     "eine Prüfung vom {0}, die nach den Angaben zu ihren Temperaturen am {1} begann; erwartet: ein Tag. Niemand weiß, "
-     "wessen Temperaturen dies sind"},
+    {"found a test dated {0=}, expected the day of its temperatures, {1=}: nobody knows whose these are",
+     "eine Prüfung vom {0}; erwartet: der Tag ihrer Temperaturen, {1}. Niemand weiß, wessen Temperaturen dies sind"},
     {"found a test that ended {0=}, expected an end after its beginning {1=}",
      "Prüfung, die {0} endete; erwartet: ein Ende nach ihrem Beginn {1}"},
     {"found a time before that of the line before, expected the order of time",

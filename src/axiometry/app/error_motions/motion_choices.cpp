@@ -173,12 +173,6 @@ Result<EvaluatedMotion> evaluate_motion(std::string_view kind, std::span<const G
   return EvaluatedMotion(std::move(measured));
 }
 
-std::optional<std::string> motion_kind_of(std::string_view bytes) {
-  const auto file = formats::read_motion_csv(bytes);
-  if (!file) return std::nullopt;
-  return is_angle(file->unit) ? "angles" : "straightness";
-}
-
 Experiment present_motion(const EvaluatedMotion& evaluated, const report::Options& options, MotionOutputs outputs) {
   return std::visit([&](const auto& each) { return present(each, options, outputs); }, evaluated);
 }

@@ -45,10 +45,6 @@ Result<EvaluatedMotion> evaluate_motion(std::string_view kind, std::span<const G
 
 bool is_motion_kind(std::string_view kind);
 
-/// What readings are of, where a file says so or its columns do: "straightness" or "angles". Absent for what is no
-/// table of such readings.
-std::optional<std::string> motion_kind_of(std::string_view bytes);
-
 /// As present() of its kind.
 Experiment present_motion(const EvaluatedMotion& evaluated, const report::Options& options, MotionOutputs outputs);
 

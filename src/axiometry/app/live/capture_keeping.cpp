@@ -163,7 +163,8 @@ Result<std::vector<EndedCapture>> captures_noted_as(const store::Transaction& ar
   AXIOMETRY_TRY(const std::vector<std::string> hashes, archive.contents(format));
   for (const std::string& hash : hashes) {
     const auto content = archive.content(hash);
-    if (!content && content.error().kind == ErrorKind::damaged) continue;  // `store verify` tells it
+    // `store verify` tells it. Without a discard that cannot be read nothing may be listed: it could be any.
+    if (!content && content.error().kind == ErrorKind::damaged && format == listed_format) continue;
     if (!content) return std::unexpected(content.error());
     if (auto capture = ended_capture_from(content->bytes)) captures.push_back(*std::move(capture));
   }

@@ -114,6 +114,8 @@ TEST(LogWithTest, OfAnotherDayIsTold) {
   };
   EXPECT_TRUE(told("2014-05-15"));
   EXPECT_FALSE(told("2026-03-02"));
+  EXPECT_TRUE(told("2026-03-01"));
+  EXPECT_TRUE(told("2026-03-03"));
   EXPECT_FALSE(told("")) << "not stated, which is told elsewhere";
 }
 

@@ -166,9 +166,10 @@ void add_motion_figures(std::vector<KeptFigure>& figures, const MeasuredMotion& 
 std::vector<KeptFigure> motion_figures(const EvaluatedMotion& evaluated) {
   std::vector<KeptFigure> figures;
   if (const auto* square = std::get_if<SquarenessMeasurement>(&evaluated)) {
+    const std::string about = about_reference(square->first.motion);
     if (square->location)
-      add_estimate(figures, std::string(square->location->name), "", square->location->urad, "urad");
-    add_estimate(figures, square->square.in_axes ? "squareness_in_axes" : "squareness", "",
+      add_estimate(figures, std::string(square->location->name) + about, "", square->location->urad, "urad");
+    add_estimate(figures, (square->square.in_axes ? "squareness_in_axes" : "squareness") + about, "",
                  square->result.squareness_arcsec, "arcsec");
   }
   for (const MeasuredMotion* measured : measured_files(evaluated)) add_motion_figures(figures, *measured);

@@ -9,9 +9,12 @@ const signs: Record<CalibrationFigure['unit'], string> = { um: 'µm', arcsec: '�
 
 export const sign_of = (unit: string): string => signs[unit as CalibrationFigure['unit']] ?? unit;
 
+/** "C0Y", "C0Y_end_points". */
+const is_location = (parameter: string): boolean => /^[ABC]0[YZ](_(end_points|least_squares))?$/.test(parameter);
+
 /** Lengths and angles with one decimal, those of straightness and angles with two, χ²/ν with three, counts with none. */
 export function figure_text(parameter: string, unit: string, value: number | null): string {
-  if (motion_figure(parameter).figure || /^[ABC]0[YZ]$/.test(parameter)) return fixed(value, 2);
+  if (motion_figure(parameter).figure || is_location(parameter)) return fixed(value, 2);
   return fixed(value, unit !== '' ? 1 : parameter === 'chi2_per_dof' ? 3 : 0);
 }
 
@@ -36,6 +39,7 @@ export function figure_name(parameter: string, of: string): string {
   if (known) return t(known);
   const { figure: motion, reference } = motion_figure(parameter);
   if (motion) return `${of === '' ? '' : `${of}: `}${t(motion)}${reference ? ` (${t(reference)})` : ''}`;
+  if (is_location(parameter)) return reference ? `${parameter.slice(0, 3)} (${t(reference)})` : parameter;
   if (/^E[XYZABC][XYZ]$/.test(parameter)) return `max |${parameter}|`;
   return of === '' ? parameter : `${parameter} (${of})`;
 }
@@ -45,11 +49,9 @@ const find = (row: Pick<CalibrationRow, 'figures'>, parameter: string) => row.fi
 const worst = (figures: readonly CalibrationFigure[]): CalibrationFigure | null =>
   figures.reduce<CalibrationFigure | null>((most, one) => (most === null || one.value > most.value ? one : most), null);
 
-const is_location = (parameter: string): boolean => /^[ABC]0[YZ]$/.test(parameter);
-
 /** What a straightness, an angle or a squareness is known by: with its location error first, and without its lines. */
 export function is_main_figure({ parameter }: CalibrationFigure, _: number, figures: readonly CalibrationFigure[]): boolean {
-  const is_squareness = (one: string): boolean => one === 'squareness' || one === 'squareness_in_axes';
+  const is_squareness = (one: string): boolean => /^squareness(_in_axes)?(_(end_points|least_squares))?$/.test(one);
   if (figures.some((one) => is_squareness(one.parameter)))
     return is_location(parameter) || (is_squareness(parameter) && !figures.some((one) => is_location(one.parameter)));
   const { figure } = motion_figure(parameter);

@@ -137,6 +137,8 @@ TEST(Claims, OfTheTestTakeTemperaturesFromALogToo) {
   };
   EXPECT_EQ(asked(false), 1);
   EXPECT_EQ(asked(true), 0);
+  test.metadata.nde.applied = false;
+  EXPECT_EQ(asked(true), 1) << "nothing here holds the log's 26 °C against an axis that was not corrected";
 }
 
 TEST(Claims, OfTheTestAreContradictedByWhatTheStandardForbids) {

@@ -299,11 +299,11 @@ void add_notes(GumUncertainty& result, const GumModel& model, const Evaluation& 
         "The length difference of the station grows with the square of its offset: to first order the squares are "
         "inputs with a mean and a standard deviation; the readings are not corrected for the mean, which counts as a "
         "source of its own");
+  result.position_notes = result.notes.size();  // of what follows nothing is of positions
   const bool single = std::ranges::any_of(evaluation.positions,
                                           [](const PositionResult& p) { return p.count_up == 1 || p.count_down == 1; });
   if (model.measurand == Measurand::this_machine && single)
     result.notes.push_back("A single approach has no scatter: there the known noise counts alone");
-  result.position_notes = result.notes.size();
   std::vector<std::string_view> without;
   for (const ParameterInfo& info : parameters)
     if (evaluation.parameters.*info.member && result.find(info.key) == nullptr) without.push_back(info.symbol);
