@@ -303,7 +303,8 @@ def other_types_are_refused(server, checks):
     takes_files = {"/api/preview", "/api/evaluations", "/api/tests", "/api/tests/1/attachments", "/api/calibrations",
                    "/api/controls/1/table", "/api/tests/1/compensation", "/api/tests/1/compensations", "/api/tracking/station", "/api/tracking/station/report.1", "/api/tracking/evaluation",
                    "/api/tracking/evaluation/report.1", "/api/volumetric/identification",
-                   "/api/volumetric/identification/report.1", "/api/volumetric/identification/residuals"}
+                   "/api/volumetric/identification/report.1", "/api/volumetric/identification/residuals",
+                   "/api/motions", "/api/motions/report.1"}
     for method, path in operations():
         if method == "GET" or path in takes_files:
             continue
