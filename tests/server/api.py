@@ -282,6 +282,18 @@ def calibrations(play):
     play.expect(200, "POST", f"{path}/reinstate", {"reason": "it was the right one"})
     play.checks.that("it is back", not play.expect(200, "GET", path).json()["withdrawn"])
     play.expect(404, "GET", f"/api/calibrations/{first + 99}")
+
+
+def motions(play):
+    """Readings of a straightness that are looked at and not kept."""
+    readings = b"# error: EYX\nposition_mm,run,straightness_um\n0,1,0.1\n100,1,0.6\n200,1,0.2\n300,1,-0.3\n"
+    sent = form((b'name="readings"; filename="y.csv"', readings))
+    told = play.expect(200, "POST", "/api/motions", *sent).json()
+    play.checks.that("it is a straightness", told["result"] == "straightness", told)
+    play.expect(200, "POST", "/api/motions/report.pdf", *sent)
+    play.expect(422, "POST", "/api/motions", *form((b'name="readings"; filename="y.csv"', b"no table")))
+
+
 def compensations(play):
     """A table made of a test, kept, proved by another test, drawn, withdrawn and brought back."""
     measured = pathlib.Path(__file__).resolve().parent.parent / "transcripts" / "store-compensations.files"
@@ -423,6 +435,7 @@ def main():
             plans(play)
             tracking(play)
             calibrations(play)
+            motions(play)
             compensations(play)
             volumetric(play)
             captures(play)
