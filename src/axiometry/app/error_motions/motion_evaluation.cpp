@@ -52,8 +52,7 @@ void add_gaps(MeasuredMotion& measured) {
   if (measured.motion.runs == 1)
     measured.remarks.push_back(
         "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
-  if (!measured.instrument)
-    measured.remarks.push_back("no uncertainty of the instrument is stated: U does not hold it");
+  if (!measured.instrument) measured.remarks.emplace_back(no_instrument_remark);
 }
 
 Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFile file, bool angle) {

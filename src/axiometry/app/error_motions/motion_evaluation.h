@@ -25,6 +25,10 @@ struct MotionRequest {
   std::optional<std::string_view> bytes{};  ///< those of `file` where they are at hand; they must outlive the call
 };
 
+/// Of readings whose instrument nobody states; who knows it from elsewhere takes the remark away.
+inline constexpr std::string_view no_instrument_remark =
+    "no uncertainty of the instrument is stated: U does not hold it";
+
 /// One file, evaluated.
 struct MeasuredMotion {
   std::string file;

@@ -23,8 +23,6 @@ using formats::MotionResult;
 using volumetric::ErrorMotion;
 using volumetric::SingleMotion;
 
-/// As measured motions remark it, to which no instrument is told here.
-constexpr std::string_view no_instrument_remark = "no uncertainty of the instrument is stated: U does not hold it";
 constexpr double single_urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
 
 /// Standard uncertainty of a mean: the scatter of n runs in each direction there is, and the instrument's.
