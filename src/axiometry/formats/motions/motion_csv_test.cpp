@@ -7,6 +7,7 @@
 namespace axiometry::formats {
 namespace {
 
+using namespace std::string_literals;
 using ::testing::HasSubstr;
 
 MotionFile read_motions(std::string_view text) {
@@ -70,7 +71,7 @@ TEST(MotionCsv, AreNoDeviationsOfPositions) {
               HasSubstr("pitch, expected deviations of positions; axiometry an"));
   EXPECT_THAT(fault("position_mm,EYX_um\n0,1\n"), HasSubstr("EYX"));
   EXPECT_THAT(fault("a\xFF\n# Error: EAX\n"), "");  // below another line it is none
-  EXPECT_THAT(fault(std::string("#\0 \0e\0r\0r\0o\0r\0:\0 \0E\0Y\0X\0\n\0p\0", 30)), HasSubstr("EYX"));
+  EXPECT_THAT(fault("#\0 \0e\0r\0r\0o\0r\0:\0 \0E\0Y\0X\0\n\0p\0"s), HasSubstr("EYX"));
   for (const char* position :
        {"# error: EXX\ntarget_mm,run,direction,deviation_um\n0,1,up,1\n", "position_mm,EXX_um\n0,1\n",
         "position_mm,deviation_um\n0,1\n", "target_deg,angle_arcsec\n0,1\n",
