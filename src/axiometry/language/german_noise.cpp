@@ -197,8 +197,6 @@ constexpr Phrase rows[] = {
     {"as the recording at standstill", "wie die Aufzeichnung im Stillstand"},
     {"at least {0#} {1}", "mindestens {0} {1}"},
     {"at most {0#} {1}", "höchstens {0} {1}"},
-    {"column {0=} of the temperature log is no temperature and is passed over",
-     "Spalte {0} der Temperaturaufzeichnung ist keine Temperatur und wird übergangen"},
     {"errors of single readings", "Fehler einzelner Messwerte"},
     {"exceeded", "überschritten"},
     {"found a column {0=} of sensors' names, expected a column for each sensor",

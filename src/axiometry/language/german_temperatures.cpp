@@ -11,6 +11,12 @@ constexpr Phrase rows[] = {
      "ein vereinbarter Grenzwert wurde überschritten, und niemand kann sagen, ob das während der Prüfung war"},
     {"change per hour, during the test", "Änderung je Stunde, während der Prüfung"},
     {"change per hour, in the twelve hours before", "Änderung je Stunde, in den zwölf Stunden davor"},
+    {"column {0=} of the temperature log does not say that it is a temperature and is passed over",
+     "Spalte {0} der Temperaturaufzeichnung sagt nicht, dass sie eine Temperatur ist, und wird übergangen"},
+    {"column {0=} of the temperature log is taken to be in {1=} by its last letter",
+     "Spalte {0} der Temperaturaufzeichnung gilt nach ihrem letzten Buchstaben als in {1}"},
+    {"column {0=} of the temperature log tells no unit, which others do, and is taken to be in °C",
+     "Spalte {0} der Temperaturaufzeichnung nennt anders als andere keine Einheit und gilt als in °C"},
     {"found a file of many tests, expected one test with --temperatures",
      "eine Datei mit vielen Prüfungen; erwartet: eine einzelne Prüfung bei --temperatures"},
     {"found a line of {0#} bytes in a temperature log, expected at most {1#}",
@@ -44,6 +50,10 @@ constexpr Phrase rows[] = {
      "keine Temperatur in der Temperaturaufzeichnung; erwartet: welche"},
     {"found several inputs, expected one test with --temperatures",
      "mehrere Eingaben; erwartet: eine einzelne Prüfung bei --temperatures"},
+    {"found the column {0=} beside others without a unit, expected units such as [°C] or [°F]: nobody knows whether "
+     "the last letter is one",
+     "Spalte {0} neben anderen ohne Einheit; erwartet: Einheiten wie [°C] oder [°F]. Niemand weiß, ob der letzte "
+     "Buchstabe eine ist"},
     {"found the date {0=}, expected 2026-03-02 or 02.03.2026: of slashes nobody knows which is the month",
      "Datum {0}; erwartet: 2026-03-02 oder 02.03.2026, denn bei Schrägstrichen weiß niemand, was der Monat ist"},
     {"found the end of the test without its beginning, expected both",
@@ -58,6 +68,14 @@ constexpr Phrase rows[] = {
     {"found {0#} sensors in a temperature log, expected at most {1#}",
      "{0} Sensoren in einer Temperaturaufzeichnung; erwartet: höchstens {1}"},
     {"found {0#} sensors, expected at most {1#}", "{0} Sensoren; erwartet: höchstens {1}"},
+    {"found {0#} °C stated of the {1} at the beginning of the test, expected what the temperature log has then, {2#} "
+     "to {3#} °C",
+     "als Temperatur zu Beginn der Prüfung sind {0} °C angegeben ({1}); erwartet: was die Temperaturaufzeichnung dann "
+     "hat, {2} bis {3} °C"},
+    {"found {0#} °C stated of the {1} at the end of the test, expected what the temperature log has then, {2#} to {3#} "
+     "°C",
+     "als Temperatur am Ende der Prüfung sind {0} °C angegeben ({1}); erwartet: was die Temperaturaufzeichnung dann "
+     "hat, {2} bis {3} °C"},
     {"found {0=} as the SHA-256 of a temperature log, expected 64 hexadecimal digits",
      "{0} als SHA-256 einer Temperaturaufzeichnung; erwartet: 64 hexadezimale Ziffern"},
     {"found {0=} as the beginning of the test, expected a moment such as 2026-03-02T09:00",

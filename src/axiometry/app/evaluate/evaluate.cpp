@@ -11,10 +11,9 @@
 #include "axiometry/app/evaluate/drift_recording.h"
 #include "axiometry/app/evaluate/evaluate_many.h"
 #include "axiometry/app/evaluate/known_file.h"
+#include "axiometry/app/evaluate/test_and_log.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/read_recording.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/moment.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
@@ -178,22 +177,6 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
   return {};
 }
 
-/// Temperatures of another day than that of the test are not those about it. The date is that of a clock at the place,
-/// which a moment with a zone may be half a day and more away from.
-std::optional<iso230_2::Finding> other_day(const Test& test, const EvaluatedTemperatures& found) {
-  constexpr std::int64_t hour_ns = 3'600'000'000'000, day_ns = 24 * hour_ns, zones_ns = 14 * hour_ns;
-  const std::string day = iso_date(test.metadata.conditions.date);
-  const auto midnight = moment_of(day + "T00:00"), began = moment_of(found.began);
-  if (day.empty() || !midnight || !began) return std::nullopt;
-  const auto ended = moment_of(found.ended.empty() ? found.ended_by_readings : found.ended);
-  const std::int64_t last = ended ? ended->ns : began->ns, either_way = began->zoned ? zones_ns : 0;
-  if (midnight->ns <= last + either_way && began->ns < midnight->ns + day_ns + either_way) return std::nullopt;
-  return iso230_2::Finding{"environment-other-day", "4.1", iso230_2::Severity::missing,
-                           fmt::format("found a test dated {}, expected the day of its temperatures, {}: nobody knows "
-                                       "whose these are",
-                                       day, found.began)};
-}
-
 /// What the log of the temperatures tells of the test, among its findings.
 Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessment& assessment, const Test& test,
                                                               const EvaluateOptions& options, iso230_2::Depth depth) {
@@ -203,7 +186,10 @@ Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessme
   std::ranges::move(iso230_2::environment_findings(found.environment, depth), std::back_inserter(findings));
   auto of_other_day = other_day(test, found);
   assessment.temperatures_recorded = found.environment.ends_recorded && !of_other_day;
-  if (of_other_day) findings.push_back(*std::move(of_other_day));
+  if (of_other_day)
+    findings.push_back(*std::move(of_other_day));
+  else
+    std::ranges::move(contradicted_temperatures(test, found), std::back_inserter(findings));
   if (depth == iso230_2::Depth::every_finding)
     for (const std::string& remark : found.log.remarks)
       findings.push_back({"temperature-log-remark", iso230_2::source_clause, iso230_2::Severity::note,

@@ -101,6 +101,15 @@ TEST(LogWithTest, IsJudgedAmongTheFindingsOfTheTest) {
   EXPECT_EQ(result.find("environment")->find("source")->find("file")->text(), "hall.csv");
 }
 
+TEST(LogWithTest, ContradictsTemperaturesThatAreStated) {
+  const auto told = [](double celsius) {
+    const Evaluated evaluated = evaluated_with(log_of(celsius));
+    return std::ranges::count(evaluated.assessment.findings, "environment-log-contradicts", &iso230_2::Finding::id);
+  };
+  EXPECT_EQ(told(20), 0) << "20 and 22 °C are stated, and the log has 20 and a second sensor 21";
+  EXPECT_EQ(told(35), 2) << "at the beginning and at the end";
+}
+
 TEST(LogWithTest, OfAnotherDayIsTold) {
   const auto told = [](const std::string& day) {
     axiometry::Test test = hour_of_test(true);

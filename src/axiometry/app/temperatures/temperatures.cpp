@@ -44,12 +44,12 @@ Value sensors_to_json(const TemperatureLog& log) {
   Value sensors = Value::array();
   for (const TemperatureCourse& course : log.sensors) {
     Value& row = sensors.push(Value::object());
-    const auto [low, high] = std::ranges::minmax(course.celsius);
+    const auto extremes = extremes_of(course);
     row.add("name", course.location);
     row.add("role", course.role);
     row.add("readings", course.celsius.size());
-    row.add("lowest_C", low);
-    row.add("highest_C", high);
+    row.add("lowest_C", extremes ? Value(extremes->low) : Value());
+    row.add("highest_C", extremes ? Value(extremes->high) : Value());
   }
   return sensors;
 }

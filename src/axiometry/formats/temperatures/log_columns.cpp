@@ -58,6 +58,11 @@ constexpr NameWord other_words[] = {
     {"number", WordPlace::whole}, {"nummer", WordPlace::back},       {"lfd", WordPlace::whole},
     {"count", WordPlace::whole},  {"counter", WordPlace::whole},     {"volt", WordPlace::front},
     {"no.", WordPlace::front},    {"record", WordPlace::whole}};
+/// Of columns that are no temperatures.
+constexpr std::string_view other_units[] = {"%",   "%rh",  "% rh", "rh", "%rf", "% rf", "% r.f.", "g/m³", "g/m3",
+                                            "hpa", "mbar", "bar",  "pa", "kpa", "psi",  "ppm",    "v",    "mv",
+                                            "a",   "ma",   "w",    "hz", "lx",  "lux",  "m/s",    "dbm",  "mm",
+                                            "µm",  "um",   "ohm",  "Ω",  "1",   "-"};
 constexpr std::string_view no_values[] = {"-",   "--",    "---",  "nan", "na",    "n/a",    "null",        "none",
                                           "err", "error", "open", "oor", "fault", "fehler", "unavailable", "unknown"};
 
@@ -65,7 +70,9 @@ struct Head {
   std::string name;
   const TemperatureUnit* unit = nullptr;
   std::optional<double> seconds;
-  bool other_unit = false;  ///< a unit in brackets that is neither
+  bool other_unit = false;   ///< a unit of something else, in brackets
+  bool letter_unit = false;  ///< the unit is a letter that may belong to the name: "Air_F", "Air C", "Air (C)"
+  std::string whole{};       ///< with what was taken for the unit
 };
 
 const TemperatureUnit* find_temperature_unit(std::string_view word) {
@@ -73,31 +80,36 @@ const TemperatureUnit* find_temperature_unit(std::string_view word) {
   return found == std::end(temperature_units) ? nullptr : found;
 }
 
-/// "Bed [°C]", "Bed (C)", "Bed/°C", "bed_C", "Bed, °C", "Bed °C", "°C".
+bool names_time(std::string_view name) {
+  const std::string lower = text::to_lower(name);
+  return text::is_one_of(lower, time_heads) || lower.find("time") != lower.npos || lower.find("zeit") != lower.npos;
+}
+
+/// "Bed [°C]", "Bed (C)", "Bed/°C", "bed_C", "Bed, °C", "Bed °C", "°C". What stands in brackets and is no unit belongs
+/// to the name: "Air (hall 2)".
 Head head_of(std::string_view cell) {
   cell = text::trim(cell);
-  Head head{std::string(cell), nullptr, {}, false};
+  Head head{std::string(cell), nullptr, {}};
+  head.whole = cell;
   for (const auto& [open, close] : {std::pair('[', "]"), std::pair('(', ")"), std::pair('/', ""), std::pair('_', ""),
                                     std::pair(',', ""), std::pair(' ', "")}) {
     const std::size_t at = cell.rfind(open);
     const std::string_view closing = close;
     if (at == cell.npos || !cell.ends_with(closing)) continue;
-    std::string_view unit = text::trim(cell.substr(at + 1, cell.size() - at - 1 - closing.size()));
+    const std::string_view unit = text::trim(cell.substr(at + 1, cell.size() - at - 1 - closing.size()));
+    const std::string_view name = text::trim(cell.substr(0, at));
     head.unit = find_temperature_unit(unit);
-    if (head.unit == nullptr) head.seconds = seconds_per_unit(unit);
+    if (head.unit == nullptr && (!closing.empty() || names_time(name))) head.seconds = seconds_per_unit(unit);
     if (head.unit != nullptr || head.seconds) {
-      head.name = text::trim(cell.substr(0, at));
+      head.letter_unit = head.unit != nullptr && unit.size() == 1 && open != '[' && open != '/';
+      head.name = name;
       return head;
     }
-    head.other_unit = head.other_unit || (!closing.empty() && !unit.empty());
+    head.other_unit = head.other_unit || (!closing.empty() && (open == '[' || unit.size() > 1 || unit == "%") &&
+                                          text::is_one_of(unit, other_units));
   }
   head.unit = find_temperature_unit(cell);
   return head;
-}
-
-bool names_time(const Head& head) {
-  const std::string lower = text::to_lower(head.name);
-  return text::is_one_of(lower, time_heads) || lower.find("time") != lower.npos || lower.find("zeit") != lower.npos;
 }
 
 bool names_other(std::string_view name) {
@@ -145,7 +157,7 @@ std::optional<LogColumns> time_columns(const std::vector<std::string_view>& cell
   columns.kind = LogTime::number;
   columns.time = 0;
   if (!heads.empty()) {
-    const auto named = std::ranges::find_if(heads, [](const Head& h) { return h.seconds || names_time(h); });
+    const auto named = std::ranges::find_if(heads, [](const Head& h) { return h.seconds || names_time(h.name); });
     if (named == heads.end()) return std::nullopt;
     columns.time = static_cast<std::size_t>(named - heads.begin());
     columns.seconds_per_unit = named->seconds.value_or(1.0);
@@ -180,15 +192,57 @@ std::optional<double> log_number(std::string_view cell, char delimiter) { return
 
 bool has_no_value(std::string_view cell) { return cell.empty() || text::is_one_of(cell, no_values); }
 
+namespace {
+
+/// The heads above a line of readings. None where the line above is one of readings itself, or of another kind.
+std::vector<Head> heads_above(std::string_view header, char delimiter, std::size_t cells) {
+  std::vector<Head> heads;
+  const auto names = log_cells(header, delimiter);
+  if (names.size() < 2 || std::ranges::any_of(names, [](std::string_view name) { return moment_of(name).has_value(); }))
+    return heads;
+  for (const std::string_view name : names) heads.push_back(head_of(name));
+  // A header of several words for a moment that blanks part: "date time T1".
+  if (delimiter == ' ' && heads.size() == cells + 1) heads.erase(heads.begin());
+  return heads;
+}
+
+bool names_a_temperature(std::string_view name) {
+  constexpr NameWord words[] = {{"temp", WordPlace::anywhere}, {"tmp", WordPlace::whole}};
+  return sensor_role(name).has_value() ||
+         std::ranges::any_of(words, [&](const NameWord& word) { return has_word(name, word); });
+}
+
+/// A letter is a unit where every column has one that may be a temperature; else it belongs to the name, and so does
+/// the F of "front" and the C of the third sensor. Whether it was °F or K nobody can say then.
+Result<void> settle_letters(std::vector<Head>& heads, const LogColumns& columns, const auto& may_be_temperature) {
+  bool any_letter = false, every_one = true;
+  for (std::size_t k = 0; k < heads.size(); ++k) {
+    if (is_time(columns, k) || !may_be_temperature(k)) continue;
+    any_letter = any_letter || heads[k].letter_unit;
+    every_one = every_one && heads[k].unit != nullptr;
+  }
+  if (!any_letter || every_one) return {};
+  for (Head& head : heads) {
+    if (!head.letter_unit) continue;
+    if (head.unit->factor != 1.0 || head.unit->shift != 0.0)
+      return fail(
+          fmt::format("found the column {} beside others without a unit, expected units such as [°C] or [°F]: "
+                      "nobody knows whether the last letter is one",
+                      text::quoted(head.whole)));
+    head.name = head.whole;
+    head.unit = nullptr;
+    head.letter_unit = false;
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string_view header) {
   const char delimiter = sample_delimiter(line);
   const auto cells = log_cells(line, delimiter);
-  std::vector<Head> heads;
-  if (const auto names = log_cells(header, delimiter); names.size() >= 2)
-    for (const std::string_view name : names) heads.push_back(head_of(name));
-  // A header of several words for a moment that blanks part: "date time T1".
-  if (delimiter == ' ' && heads.size() == cells.size() + 1) heads.erase(heads.begin());
   if (cells.size() < 2) return std::nullopt;
+  std::vector<Head> heads = heads_above(header, delimiter, cells.size());
   if (const auto slashed = std::ranges::find_if(cells, is_slashed_date); slashed != cells.end()) {
     if (!dates_readings(cells, static_cast<std::size_t>(slashed - cells.begin()), delimiter)) return std::nullopt;
     return fail(
@@ -198,31 +252,39 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
   }
   auto columns = time_columns(cells, heads, delimiter);
   if (!columns) return std::nullopt;
+  const auto is_number = [&](std::size_t k) { return k < cells.size() && log_number(cells[k], delimiter).has_value(); };
+  const auto is_possible = [&](std::size_t k) { return is_number(k) || k >= cells.size() || has_no_value(cells[k]); };
+  const auto tells_another = [&](const Head& head) {
+    return head.other_unit || head.seconds || names_other(head.name);
+  };
+  AXIOMETRY_TRY_VOID(
+      settle_letters(heads, *columns, [&](std::size_t k) { return is_possible(k) && !tells_another(heads[k]); }));
   const bool units = std::ranges::any_of(heads, [](const Head& h) { return h.unit != nullptr; });
   columns->units_assumed = !units;
   for (std::size_t k = 0; k < std::max(cells.size(), heads.size()); ++k) {
     if (is_time(*columns, k)) continue;
-    const Head head = k < heads.size() ? heads[k] : Head{fmt::format("column {}", k + 1), nullptr, {}, false};
-    const bool number = k < cells.size() && log_number(cells[k], delimiter);
-    if (!number && text::is_one_of(head.name, sensor_heads))
+    const Head head = k < heads.size() ? heads[k] : Head{fmt::format("column {}", k + 1), nullptr, {}};
+    if (!is_number(k) && text::is_one_of(head.name, sensor_heads))
       return fail(fmt::format("found a column {} of sensors' names, expected a column for each sensor",
                               text::quoted(head.name)));
-    const bool possible = number || k >= cells.size() || has_no_value(cells[k]);
     const bool temperature =
-        units ? head.unit != nullptr : !head.other_unit && !head.seconds && !names_other(head.name);
-    if (possible && temperature) {
+        head.unit != nullptr || (!tells_another(head) && (!units || names_a_temperature(head.name)));
+    if (is_possible(k) && temperature) {
       const TemperatureUnit own = head.unit != nullptr ? *head.unit : temperature_units[0];
-      columns->temperatures.push_back(
-          {k, head.name.empty() ? fmt::format("column {}", k + 1) : head.name, own.factor, own.shift});
+      const std::string name = head.name.empty() ? fmt::format("column {}", k + 1) : head.name;
+      if (units && head.unit == nullptr) columns->without_unit.push_back(name);
+      if (head.letter_unit && (own.factor != 1.0 || own.shift != 0.0))
+        columns->letter_units.push_back({head.whole, own.factor != 1.0 ? "°F" : "K"});
+      columns->temperatures.push_back({k, name, own.factor, own.shift});
     } else {
       columns->passed_over.push_back(head.name);
     }
   }
-  const bool any = std::ranges::any_of(columns->temperatures, [&](const LogColumn& c) {
-    return c.place < cells.size() && log_number(cells[c.place], delimiter);
-  });
-  // Below a head with units the first line may lack its values.
-  if (any || (units && !columns->temperatures.empty())) return columns;
+  const bool any =
+      std::ranges::any_of(columns->temperatures, [&](const LogColumn& column) { return is_number(column.place); });
+  // Below a head the first line may lack its values.
+  const bool headed = units || (!heads.empty() && names_time(heads[columns->time].name));
+  if (any || (headed && !columns->temperatures.empty())) return columns;
   return std::nullopt;
 }
 

@@ -34,8 +34,14 @@ struct LogColumns {
   std::size_t time_of_day = 0;    ///< of date_and_day
   double seconds_per_unit = 1.0;  ///< of a number
   std::vector<LogColumn> temperatures;
-  std::vector<std::string> passed_over;  ///< heads of columns that are neither
-  bool units_assumed = false;            ///< no head tells a unit: °C
+  std::vector<std::string> passed_over;   ///< heads of columns that are neither
+  bool units_assumed = false;             ///< no head tells a unit: °C
+  std::vector<std::string> without_unit;  ///< temperatures by their names where other heads tell a unit: °C
+  struct LetterUnit {
+    std::string head;
+    std::string_view unit;  ///< "K" or "°F"
+  };
+  std::vector<LetterUnit> letter_units;  ///< heads of which the last letter, F or K, is taken for the unit
 };
 
 /// The line that a delimiter parts: a moment that blanks part is one cell.

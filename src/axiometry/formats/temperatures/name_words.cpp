@@ -8,6 +8,38 @@
 namespace axiometry::formats {
 namespace {
 
+struct RoleWord {
+  NameWord sought;
+  std::string_view role;
+};
+/// In this order: "air above the bed" is of the air.
+constexpr RoleWord words_of_roles[] = {
+    {{"air", WordPlace::front}, "air"},
+    {{"luft", WordPlace::front_or_back}, "air"},
+    {{"ambient", WordPlace::front}, "air"},
+    {{"room", WordPlace::front_or_back}, "air"},
+    {{"raum", WordPlace::front_or_back}, "air"},
+    {{"hall", WordPlace::front}, "air"},
+    {{"umgebung", WordPlace::front}, "air"},
+    {{"laser", WordPlace::front_or_back}, "equipment"},
+    {{"optic", WordPlace::front}, "equipment"},
+    {{"interferom", WordPlace::front}, "equipment"},
+    {{"material", WordPlace::front}, "machine"},
+    {{"machine", WordPlace::front}, "machine"},
+    {{"maschine", WordPlace::front_or_back}, "machine"},
+    {{"bed", WordPlace::front}, "machine"},
+    {{"bett", WordPlace::front_or_back}, "machine"},
+    {{"table", WordPlace::front}, "machine"},
+    {{"tisch", WordPlace::front_or_back}, "machine"},
+    {{"column", WordPlace::front}, "machine"},
+    {{"ständer", WordPlace::front_or_back}, "machine"},
+    {{"spindle", WordPlace::front_or_back}, "machine"},
+    {{"spindel", WordPlace::front_or_back}, "machine"},
+    {{"scale", WordPlace::front}, "machine"},
+    {{"maßstab", WordPlace::front_or_back}, "machine"},
+    {{"screw", WordPlace::front_or_back}, "machine"},
+};
+
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
 /// Bytes of UTF-8 beyond ASCII count as letters: "ä", "ß".
@@ -44,6 +76,13 @@ bool has_word(std::string_view name, const NameWord& sought) {
     }
   }
   return false;
+}
+
+std::optional<std::string_view> sensor_role(std::string_view name) {
+  if (name.starts_with("column ")) return std::nullopt;
+  for (const RoleWord& row : words_of_roles)
+    if (has_word(name, row.sought)) return row.role;
+  return std::nullopt;
 }
 
 }  // namespace axiometry::formats

@@ -27,38 +27,6 @@ constexpr double unix_from = 1e8, unix_ms_from = 1e11;  // 1973 in seconds; numb
 constexpr double unix_to_s = 7289654400.0;              // end of 2200, as of written moments
 constexpr std::string_view role_words[] = {"machine", "equipment", "air"};
 
-struct RoleWord {
-  NameWord sought;
-  std::string_view role;
-};
-/// In this order: "air above the bed" is of the air.
-constexpr RoleWord words_of_roles[] = {
-    {{"air", WordPlace::front}, "air"},
-    {{"luft", WordPlace::front_or_back}, "air"},
-    {{"ambient", WordPlace::front}, "air"},
-    {{"room", WordPlace::front_or_back}, "air"},
-    {{"raum", WordPlace::front_or_back}, "air"},
-    {{"hall", WordPlace::front}, "air"},
-    {{"umgebung", WordPlace::front}, "air"},
-    {{"laser", WordPlace::front_or_back}, "equipment"},
-    {{"optic", WordPlace::front}, "equipment"},
-    {{"interferom", WordPlace::front}, "equipment"},
-    {{"material", WordPlace::front}, "machine"},
-    {{"machine", WordPlace::front}, "machine"},
-    {{"maschine", WordPlace::front_or_back}, "machine"},
-    {{"bed", WordPlace::front}, "machine"},
-    {{"bett", WordPlace::front_or_back}, "machine"},
-    {{"table", WordPlace::front}, "machine"},
-    {{"tisch", WordPlace::front_or_back}, "machine"},
-    {{"column", WordPlace::front}, "machine"},
-    {{"ständer", WordPlace::front_or_back}, "machine"},
-    {{"spindle", WordPlace::front_or_back}, "machine"},
-    {{"spindel", WordPlace::front_or_back}, "machine"},
-    {{"scale", WordPlace::front}, "machine"},
-    {{"maßstab", WordPlace::front_or_back}, "machine"},
-    {{"screw", WordPlace::front_or_back}, "machine"},
-};
-
 /// What is told of sensors whose role follows from their names.
 struct NamedRole {
   std::string_view role;
@@ -72,13 +40,6 @@ constexpr NamedRole named_roles[] = {
     {"equipment", "temperature sensor {} is taken for one of the equipment by its name",
      "temperature sensors {} are taken for ones of the equipment by their names"},
 };
-
-std::optional<std::string_view> role_by_name(std::string_view name) {
-  if (name.starts_with("column ")) return std::nullopt;  // of a log without a header
-  for (const RoleWord& row : words_of_roles)
-    if (has_word(name, row.sought)) return row.role;
-  return std::nullopt;
-}
 
 class LogReader {
  public:
@@ -220,7 +181,8 @@ class LogReader {
             fmt::format("found no sensor {} in the temperature log, expected one of {}", text::quoted(name), names()));
     }
     for (std::size_t k = 0; k < values_.size(); ++k) add_sensor(log, k, roles);
-    if (log.sensors.empty()) return fail("found no temperature in the temperature log, expected some");
+    if (std::ranges::all_of(log.sensors, [](const TemperatureCourse& course) { return course.times_s.empty(); }))
+      return fail("found no temperature in the temperature log, expected some");
     tell_of_names();
     tell_of_columns();
     log.remarks = std::move(remarks_);
@@ -250,14 +212,12 @@ class LogReader {
           fmt::format("temperature sensor {}: {} of {} readings lie outside −60 … 100 °C and are left "
                       "out",
                       text::quoted(name), beyond_[k], times_.size()));
-    if (course.times_s.empty()) {
+    if (course.times_s.empty())
       remarks_.push_back(fmt::format("temperature sensor {} has no reading at all", text::quoted(name)));
-      return;
-    }
     const auto stated = std::ranges::find(roles, name, &SensorRoles::value_type::first);
     if (stated != roles.end()) {
       course.role = text::to_lower(stated->second);
-    } else if (const auto role = role_by_name(name)) {
+    } else if (const auto role = sensor_role(name)) {
       course.role = *role;
       by_name_[std::string(*role)].push_back(text::quoted(name));
     } else {
@@ -280,10 +240,19 @@ class LogReader {
   void tell_of_columns() {
     if (columns_->units_assumed)
       remarks_.emplace_back("the temperature log tells no unit of its temperatures, which are taken to be in °C");
+    for (const std::string& name : columns_->without_unit)
+      remarks_.push_back(
+          fmt::format("column {} of the temperature log tells no unit, which others do, and is taken to "
+                      "be in °C",
+                      text::quoted(name)));
+    for (const auto& [head, unit] : columns_->letter_units)
+      remarks_.push_back(fmt::format("column {} of the temperature log is taken to be in {} by its last letter",
+                                     text::quoted(head), unit));
     if (since_1970_) remarks_.emplace_back("times of the temperature log are taken to count from 1970-01-01 UTC");
     for (const std::string& name : columns_->passed_over)
       remarks_.push_back(
-          fmt::format("column {} of the temperature log is no temperature and is passed over", text::quoted(name)));
+          fmt::format("column {} of the temperature log does not say that it is a temperature and is passed over",
+                      text::quoted(name)));
   }
 
   std::optional<LogColumns> columns_;

@@ -55,8 +55,8 @@ TEST(TemperatureLogs, MayHaveDecimalCommasSemicolonsGermanDatesAndAPreamble) {
   EXPECT_THAT(log.sensors[0].times_s, ElementsAre(0.0, 600.0));
   EXPECT_THAT(log.sensors[0].celsius, ElementsAre(19.5, 19.75));
   EXPECT_EQ(moment_text(*log.begin), "2026-03-01T23:50:00");
-  EXPECT_THAT(log.remarks, Contains("column \"Feuchte [%]\" of the temperature log is no temperature and is passed "
-                                    "over"));
+  EXPECT_THAT(log.remarks, Contains("column \"Feuchte [%]\" of the temperature log does not say that it is a "
+                                    "temperature and is passed over"));
 }
 
 TEST(TemperatureLogs, MayHaveDatesWithSlashesAboveTheReadings) {
@@ -76,6 +76,52 @@ TEST(TemperatureLogs, TakeKelvinAndFahrenheitToCelsius) {
   EXPECT_FALSE(log.begin) << "seconds tell no date";
 }
 
+TEST(TemperatureLogs, TakeALastLetterForAUnitOnlyWhereAllHaveOne) {
+  const auto names = [](const TemperatureLog& log) {
+    std::vector<std::string> all;
+    for (const TemperatureCourse& sensor : log.sensors) all.push_back(sensor.location);
+    return all;
+  };
+  const std::string rows = "2026-03-02 09:00;30.1;30;20\n2026-03-02 09:10;30.1;30;20\n";
+  EXPECT_THAT(names(log_of("time;Air A;Air B;Air C\n" + rows)), ElementsAre("Air A", "Air B", "Air C"));
+  EXPECT_THAT(names(log_of("time;Air (A);Air (B);Air (C)\n" + rows)), ElementsAre("Air (A)", "Air (B)", "Air (C)"));
+  EXPECT_THAT(names(log_of("time;Air (hall 2);Air;Bed\n" + rows)), ElementsAre("Air (hall 2)", "Air", "Bed"));
+  const auto fahrenheit = log_of("time_s;Air_F\n0;68\n60;77\n");
+  EXPECT_THAT(fahrenheit.sensors[0].celsius, ElementsAre(DoubleNear(20.0, 1e-9), DoubleNear(25.0, 1e-9)));
+  EXPECT_THAT(fahrenheit.remarks, Contains("column \"Air_F\" of the temperature log is taken to be in °F by its last "
+                                           "letter"));
+  EXPECT_THAT(refusal("time;Air_F;Air;Bed\n" + rows), HasSubstr("nobody knows whether the last letter is one"));
+}
+
+TEST(TemperatureLogs, CountSensorsByNameThatTellNoUnitBesideOthers) {
+  const auto log = log_of("time_s;Air [°C];Hall 2;Status;Humidity\n0;20;30;1;40\n60;20;30;1;41\n");
+  ASSERT_EQ(log.sensors.size(), 2u);
+  EXPECT_EQ(log.sensors[1].location, "Hall 2");
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("\"Hall 2\" of the temperature log tells no unit, which others do")));
+  EXPECT_THAT(log.remarks, Contains(HasSubstr("\"Status\" of the temperature log does not say")));
+}
+
+TEST(TemperatureLogs, LoseNoReadingToAHead) {
+  const auto log = log_of("time;Air (hall 2)\n2026-03-02 09:00;30.1\n2026-03-02 09:10;20.1\n");
+  EXPECT_EQ(log.sensors[0].location, "Air (hall 2)");
+  EXPECT_THAT(log.sensors[0].celsius, ElementsAre(30.1, 20.1));
+  const auto late = log_of("time;Air;Bed\n2026-03-02 09:00;err;err\n2026-03-02 09:10;20.1;20.2\n");
+  EXPECT_EQ(late.sensors[1].location, "Bed");
+  const auto bare = log_of("2026-03-02 09:00;20\n2026-03-02 09:10;21\n");
+  EXPECT_THAT(bare.sensors[0].celsius, ElementsAre(20, 21));
+  EXPECT_EQ(bare.sensors[0].location, "column 2");
+}
+
+TEST(TemperatureLogs, KeepASensorThatNeverDelivered) {
+  const auto log = log_of("time;Air [°C];Hall [°C]\n2026-03-02 09:00;20;err\n2026-03-02 09:10;20;-127\n");
+  ASSERT_EQ(log.sensors.size(), 2u);
+  EXPECT_EQ(log.sensors[1].role, "air");
+  EXPECT_THAT(log.sensors[1].celsius, IsEmpty());
+  EXPECT_THAT(log.remarks, Contains("temperature sensor \"Hall\" has no reading at all"));
+  EXPECT_THAT(refusal("time;Air [°C]\n2026-03-02 09:00;err\n2026-03-02 09:10;err\n"),
+              HasSubstr("found no temperature in the temperature log"));
+}
+
 TEST(TemperatureLogs, TellWhatTheyAssumeAndLeaveOut) {
   const auto log =
       log_of("time,T1,humidity\n2026-03-02 08:00,20.1,40\n2026-03-02 08:10,-127,41\n2026-03-02 08:20,,42\n");
@@ -84,7 +130,8 @@ TEST(TemperatureLogs, TellWhatTheyAssumeAndLeaveOut) {
   EXPECT_THAT(log.remarks, Contains(HasSubstr("\"T1\": 1 of 3 readings lie outside −60 … 100 °C")));
   EXPECT_THAT(log.remarks, Contains(HasSubstr("\"T1\" does not say what it is of and is taken for one of the air")));
   EXPECT_THAT(log.remarks, Contains(HasSubstr("tells no unit of its temperatures")));
-  EXPECT_THAT(log.remarks, Contains(HasSubstr("column \"humidity\" of the temperature log is no temperature")));
+  EXPECT_THAT(log.remarks,
+              Contains(HasSubstr("column \"humidity\" of the temperature log does not say that it is a temperature")));
 }
 
 TEST(TemperatureLogs, SeekWordsAndNoPartsOfThem) {
@@ -104,7 +151,7 @@ TEST(TemperatureLogs, SeekWordsAndNoPartsOfThem) {
                             "dew point", "airPressure", "sample count", "Seriennummer", "CO2", "battery", "No."}) {
     const auto log = log_of(fmt::format("time_s;{};air\n0;20;20\n60;21;20\n", other));
     EXPECT_EQ(log.sensors.size(), 1u) << other;
-    EXPECT_THAT(log.remarks, Contains(HasSubstr("is no temperature"))) << other;
+    EXPECT_THAT(log.remarks, Contains(HasSubstr("does not say that it is a temperature"))) << other;
   }
   const auto both = log_of("time_s,air left,air right\n0,20,21\n60,20,21\n");
   EXPECT_THAT(both.remarks, Contains("temperature sensors \"air left\", \"air right\" are taken for ones of the air by "

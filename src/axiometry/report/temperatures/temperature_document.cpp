@@ -62,10 +62,11 @@ Table sensor_table(const TemperatureLog& log, const Options& options) {
                    {plain("Lowest, °C"), Align::decimal},
                    {plain("Highest, °C"), Align::decimal}};
   for (const TemperatureCourse& course : log.sensors) {
-    const auto [low, high] = std::ranges::minmax(course.celsius);
+    const auto extremes = extremes_of(course);
     table.rows.push_back({verbatim_cell(course.location), text_cell(course.role),
                           text_cell(fmt::format("{}", course.celsius.size())),
-                          text_cell(shown_celsius(low, 2, options)), text_cell(shown_celsius(high, 2, options))});
+                          text_cell(extremes ? shown_celsius(extremes->low, 2, options) : "–"),
+                          text_cell(extremes ? shown_celsius(extremes->high, 2, options) : "–")});
   }
   return table;
 }

@@ -112,7 +112,7 @@ std::optional<double> rate_of(const std::vector<Piece>& pieces) {
 }
 
 bool is_of(const TemperatureCourse& course, std::string_view role) {
-  return text::equal_ignoring_case(course.role, role) && !course.times_s.empty();
+  return text::equal_ignoring_case(course.role, role);
 }
 
 /// At a moment that lies within what is recorded; NaN elsewhere. `at` goes on with growing times.
@@ -153,6 +153,25 @@ std::optional<double> greatest_difference(const std::vector<const TemperatureCou
 }
 
 }  // namespace
+
+std::optional<TemperatureExtremes> extremes_of(const TemperatureCourse& course) {
+  if (course.celsius.empty()) return std::nullopt;
+  const auto [low, high] = std::ranges::minmax(course.celsius);
+  return TemperatureExtremes{low, high};
+}
+
+std::optional<TemperatureExtremes> extremes_at(std::span<const TemperatureCourse> sensors, std::string_view role,
+                                               double time_s) {
+  std::optional<TemperatureExtremes> all;
+  for (const TemperatureCourse& course : sensors) {
+    if (!is_of(course, role) || course.times_s.empty()) continue;
+    std::size_t at = 0;
+    const double own = value_at(course, at, time_s);
+    if (std::isnan(own)) continue;
+    all = all ? TemperatureExtremes{std::min(all->low, own), std::max(all->high, own)} : TemperatureExtremes{own, own};
+  }
+  return all;
+}
 
 TimeStretch stretch_of(std::span<const TemperatureCourse> sensors) {
   TimeStretch all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -201,7 +220,7 @@ AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const
     return a && b ? std::max(*a, *b) : a ? a : b;
   };
   for (const TemperatureCourse& course : sensors) {
-    if (is_of(course, "machine")) on_machine.push_back(&course);
+    if (is_of(course, "machine") && !course.times_s.empty()) on_machine.push_back(&course);
     if (!is_of(course, "air")) continue;
     for (const Piece& piece : pieces_within(course, during))
       for (const Point& point : piece) {

@@ -57,6 +57,18 @@ struct LeastRecorded {
 LeastRecorded least_recorded(std::span<const TemperatureCourse> sensors, std::string_view role,
                              const TimeStretch& stretch);
 
+/// °C
+struct TemperatureExtremes {
+  double low = 0.0;
+  double high = 0.0;
+};
+/// Of all readings of a sensor; nothing where it has none.
+std::optional<TemperatureExtremes> extremes_of(const TemperatureCourse& course);
+
+/// Of the sensors of a role at one moment; nothing where none of them is known then.
+std::optional<TemperatureExtremes> extremes_at(std::span<const TemperatureCourse> sensors, std::string_view role,
+                                               double time_s);
+
 /// From the first to the last reading of any sensor.
 TimeStretch stretch_of(std::span<const TemperatureCourse> sensors);
 

@@ -40,6 +40,33 @@ TEST(AmbientCourse, OfASteadyRiseHasItsRateBeforeAndDuring) {
   EXPECT_FALSE(all.machine_gradient) << "no sensor on the machine";
 }
 
+TEST(AmbientCourse, OfASensorThatNeverDeliveredIsNotKnown) {
+  const auto steady = [](double) { return 20.0; };
+  const std::vector<TemperatureCourse> sensors = {course("air", 0, 14 * hour, 600, steady), {"air", "dead", {}, {}}};
+  const TimeStretch test{12 * hour, 14 * hour};
+  const LeastRecorded least = least_recorded(sensors, "air", test);
+  EXPECT_EQ(least.recorded_s, 0.0);
+  EXPECT_EQ(least.sensor, "dead");
+  EXPECT_FALSE(found(sensors, test).rate_of_every_sensor);
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  const auto environment = iso230_2::test_environment({moment_of("2026-03-02T00:00"), sensors, {}}, test, agreed);
+  EXPECT_EQ(environment.items[1].standing, EnvironmentStanding::known_in_part);
+}
+
+TEST(AmbientCourse, HasExtremesAtAMoment) {
+  const auto rise = [](double t) { return 20.0 + t / hour; };
+  const std::vector<TemperatureCourse> sensors = {course("air", 0, 2 * hour, 600, rise),
+                                                  course("air", 0, 2 * hour, 600, [](double) { return 25.0; }),
+                                                  course("machine", 0, 2 * hour, 600, [](double) { return 40.0; })};
+  const auto one = extremes_at(sensors, "air", hour);
+  ASSERT_TRUE(one);
+  EXPECT_NEAR(one->low, 21.0, 1e-9);
+  EXPECT_NEAR(one->high, 25.0, 1e-9);
+  EXPECT_FALSE(extremes_at(sensors, "air", 3 * hour)) << "nothing was recorded then";
+  EXPECT_FALSE(extremes_at(sensors, "equipment", hour));
+}
+
 TEST(AmbientCourse, FindsTheWorstHourBetweenReadings) {
   // Every 50 minutes: within an hour lies a whole step of 1 °C and 10 minutes of the next one, 0.2 °C.
   const auto all = found({course("air", 0, 10 * hour, 3000.0 / 2, [](double t) { return t / 3000.0; })}, std::nullopt);

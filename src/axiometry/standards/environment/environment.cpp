@@ -84,9 +84,8 @@ Completeness find_shares(TestEnvironment& environment, const TemperatureLog& log
   };
   environment.during = share("air", test);
   environment.before = share("air", {test.begin_s - hours_before_test * hour_in_s, test.begin_s});
-  const auto on_machine = std::ranges::count_if(log.sensors, [](const TemperatureCourse& course) {
-    return text::equal_ignoring_case(course.role, "machine") && !course.times_s.empty();
-  });
+  const auto on_machine = std::ranges::count_if(
+      log.sensors, [](const TemperatureCourse& course) { return text::equal_ignoring_case(course.role, "machine"); });
   if (on_machine > 1) environment.on_machine = share("machine", test);
   const auto known_at = [&](double time_s) {
     return ambient_of(log.sensors, TimeStretch{time_s, time_s}).lowest.has_value();

@@ -43,14 +43,17 @@ std::vector<Thermometer> sensors_of(const Environment& environment, std::string_
   return list;
 }
 
+std::vector<Thermometer> of_the_air(const Environment& environment) {
+  std::vector<Thermometer> list = sensors_of(environment, "air");
+  add(list, "the air", environment.air_temperature_start, environment.air_temperature_end);
+  return list;
+}
+
 /// Sensors on material; only without them does the air tell the temperature of the machine.
 std::vector<Thermometer> material(const Environment& environment) {
   std::vector<Thermometer> list = sensors_of(environment, "machine");
   for (Thermometer& t : sensors_of(environment, "equipment")) list.push_back(std::move(t));
-  if (!list.empty()) return list;
-  list = sensors_of(environment, "air");
-  add(list, "the air", environment.air_temperature_start, environment.air_temperature_end);
-  return list;
+  return list.empty() ? of_the_air(environment) : list;
 }
 
 /// 4.1 allows the correction to happen by itself: one temperature, one expansion coefficient.
@@ -189,7 +192,8 @@ std::optional<Finding> temperature_without_correction(const Case& c) {
 }
 
 std::optional<Finding> temperature_change(const Case& c) {
-  const auto thermometers = material(c.metadata.environment);
+  auto thermometers = material(c.metadata.environment);
+  std::ranges::move(of_the_air(c.metadata.environment), std::back_inserter(thermometers));
   if (thermometers.empty()) return std::nullopt;
   const auto change = [](const Thermometer& t) { return std::abs(t.end - t.start); };
   const Thermometer& worst = *std::ranges::max_element(thermometers, {}, change);
