@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "axiometry/model/simulated.h"
 #include "axiometry/simulation/axis_errors.h"
 #include "axiometry/simulation/instrument_errors.h"
 
@@ -35,7 +36,7 @@ TestConditions conditions_of(const Request& request) {
   TestConditions c;
   c.date = plan.date.empty() ? "None: simulated" : plan.date;
   c.inspector = "axiometry simulate";
-  c.purpose = "simulation";
+  c.purpose = simulation_purpose;
   c.comment = fmt::format("Simulated, not measured{}; seed {}",
                           request.fault.empty() ? "" : fmt::format(": fault {}", request.fault), request.seed);
   c.cycle = plan.cycle;

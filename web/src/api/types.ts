@@ -2554,6 +2554,8 @@ export interface components {
                 compared: number;
                 differences: number;
             };
+            /** @description Of the report of a test that is withdrawn: true. */
+            withdrawn?: boolean;
             /** @description Of an issued result: where the audit trail ended before. */
             issue?: {
                 trail_head: string;

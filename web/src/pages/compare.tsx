@@ -7,6 +7,8 @@ import { Chart, Swatch, type ChartPlace } from '../components/chart';
 import { FailureNotice } from '../components/failure';
 import { narrow } from '../components/narrow';
 import { VerdictMark } from '../components/verdict';
+import { Withdrawn } from '../components/withdrawn';
+import { keep_focus } from '../focus';
 import { texts } from '../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../numbers';
 import { go, place } from '../router';
@@ -37,23 +39,28 @@ const t = texts({
   empty: ['Choose tests to lay over each other: before and after a compensation, this year and last year.',
           'Prüfungen wählen, die übereinandergelegt werden: vor und nach einer Kompensation, dieses und letztes Jahr.'],
   other_unit: ['{title} has deviations in {unit} and is not in the chart.', '{title} hat Abweichungen in {unit} und steht nicht im Diagramm.'],
+  left_out: ['At most {n} tests are compared; not shown: {list}.', 'Höchstens {n} Prüfungen werden verglichen; nicht gezeigt: {list}.'],
   between: ['≈: between the targets of that test', '≈: zwischen Zielpositionen dieser Prüfung'],
 });
 
 const list_of = (text: string | null): number[] =>
-  [...new Set((text ?? '').split(',').filter((word) => /^\d{1,15}$/.test(word.trim())).map(Number))].slice(0, 8);
+  [...new Set((text ?? '').split(',').filter((word) => /^\d{1,15}$/.test(word.trim())).map(Number))];
 
-interface Choice { tests: readonly number[]; curve: Curve; datum: Datum }
+const most_compared = 8;
+
+interface Choice { tests: readonly number[]; left_out: readonly number[]; curve: Curve; datum: Datum }
 
 function chosen(query: URLSearchParams): Choice {
   const one = <T extends string>(key: string, allowed: readonly T[]): T => allowed.find((word) => word === query.get(key)) ?? (allowed[0] as T);
-  return { tests: list_of(query.get('tests')), curve: one('curve', ['mean', 'up', 'down', 'both']), datum: one('datum', ['own', 'start', 'middle']) };
+  const asked = list_of(query.get('tests'));
+  return { tests: asked.slice(0, most_compared), left_out: asked.slice(most_compared), curve: one('curve', ['mean', 'up', 'down', 'both']), datum: one('datum', ['own', 'start', 'middle']) };
 }
 
 /** The address says all, so that a comparison can be sent to somebody. */
-function put(choice: Choice): void {
+function put(choice: Omit<Choice, 'left_out'>): void {
   const rest = `${choice.curve === 'mean' ? '' : `&curve=${choice.curve}`}${choice.datum === 'own' ? '' : `&datum=${choice.datum}`}`;
   go(`/compare?tests=${choice.tests.join(',')}${rest}`, 'replace');
+  keep_focus();
 }
 
 export function ComparePage() {
@@ -76,6 +83,7 @@ export function ComparePage() {
       <h1 tabIndex={-1}>{t('title')}</h1>
       {loaded.filter(({ error }) => error !== null).map(({ id, error }) => error && <FailureNotice key={id} error={error} />)}
       {choice.tests.length === 0 && <p class="quiet">{t('empty')}</p>}
+      {choice.left_out.length > 0 && <p class="notice caution">{t('left_out', { n: most_compared, list: choice.left_out.join(', ') })}</p>}
       <div class={`compare ${tests.length === 0 ? 'empty' : ''}`}>
         {tests.length > 0 && (
           <div class="stack curves">
@@ -113,7 +121,7 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
       </label>
       <div>
         <a href={`/tests/${test.id}`}>{title}</a> {test.verdict !== null && <VerdictMark verdict={test.verdict} short />}
-        {' '}
+        {' '}<Withdrawn test={test} />{' '}
         {n === 0 ? <span class="small is-reference">{t('is_reference')}</span>
           : <button type="button" class="link small no-print" aria-label={t('reference_of', { title })} onClick={refer}>{t('reference')}</button>}
         <div class="small quiet">{facts.map((fact, i) => <span key={i}>{i > 0 && ' · '}<span class="fact">{fact}</span></span>)}</div>

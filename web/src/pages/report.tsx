@@ -6,6 +6,7 @@ import { use_get } from '../api/use';
 import type { Document, Test, Vocabulary } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
+import { Withdrawn } from '../components/withdrawn';
 import { language_choices } from '../i18n/languages';
 import { bytes, when } from '../numbers';
 import { place } from '../router';
@@ -36,7 +37,7 @@ export function ReportPage({ parts }: { parts: Record<string, string> }) {
     <>
       <header class="page-head">
         <div>
-          <h1 tabIndex={-1}>{t('report')}: {shown.title}</h1>
+          <h1 tabIndex={-1}>{t('report')}: {shown.title} <Withdrawn test={shown} /></h1>
           <p class="crumb">
             <a href={`/tests/${id}`}>{t('to_test')}</a> · {t('version')} {shown.version}
             {shown.version !== shown.latest && ` (${t('not_latest', { n: shown.latest })})`}
@@ -62,7 +63,7 @@ export function ReportPage({ parts }: { parts: Record<string, string> }) {
               <Download href={`/api/tests/${id}/raw`} title={t('raw')} extension={shown.file.name} />
             </ul>
           </section>
-          <Issued test={shown} choice={choice} writers={writers} writable={why_read_only() === null} reload={test.reload} />
+          <Issued test={shown} choice={choice} writers={writers} writable={why_read_only() === null && !shown.withdrawn} reload={test.reload} />
         </div>
         <section class="preview" aria-label={t('preview')}>
           {/* Nothing in a report may run: the frame allows nothing at all. */}

@@ -4,6 +4,7 @@ import { query, type ApiError } from '../api/client';
 import type { ComparedRule, RulesCompared, Test } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { Withdrawn } from '../components/withdrawn';
 import { absent } from '../numbers';
 import { go, place } from '../router';
 import { decimal, language } from '../settings';
@@ -51,7 +52,7 @@ function Compared({ test, compared, waits, failed }: { test: Test; compared: Rul
     <>
       <div class="page-head">
         <div>
-          <p class="crumb"><a href={`/tests/${test.id}${query({ version })}`}>{test.title}</a> · {test.result.metadata.test?.date ?? absent}</p>
+          <p class="crumb"><a href={`/tests/${test.id}${query({ version })}`}>{test.title}</a> · {test.result.metadata.test?.date ?? absent} <Withdrawn test={test} /></p>
           <h1 tabIndex={-1}>{axis ? t('title_axis', { axis }) : t('title')}</h1>
         </div>
         {rules.length > 0 && (

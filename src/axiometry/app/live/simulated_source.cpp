@@ -16,6 +16,7 @@
 #include "axiometry/app/live/played_source.h"
 #include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/base/text.h"
+#include "axiometry/model/simulated.h"
 #include "axiometry/simulation/presets.h"
 #include "axiometry/simulation/simulate.h"
 
@@ -143,7 +144,7 @@ Result<Connect> simulated_source(const SimulatedCapture& capture) {
 
 void mark_simulated(Test& test, const SimulatedCapture& capture) {
   TestConditions& conditions = test.metadata.conditions;
-  conditions.purpose = "simulation";
+  conditions.purpose = simulation_purpose;
   conditions.comment = fmt::format("Simulated, not measured: fault {}; seed {}", capture.preset, capture.seed);
 }
 

@@ -9,6 +9,7 @@
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/workbench/kept_things.h"
+#include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
 
@@ -187,6 +188,7 @@ Result<KeptCalibration> withdraw_calibration(store::Store& archive, store::Id id
 Result<Rendered> calibration_report(const store::Store& archive, store::Id id, std::optional<int> version,
                                     const ReportRequest& request) {
   AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id, version));
+  AXIOMETRY_TRY(const auto latest, archive.get<Calibration>(id));
   const std::string extension = text::to_lower(request.extension);
   AXIOMETRY_TRY(Rendered rendered,
                 begun_report(archive, file_name_part(kept.value.title), kept.version, extension, kept.value.result));
@@ -198,7 +200,9 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
                 fmt::format("found other figures for calibration {} in version {} than {} kept with it, expected the "
                             "same: evaluate it again, which makes a new version",
                             id, kept.version, kept.value.program));
-  AXIOMETRY_TRY(rendered.bytes, document_bytes(document_of(evaluated, request.options), extension, request.options));
+  report::Document document = document_of(evaluated, request.options);
+  if (latest.value.withdrawn) document = labelled_withdrawn(std::move(document));
+  AXIOMETRY_TRY(rendered.bytes, document_bytes(document, extension, request.options));
   return rendered;
 }
 

@@ -12,6 +12,7 @@
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/workbench/compensation_standing.h"
 #include "axiometry/app/workbench/kept_things.h"
+#include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 
@@ -256,6 +257,7 @@ Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, s
                                      const ReportRequest& request) {
   const store::Store& archive = workbench.archive();
   AXIOMETRY_TRY(const auto kept, archive.get<Compensation>(id, version));
+  AXIOMETRY_TRY(const auto latest, archive.get<Compensation>(id));
   const store::KeptFile* table = file_of(kept.value.files, table_role);
   if (table == nullptr) return fail(ErrorKind::damaged, "found a compensation of the archive without its table");
   const std::string extension = text::to_lower(request.extension);
@@ -268,8 +270,9 @@ Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, s
   if (!now.retest_counts()) counting.retest.reset();
   AXIOMETRY_TRY(CompensatedAxis made, made_again(workbench, id, counting));
   std::ranges::move(findings_since(now.test, now.retest), std::inserter(made.findings, made.findings.begin()));
-  AXIOMETRY_TRY(rendered.bytes,
-                document_bytes(present(made, request.options, kept.value.notes).document, extension, request.options));
+  report::Document document = present(made, request.options, kept.value.notes).document;
+  if (latest.value.withdrawn) document = labelled_withdrawn(std::move(document));
+  AXIOMETRY_TRY(rendered.bytes, document_bytes(document, extension, request.options));
   return rendered;
 }
 

@@ -11,6 +11,7 @@
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/second_opinion.h"
 #include "axiometry/app/workbench/test_state.h"
+#include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench_state.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/dark_page.h"
@@ -73,9 +74,10 @@ Result<const report::Writer*> report_writer_of(const std::string& extension) {
 }
 
 /// The result that a version keeps, as `axiometry evaluate --json` writes it; where it is issued, with what the trail
-/// was before.
+/// was before; where its test is withdrawn, that it is.
 Result<std::string> kept_json(const store::TestRecord& record, const std::string& trail_head) {
   AXIOMETRY_TRY(json::Value value, kept_result(record));
+  if (record.withdrawn) value.add("withdrawn", true);
   if (!trail_head.empty()) value.add("issue", json::Value::object()).add("trail_head", trail_head);
   return json::dump(value) + "\n";
 }
@@ -104,8 +106,10 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
-  report::Subject subject = report_subject(*evaluated, trail_head);
-  subject.verified = verified;
+  const iso230_2::Assessment labelled =
+      record.withdrawn ? labelled_withdrawn(evaluated->assessment) : evaluated->assessment;
+  const report::Subject all = report_subject(*evaluated, trail_head);
+  const report::Subject subject{all.test, labelled, all.judgements, verified, all.trail_head, all.temperatures};
   AXIOMETRY_TRY(rendered.bytes, writer->write(subject, request.options));
   return rendered;
 }
@@ -144,6 +148,9 @@ Result<bool> Workbench::runs_trials_for(store::Id id, std::optional<int> version
 Result<store::Document> Workbench::issue(store::Id id, std::optional<int> version, const ReportRequest& request,
                                          const store::By& by) {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
+  if (record.withdrawn)
+    return fail(ErrorKind::conflict,
+                fmt::format("found test {} withdrawn, expected one that is not: reinstate it first", id));
   AXIOMETRY_TRY(const store::Head head, state_->store.head());
   AXIOMETRY_TRY(const Rendered rendered, render(*state_, record, request, store::short_text(head)));
   if (text::to_lower(request.extension) == "json") {

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/digest/sha256.h"
 #include "tests/support/archive.h"
@@ -20,6 +21,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const store::By me{"A. Tester", "a test"};
 
@@ -588,6 +590,25 @@ TEST_F(TheWorkbench, WithdrawsAndReinstates) {
   EXPECT_EQ(store.tests({})->total, 0);
   EXPECT_FALSE(workbench.withdraw(id, false, me)->record.withdrawn);
   EXPECT_EQ(store.tests({})->total, 1);
+}
+
+TEST_F(TheWorkbench, SaysInEveryReportThatATestIsWithdrawnAndIssuesNone) {
+  const auto id = keep(example_table2);
+  const std::string words(withdrawn_label);
+  const auto report_of = [&](const std::string& extension) {
+    const auto report = workbench.report(id, {}, {.extension = extension});
+    EXPECT_TRUE(report) << (report ? "" : report.error().message);
+    return report ? report->bytes : std::string();
+  };
+  EXPECT_THAT(report_of("html"), Not(HasSubstr(words)));
+  ASSERT_TRUE(workbench.withdraw(id, true, me));
+  EXPECT_THAT(report_of("html"), HasSubstr("Label: " + words));
+  EXPECT_THAT(report_of("csv"), HasSubstr(words));
+  EXPECT_THAT(report_of("json"), HasSubstr("\"withdrawn\": true"));
+  const auto issued = workbench.issue(id, {}, {.extension = "html"}, me);
+  ASSERT_FALSE(issued);
+  EXPECT_EQ(issued.error().kind, ErrorKind::conflict);
+  EXPECT_THAT(issued.error().message, HasSubstr("withdrawn"));
 }
 
 TEST_F(TheWorkbench, ServesManyAtOnce) {

@@ -9,7 +9,8 @@ BeamRow::BeamRow(const Coefficients& coefficients, const MachineModel& machine, 
   const std::array<Vector3, 3> levers = machine.levers_mm(axes_mm, tool_mm);
   for (std::size_t a = 0; a < axis_count; ++a) {
     Source& source = sources_[source_count_++];
-    source = {coefficients.basis(a).at(axes_mm[a]), 1e-3 * levers[a]};
+    coefficients.basis(a).set_at(axes_mm[a], source.active);
+    source.lever_m = 1e-3 * levers[a];
     add_piece(coefficients.curve(a) + source.active.first * motion_count, source.active.count * motion_count);
   }
   for (std::size_t a = 0; a < axis_count; ++a) {

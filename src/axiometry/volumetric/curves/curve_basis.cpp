@@ -12,9 +12,8 @@ namespace axiometry::volumetric {
 namespace {
 
 /// The four uniform cubic B-splines of a span at 0 ≤ t ≤ 1 (outside: their continuation).
-ActiveFunctions cubic(std::size_t span, double t) {
+void set_cubic(std::size_t span, double t, ActiveFunctions& f) {
   const double s = 1.0 - t;
-  ActiveFunctions f;
   f.first = span;
   f.count = 4;
   constexpr double sixth = 1.0 / 6.0;
@@ -22,12 +21,11 @@ ActiveFunctions cubic(std::size_t span, double t) {
   f.values[1] = sixth * (3.0 * t * t * t - 6.0 * t * t + 4.0);
   f.values[2] = sixth * (-3.0 * t * t * t + 3.0 * t * t + 3.0 * t + 1.0);
   f.values[3] = sixth * (t * t * t);
-  return f;
 }
 
 /// By (k + 1) P_{k+1} = (2k + 1) x P_k − k P_{k−1}.
-ActiveFunctions legendre(std::size_t degree, double x) {
-  ActiveFunctions f;
+void set_legendre(std::size_t degree, double x, ActiveFunctions& f) {
+  f.first = 0;
   f.count = degree + 1;
   f.values[0] = 1.0;
   f.values[1] = x;
@@ -35,7 +33,6 @@ ActiveFunctions legendre(std::size_t degree, double x) {
     const double n = static_cast<double>(k);
     f.values[k + 1] = ((2.0 * n + 1.0) * x * f.values[k] - n * f.values[k - 1]) / (n + 1.0);
   }
-  return f;
 }
 
 }  // namespace
@@ -70,20 +67,19 @@ Result<CurveBasis> CurveBasis::make(CurveKind kind, double lower_mm, double uppe
 std::size_t CurveBasis::first_active(double position_mm) const {
   if (kind_ == CurveKind::legendre) return 0;
   const double last = static_cast<double>(size_) - 1.0;
-  return static_cast<std::size_t>(std::clamp(std::floor(spans_along(position_mm)), 0.0, last));
+  return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(std::clamp(spans_along(position_mm), 0.0, last)));
 }
 
-ActiveFunctions CurveBasis::at(double position_mm) const {
-  if (kind_ == CurveKind::legendre) return legendre(size_, (2.0 * position_mm - lower_ - upper_) / (upper_ - lower_));
+void CurveBasis::set_at(double position_mm, ActiveFunctions& f) const {
+  if (kind_ == CurveKind::legendre)
+    return set_legendre(size_, (2.0 * position_mm - lower_ - upper_) / (upper_ - lower_), f);
   const std::size_t first = first_active(position_mm);
   const double t = spans_along(position_mm) - static_cast<double>(first);
-  if (kind_ == CurveKind::spline) return cubic(first, t);
-  ActiveFunctions f;
+  if (kind_ == CurveKind::spline) return set_cubic(first, t, f);
   f.first = first;
   f.count = 2;
   f.values[0] = 1.0 - t;
   f.values[1] = t;
-  return f;
 }
 
 /// By Gauss–Legendre quadrature in each span, exact for polynomials up to degree 15: 8 nodes.

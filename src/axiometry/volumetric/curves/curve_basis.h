@@ -40,7 +40,12 @@ class CurveBasis {
   std::size_t functions() const { return functions_; }
 
   /// At a position; outside of [lower, upper] what the nearest span continues to.
-  ActiveFunctions at(double position_mm) const;
+  ActiveFunctions at(double position_mm) const {
+    ActiveFunctions active;
+    set_at(position_mm, active);
+    return active;
+  }
+  void set_at(double position_mm, ActiveFunctions& active) const;  ///< the same, without a copy
 
   /// `first` of at().
   std::size_t first_active(double position_mm) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/numeric/side_by_side.h"
 #include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/findings.h"
 #include "axiometry/volumetric/identify/identifier.h"
@@ -26,11 +27,14 @@ std::vector<double> times(std::vector<double> values, double factor) {
 
 std::vector<IdentifiedStation> stations_of(const Identifier& done, const VolumetricLengths& lengths, double factor) {
   const Unknowns& unknowns = done.unknowns();
+  std::vector<std::size_t> columns;
+  for (const detail::VirtualStation& own : unknowns.stations) columns.push_back(own.column);
+  const std::vector<Matrix3> covariances = done.fit().solution.blocks(columns);
   std::vector<IdentifiedStation> stations;
   for (std::size_t v = 0; v < unknowns.stations.size(); ++v) {
     const detail::VirtualStation& own = unknowns.stations[v];
     IdentifiedStation station{own.station, own.tool, done.fit().state.stations_mm[v]};
-    station.covariance_um2 = done.fit().solution.block(own.column);
+    station.covariance_um2 = covariances[v];
     for (auto& row : station.covariance_um2)
       for (double& c : row) c *= factor;
     stations.push_back(station);
@@ -94,7 +98,14 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   AXIOMETRY_TRY_VOID(done.run());
   const Fit& fit = done.fit();
   const std::size_t told = fit.solution.unknowns() - fit.solution.null_directions();
-  std::vector<double> covariance = fit.solution.coefficient_covariance();
+  std::vector<double> covariance;
+  double condition = 0.0;
+  numeric::side_by_side(2, done.problem().threads, [&](std::size_t part) {
+    if (part == 0)
+      covariance = fit.solution.coefficient_covariance();
+    else
+      condition = fit.solution.condition();
+  });
   std::optional<SmoothedCurves> smoothed;
   if (done.penalty()) smoothed = detail::smoothed_curves(*done.penalty(), done.coefficients(), fit, covariance);
   // Of what the smoothness tells, whole unknowns only: fewer degrees of freedom make uncertainties larger.
@@ -122,7 +133,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
                         .chi_squared = fit.chi_squared,
                         .degrees_of_freedom = dof,
                         .rank = {fit.solution.unknowns(), done.coefficients().free(),
-                                 std::max(fit.solution.null_directions(), by_shape.size()), fit.solution.condition()},
+                                 std::max(fit.solution.null_directions(), by_shape.size()), condition},
                         .iterations = fit.iterations,
                         .drift = done.drift(),
                         .smoothed = std::move(smoothed),

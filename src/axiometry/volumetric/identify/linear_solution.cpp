@@ -148,14 +148,6 @@ struct LinearSolution::Factors {
     if (nulls.cols() > 0) inverse -= nulls.bottomRows(count) * nulls.bottomRows(count).transpose();
     return inverse;
   }
-  /// Columns of it.
-  MatrixXd inverse_columns(Index first, Index count) const {
-    MatrixXd columns = MatrixXd::Zero(scaled.matrix.rows(), count);
-    columns.middleRows(first, count).setIdentity();
-    cholesky.solveInPlace(columns);
-    if (nulls.cols() > 0) columns -= nulls * nulls.middleRows(first, count).transpose();
-    return columns;
-  }
 };
 
 LinearSolution::LinearSolution(const Coefficients& coefficients, NormalEquations equations, NullDirections nulls)
@@ -226,16 +218,34 @@ std::vector<double> LinearSolution::coefficient_covariance() const {
   return raw;
 }
 
-Matrix3 LinearSolution::block(std::size_t column) const {
+/// Of the inverse (L Lᵀ)⁻¹ the block of columns E is YᵀY with L Y = E: of a few blocks at once, so that each number of
+/// L is read once for all.
+std::vector<Matrix3> LinearSolution::blocks(std::span<const std::size_t> columns) const {
+  constexpr std::size_t at_once = 10;
+  constexpr Index width = 3;
   const Factors& f = *factors_;
-  const auto first = static_cast<Index>(std::ranges::find(f.scaled.kept, column) - f.scaled.kept.begin());
-  const MatrixXd columns = f.inverse_columns(first, 3);
-  Matrix3 block;
-  for (Index i = 0; i < 3; ++i)
-    for (Index k = 0; k < 3; ++k)
-      block[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] =
-          f.scaled.scale[first + i] * f.scaled.scale[first + k] * columns(first + i, k);
-  return block;
+  std::vector<Matrix3> blocks;
+  for (std::size_t begin = 0; begin < columns.size(); begin += at_once) {
+    const std::span<const std::size_t> some = columns.subspan(begin, std::min(at_once, columns.size() - begin));
+    std::vector<Index> first;
+    for (const std::size_t column : some)
+      first.push_back(static_cast<Index>(std::ranges::find(f.scaled.kept, column) - f.scaled.kept.begin()));
+    MatrixXd y = MatrixXd::Zero(f.scaled.matrix.rows(), width * static_cast<Index>(some.size()));
+    for (std::size_t b = 0; b < some.size(); ++b)
+      y.block<width, width>(first[b], width * static_cast<Index>(b)).setIdentity();
+    f.cholesky.matrixL().solveInPlace(y);
+    for (std::size_t b = 0; b < some.size(); ++b) {
+      const auto own = y.middleCols<width>(width * static_cast<Index>(b));
+      const auto nulls = f.nulls.middleRows<width>(first[b]);
+      const Eigen::Matrix3d inverse = own.transpose() * own - nulls * nulls.transpose();
+      Matrix3& block = blocks.emplace_back();
+      for (Index i = 0; i < width; ++i)
+        for (Index k = 0; k < width; ++k)
+          block[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] =
+              f.scaled.scale[first[b] + i] * f.scaled.scale[first[b] + k] * inverse(i, k);
+    }
+  }
+  return blocks;
 }
 
 NullDirections LinearSolution::null_basis() const {

@@ -36,9 +36,10 @@ class LinearSolution {
   /// The step for a gradient: all columns, raw. Nothing along null directions.
   std::vector<double> step(std::vector<double> raw_gradient) const;
 
-  /// Of the raw coefficients alone, coefficients.raw() squared; and the block of three columns from `column` on, µm².
+  /// Of the raw coefficients alone, coefficients.raw() squared; and the blocks of three columns from each of `columns`
+  /// on, µm².
   std::vector<double> coefficient_covariance() const;
-  Matrix3 block(std::size_t column) const;
+  std::vector<Matrix3> blocks(std::span<const std::size_t> columns) const;
 
   /// As they were given.
   NullDirections null_basis() const;

@@ -80,7 +80,7 @@ export function headline(row: Pick<CalibrationRow, 'kind' | 'figures'>): string 
   const chi2 = find(row, 'chi2_per_dof')[0];
   const unseen = find(row, 'unseen_errors')[0];
   return [
-    largest && `${t('largest')} ${fixed(largest.value, 1)} µm`,
+    largest && `${t('largest')} ${fixed(largest.value, 1)} µm (${t('worst_tool', { tool: largest.of })})`,
     mean && `${t('mean')} ${fixed(mean.value, 1)} µm`,
     chi2 && `χ²/ν ${fixed(chi2.value, 2)}`,
     unseen && unseen.value > 0 && `${t('unseen')}: ${unseen.value}`,

@@ -68,6 +68,7 @@ export const t = texts({
   versions: ['Versions', 'Versionen'],
   audit: ['In the audit trail', 'Im Änderungsnachweis'],
   largest: ['Largest', 'Größter'],
+  worst_tool: ['{tool}, without rigid motion', '{tool}, ohne Starrkörperbewegung'],
   mean: ['Mean', 'Mittel'],
   unit: ['Unit', 'Einheit'],
   rank: ['Rank of unknowns', 'Rang der Unbekannten'],

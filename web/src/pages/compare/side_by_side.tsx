@@ -8,7 +8,7 @@ import { ParameterSymbol } from '../../components/symbol';
 import { method_title } from '../../components/uncertainty';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
-import { absent, decimals_of, fixed } from '../../numbers';
+import { absent, decimals_of, fixed, unit_sign } from '../../numbers';
 import { printing } from '../../settings';
 import { all_parameters, main_parameters } from '../test/figures_text';
 import { record_method } from '../test/record_choice';
@@ -78,7 +78,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
             <tr>
               {tests.map((test, n) => (
                 <Fragment key={test.id}>
-                  <th scope="col" class="number value">{head_of(methods[n] ?? null)}</th>
+                  <th scope="col" class="number value">{head_of(methods[n] ?? null)}, {unit_sign(test.result.unit)}</th>
                   {n > 0 && !stacked && <th scope="col" class="number">{t('difference')}</th>}
                 </Fragment>
               ))}

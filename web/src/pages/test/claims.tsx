@@ -19,6 +19,7 @@ export function Claims({ claims }: { claims: readonly Claim[] }) {
       {claims.map((claim) => (
         <li key={claim.key}>
           <Mark tone={claim.holds ? 'good' : 'caution'} word={t(claim.holds ? 'holds' : 'fails')} short /> <span class="claim-title"><Formula text={sentence(claim.title).replace(/\.$/, '')} /></span>
+          {claim.holds && claim.remark !== undefined && <p class="small quiet"><Formula text={sentence(claim.remark)} /></p>}
           {claim.missing.length > 0 && (
             <details class="small">
               <summary>{t('missing', { n: claim.missing.length })}</summary>

@@ -4,6 +4,7 @@ import { useState } from 'preact/hooks';
 import { query, send } from '../../api/client';
 import type { Claim, Test } from '../../api/types';
 import { Mark, VerdictMark } from '../../components/verdict';
+import { Withdrawn } from '../../components/withdrawn';
 import { texts } from '../../i18n/texts';
 import { bytes } from '../../numbers';
 import { ReasonDialog } from './reason_dialog';
@@ -16,6 +17,8 @@ const t = texts({
   standard: ['Standard', 'Norm'],
   file: ['File', 'Datei'],
   instruments: ['Instruments', 'Messmittel'],
+  on_the_word: ['on the word of who tested', 'auf das Wort dessen, der geprüft hat'],
+  simulated: ['simulated', 'simuliert'],
   not_claimed: ['not claimed: {title}', 'nicht behauptet: {title}'],
   not_a_result: ['not a result of this standard', 'kein Ergebnis nach dieser Norm'],
   report: ['Report', 'Bericht'],
@@ -27,7 +30,6 @@ const t = texts({
   close: ['Close the editor', 'Bearbeiten beenden'],
   withdraw: ['Withdraw', 'Zurückziehen'],
   reinstate: ['Reinstate', 'Wieder gültig machen'],
-  withdrawn: ['withdrawn', 'zurückgezogen'],
   withdraw_title: ['Withdraw this test', 'Diese Prüfung zurückziehen'],
   withdraw_text: ['It stays in the archive with all its data, but no longer counts in lists and trends.',
                   'Sie bleibt mit allen Daten im Archiv, zählt aber in Listen und Verläufen nicht mehr.'],
@@ -78,7 +80,8 @@ function Facts({ state }: { state: TestState }) {
 function Claimed({ claims }: { claims: readonly Claim[] }) {
   const tested = claims.find(({ key }) => key === 'tested');
   if (!tested) return null;
-  return <span class="claimed"><Mark tone={tested.holds ? 'good' : 'caution'} word={tested.holds ? tested.title : t('not_claimed', { title: tested.title })} /></span>;
+  const said = tested.holds && tested.remark !== undefined && <span class="small quiet"> {t('on_the_word')}</span>;
+  return <span class="claimed"><Mark tone={tested.holds ? 'good' : 'caution'} word={tested.holds ? tested.title : t('not_claimed', { title: tested.title })} />{said}</span>;
 }
 
 /** The verdict; where there is none to be had, the way to the limits that would give one. */
@@ -103,7 +106,8 @@ export function Head({ state }: { state: TestState }) {
         <div class="row title-row">
           <h1 tabIndex={-1}>{test.title}</h1>
           <Judgement state={state} />
-          {test.withdrawn && <span class="mark caution">{t('withdrawn')}</span>}
+          <Withdrawn test={test} />
+          {test.result.metadata.test?.purpose?.toLowerCase() === 'simulation' && <span class="mark caution">{t('simulated')}</span>}
         </div>
         <div class="row no-print">
           <button type="button" aria-expanded={state.editing.value} aria-controls="edit-panel" disabled={version !== null}

@@ -4,6 +4,7 @@ import { get, send } from '../../api/client';
 import type { Changes, Revision, Test, Vocabulary } from '../../api/types';
 import { Dialog } from '../../components/dialog';
 import { Field } from '../../components/field';
+import { keep_focus } from '../../focus';
 import { texts } from '../../i18n/texts';
 import { when } from '../../numbers';
 import { Differences, different_keys } from './differences';
@@ -17,6 +18,9 @@ const t = texts({
   name: ['Title of the test', 'Titel der Prüfung'],
   raw: ['The measured data stay as they are; version {version} stays readable.', 'Die Messdaten bleiben, wie sie sind; Version {version} bleibt lesbar.'],
   awaited: ['Limits and verdicts of this edit are being evaluated …', 'Grenzwerte und Entscheidungen dieser Bearbeitung werden ausgewertet …'],
+  unknown: ['This edit could not be evaluated as a whole: whether a limit changes or a verdict turns is not known.',
+            'Diese Bearbeitung konnte nicht als Ganzes ausgewertet werden: ob ein Grenzwert sich ändert oder eine Entscheidung kippt, ist nicht bekannt.'],
+  again: ['Try again', 'Noch einmal versuchen'],
   base: ['Version {version}', 'Version {version}'],
   mine: ['This edit', 'Diese Bearbeitung'],
   conflict: ['Somebody else saved first', 'Jemand hat zuerst gespeichert'],
@@ -51,6 +55,7 @@ export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
   const save = async (reason: string) => {
     const revision: Revision = { base_version: test.version, title: state.title.value.trim(), reason, changes: state.changes.value, options: state.options.value };
     adopt(await send<Test>('POST', test_path(test.id, '/versions'), revision));
+    keep_focus();
   };
   const look = () => void get<Test>(test_path(test.id)).then(set_newer, () => undefined);
   return (
@@ -63,9 +68,22 @@ export function SaveDialog({ state, vocabulary, close, adopt }: Props) {
         { title: t('mine'), state: { changes: state.changes.value, options: state.options.value } },
       ]} />
       <div aria-live="polite">
-        {state.busy.value === 'no' ? state.edited.value && <LimitChanges before={test} after={state.evaluated.value} /> : <p class="quiet">{t('awaited')}</p>}
+        <Consequence state={state} before={test} />
       </div>
     </ReasonDialog>
+  );
+}
+
+/** What the edit changes of limits and verdicts; never of an edit that could not be evaluated. */
+function Consequence({ state, before }: { state: TestState; before: Test }) {
+  if (!state.edited.value) return null;
+  if (state.busy.value !== 'no') return <p class="quiet">{t('awaited')}</p>;
+  if (state.failure.value === null && Object.keys(state.faults.value).length === 0) return <LimitChanges before={before} after={state.evaluated.value} />;
+  return (
+    <p class="notice caution">
+      {t('unknown')}{' '}
+      {state.failure.value !== null && <button type="button" class="link" onClick={() => state.evaluate_again()}>{t('again')}</button>}
+    </p>
   );
 }
 

@@ -184,6 +184,16 @@ export class TestState {
     void this.evaluate(true);
   }
 
+  /** What a field outside of the metadata holds and cannot be used: nothing is saved before it is mended. */
+  blame(key: string, fault: string | null): void {
+    this.faults.value = fault === null ? without(this.faults.value, [key]) : { ...this.faults.value, [key]: fault };
+  }
+
+  evaluate_again(): void {
+    window.clearTimeout(this.timer);
+    void this.evaluate(false);
+  }
+
   private async evaluate(asked: boolean): Promise<void> {
     const sampling = asked || this.sampled_record.peek();
     this.stop();

@@ -15,7 +15,7 @@ import { failure_of, type TestState } from './state';
 const t = texts({
   title: ['Temperatures before and during the test', 'Temperaturen vor und während der Prüfung'],
   none: ['No log of temperatures.', 'Keine Temperaturaufzeichnung.'],
-  hint: ['or drop it here: time and one or more sensors in columns', 'oder hier ablegen: Zeit und ein oder mehrere Sensoren in Spalten'],
+  hint: ['or drop it here: time and one or more sensors in columns. It is kept with the test at once.', 'oder hier ablegen: Zeit und ein oder mehrere Sensoren in Spalten. Sie wird sofort mit der Prüfung aufbewahrt.'],
   add: ['Add a temperature log', 'Temperaturaufzeichnung hinzufügen'],
   adding: ['Adding …', 'Wird hinzugefügt …'],
   remove: ['Without the log', 'Ohne die Aufzeichnung'],
@@ -33,6 +33,7 @@ const t = texts({
   machine_gradient_C: ['Gradient over the machine', 'Temperaturunterschied über die Maschine'],
   kept: ['kept', 'eingehalten'],
   exceeded: ['exceeded', 'überschritten'],
+  not_reached: ['not reached', 'unterschritten'],
   'not-measured': ['not measured', 'nicht gemessen'],
   'not-agreed': ['no limit agreed', 'kein Grenzwert vereinbart'],
   'known-in-part': ['known in part only', 'nur teilweise bekannt'],
@@ -93,7 +94,7 @@ export function Surroundings({ state }: { state: TestState }) {
       {found?.ended_by_readings && <p class="quiet foot">{t('ended_by_readings', { moment: found.ended_by_readings })}</p>}
       {found && found.gaps.length > 0 && <ul class="small caution foot">{found.gaps.map((gap) => <li key={gap}>{sentence(gap)}</li>)}</ul>}
       {state.test.value.options.temperatures && <Drawn state={state} />}
-      {log && state.editing.value && <Agreed log={log} put={put} />}
+      {log && state.editing.value && <Agreed log={log} put={put} blame={(name, fault) => state.blame(`temperatures.${name}`, fault)} />}
     </section>
   );
 }
@@ -111,7 +112,7 @@ function Quantities({ found }: { found: Found }) {
               <th scope="row">{t(row.key)}</th>
               <td class="number">{row.measured === null ? absent : `${fixed(row.measured, decimals_of(row))} ${row.unit}`}</td>
               <td>{row.agreed === null ? absent : t(row.limit === 'lowest' ? 'at_least' : 'at_most', { x: `${marked(String(row.agreed))} ${row.unit}` })}</td>
-              <td class={tones[row.standing]}>{t(row.standing)}</td>
+              <td class={tones[row.standing]}>{t(row.standing === 'exceeded' && row.limit === 'lowest' ? 'not_reached' : row.standing)}</td>
             </tr>
           ))}
         </tbody>
@@ -139,7 +140,7 @@ function Drawn({ state }: { state: TestState }) {
 const limits = [['lowest_C', 'limit_low'], ['highest_C', 'limit_high'], ['rate_C_per_h', 'limit_rate'], ['gradient_C', 'limit_gradient']] as const;
 
 /** When the test was, and what the parties agreed on. */
-function Agreed({ log, put }: { log: Log; put: (part: Partial<Log>) => void }) {
+function Agreed({ log, put, blame }: { log: Log; put: (part: Partial<Log>) => void; blame: (name: string, fault: string | null) => void }) {
   return (
     <div class="sampling-fields">
       {(['began', 'ended'] as const).map((name) => (
@@ -147,17 +148,22 @@ function Agreed({ log, put }: { log: Log; put: (part: Partial<Log>) => void }) {
           {(ids) => <Entry ids={ids} value={log[name] ?? ''} take={(text) => put({ [name]: text.trim() || undefined })} />}
         </Field>
       ))}
-      {limits.map(([name, label]) => <Limit key={name} label={t(label)} value={log[name]} put={(x) => put({ [name]: x })} />)}
+      {limits.map(([name, label]) => <Limit key={name} label={t(label)} value={log[name]} put={(x) => put({ [name]: x })} blame={(fault) => blame(name, fault)} />)}
     </div>
   );
 }
 
-function Limit({ label, value, put }: { label: string; value: number | undefined; put: (x: number | undefined) => void }) {
+/** A number, with its unit or without. */
+const number_of = (text: string) => parsed(text.trim().replace(/\s*(°\s*C|K)(\/h)?$/i, ''));
+
+function Limit({ label, value, put, blame }: { label: string; value: number | undefined; put: (x: number | undefined) => void; blame: (fault: string | null) => void }) {
   const [fault, set_fault] = useState<string | null>(null);
   const take = (text: string) => {
-    const x = parsed(text);
+    const x = number_of(text);
     const empty = text.trim() === '';
-    set_fault(empty || x !== null ? null : t('number'));
+    const told = empty || x !== null ? null : t('number');
+    set_fault(told);
+    blame(told);
     if (empty || x !== null) put(empty ? undefined : x ?? undefined);
   };
   return (

@@ -11,6 +11,7 @@ import { held_table } from '../compensations/held';
 import { held_motions, is_motion } from '../motions/held';
 import { t as motion_words } from '../motions/texts';
 import { keep_plan } from '../plan/import';
+import { keep_focus } from '../../focus';
 import { HowRead } from './asked_columns';
 import { Contents } from './contents';
 import { can_be_kept, incoming, is_asked, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
@@ -27,8 +28,8 @@ export function Previews({ on_formats }: { on_formats: () => void }) {
       <header>
         <h2>{t('files')} <span class="quiet small">{hint(files)}</span></h2>
         <div class="row">
-          {ready > 1 && <button type="button" class="primary" disabled={why !== null} onClick={() => void keep_all()}>{t('keep_all', { n: ready })}</button>}
-          <button type="button" onClick={remove_all}>{t('clear')}</button>
+          {ready > 1 && <button type="button" class="primary" disabled={why !== null} onClick={() => void keep_all().then(keep_focus)}>{t('keep_all', { n: ready })}</button>}
+          <button type="button" onClick={() => { remove_all(); keep_focus(); }}>{t('clear')}</button>
         </div>
       </header>
       <ul aria-live="polite">

@@ -18,7 +18,7 @@ export function ErrorCurves({ errors }: { errors: VolumetricErrors }) {
       {axes.map((axis) => (
         <section key={axis} class="axis-errors" aria-labelledby={`errors-${axis}`}>
           <h3 id={`errors-${axis}`}>{t('of_axis', { axis })}</h3>
-          <div class="curves">
+          <div class="error-curves">
             {motions.filter((motion) => motion.axis === axis).map((motion) => <ErrorCurve key={motion.name} motion={motion} nodes={nodes_of(errors, motion.name)} />)}
           </div>
         </section>

@@ -11,6 +11,7 @@
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/model/simulated.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
 #include "axiometry/standards/readings/reading_correction.h"
@@ -164,6 +165,9 @@ void add_impossible(Against& against, const Metadata& m) {
 
 /// Values that hold what is known to be wrong with them, or lack what the machine did.
 void add_known_errors(Against& against, const Test& test, const Assessment& assessment) {
+  if (text::equal_ignoring_case(test.metadata.conditions.purpose, simulation_purpose))
+    against.push_back(
+        rules::missing("simulated", "1", "found readings that were simulated, expected those of a machine"));
   if (was_corrected(test, "drift"))
     against.push_back(rules::missing(
         "drift-taken-out", "5.3.1",
