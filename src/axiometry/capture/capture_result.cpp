@@ -11,12 +11,15 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/capture/standstill.h"
+#include "axiometry/numeric/median.h"
 
 namespace axiometry::capture {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
+/// What the plan's program does; the recording shows of it only what rest_remark() looks at.
 Metadata metadata_of(const Plan& plan) {
   Metadata metadata;
   metadata.axis = plan.axis;
@@ -26,7 +29,7 @@ Metadata metadata_of(const Plan& plan) {
   metadata.conditions.dwell = plan.dwell;
   if (plan.warm_up_runs > 0)
     metadata.conditions.warm_up =
-        fmt::format("{} there and back over the measurement travel at {} {}/min",
+        fmt::format("as programmed: {} there and back over the measurement travel at {} {}/min",
                     plan.warm_up_runs == 1 ? "once" : fmt::format("{} times", plan.warm_up_runs),
                     format_exact(plan.feed), position_unit(plan.axis.kind));
   return metadata;
@@ -66,6 +69,23 @@ Result<void> check_closeness(const Plan& plan, const CaptureResult& result) {
       "another plan, or the window around the targets is too narrow for this axis (--target-window)",
       format_fixed(lowest, 1), format_fixed(highest, 1), deviation_unit(plan.axis.kind), format_fixed(limit, 1),
       deviation_unit(plan.axis.kind)));
+}
+
+/// Where the axis clearly rested longer or shorter than the plan says, the dwell is what was recorded.
+std::optional<SourceRemark> rest_remark(const Plan& plan, const CaptureResult& result, TestConditions& conditions) {
+  constexpr double alike = 0.3, tenths = 10.0;
+  std::vector<double> rests_s;
+  for (const CapturedReading& r : result.readings)
+    if (!r.standstill.cut_off) rests_s.push_back(r.standstill.end_s - r.standstill.begin_s);
+  const double planned_s = plan.dwell.in_s();
+  if (rests_s.empty() || !(planned_s > 0.0)) return std::nullopt;
+  const double seen_s = numeric::median(std::move(rests_s));
+  if (std::abs(seen_s - planned_s) <= alike * planned_s + standstill_options(plan).window.in_s()) return std::nullopt;
+  conditions.dwell = Duration::s(std::round(tenths * seen_s) / tenths);
+  return SourceRemark{false,
+                      fmt::format("the axis rested {} s at the targets, half of the rests longer and half shorter, "
+                                  "where the plan has {} s: the dwell is that of the recording",
+                                  format_fixed(seen_s, 1), format_exact(planned_s))};
 }
 
 /// Noise of the samples that is not averaged away widens the bands of the axis as if it were its own: told when it
@@ -176,6 +196,8 @@ Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
   AXIOMETRY_TRY(Series series, Series::make_dense(std::move(targets), runs, std::move(deviations)));
   Test test{metadata_of(plan), std::move(series), {}};
   test.provenance.remarks = remarks_of(result, left_out);
+  if (auto rest = rest_remark(plan, result, test.metadata.conditions))
+    test.provenance.remarks.push_back(std::move(*rest));
   if (auto noise = noise_remark(plan, result)) test.provenance.remarks.push_back(std::move(*noise));
   test.times_s = std::move(times);
   return test;

@@ -33,6 +33,12 @@ Result<const Recording*> recognise_recording(std::string_view head) {
               {1, 1});
 }
 
+Result<void> check_times_and_positions(const RecordingOptions& options) {
+  if (options.units_per_count) return fail("found a length per count for a stream of positions, expected none");
+  if (options.rate_hz) return fail("found a rate for a stream that tells its times, expected none");
+  return {};
+}
+
 Result<double> mm_per_count(Length wavelength, double counts_per_wavelength) {
   const double mm = wavelength.in_mm();
   if (!(std::isfinite(mm) && mm > 0.0))

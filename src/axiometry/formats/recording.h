@@ -25,6 +25,7 @@ struct RecordingOptions {
   std::optional<double> units_per_count;  ///< mm or ° per count, for streams of counts
   std::optional<double> rate_hz;          ///< samples per second, for streams without time stamps
   std::size_t axis = 0;                   ///< of a stream of several: 0 is the first
+  bool axis_stated = false;               ///< whether somebody said so; else columns are taken only by what they say
   /// When the bytes that are being fed arrived, s; NaN where that is lost. For streams that tell neither time nor rate,
   /// and for how long a source was away whose clock began anew. Empty when it is never known.
   std::function<double()> arrival_s{};
@@ -91,6 +92,10 @@ const Recording* find_recording(std::string_view id);
 /// The layout that fits best. Fails on an empty beginning and on what no layout recognises; the message lists what is
 /// read.
 Result<const Recording*> recognise_recording(std::string_view head);
+
+/// Of a layout whose samples are times and positions: fails on a length per count and on a rate, which would not be
+/// used.
+Result<void> check_times_and_positions(const RecordingOptions& options);
 
 /// mm per count of an interferometer: λ divided by the counts that a wavelength of path has (2, 4 or 8 after optics and
 /// electronics). The wavelength is that in the air of the test. Fails unless both are positive.

@@ -9,6 +9,8 @@ constexpr Phrase rows[] = {
     {"a continuous recording of {0#} samples gave {1#} of the {2#} lengths of the plan",
      "eine fortlaufende Aufzeichnung von {0} Abtastwerten ergab {1} der {2} Längen des Plans"},
     {"arrived {0#} at {1#}, expected {2}; not used", "Ankunft {0} bei {1}; erwartet: {2}; nicht verwendet"},
+    {"as programmed: once", "wie programmiert: einmal"},
+    {"as programmed: {0#} times", "wie programmiert: {0}-mal"},
     {"at rest again, at {0#}; {1} keeps its first reading",
      "erneut Stillstand, bei {0}; {1} behält den ersten Messwert"},
     {"at rest at target {0#} ({1#}), expected {2}; not used",
@@ -30,6 +32,8 @@ constexpr Phrase rows[] = {
     {"drifts by {0#} while at rest", "driftet im Stillstand um {0}"},
     {"found a device, a pipe or a folder, expected a file",
      "ein Gerät, eine Leitung oder ein Ordner; erwartet: eine Datei"},
+    {"found a length per count for a stream of positions, expected none",
+     "Länge je Zählschritt für einen Strom von Positionen; erwartet: keine"},
     {"found a length per count for the stream of an HPI-3D, expected none: it tells distances",
      "eine Länge je Zählschritt für den Datenstrom eines HPI-3D; erwartet: keine, denn er nennt Abstände"},
     {"found a number that is not finite in sample {0#}, expected a position",
@@ -37,6 +41,8 @@ constexpr Phrase rows[] = {
     {"found a part, a datum or a zero for a plan of lines, expected none: lengths have a dead path that is not known",
      "ein Teil, ein Bezug oder ein Nullpunkt zu einem Plan von Linien; erwartet: keines davon, denn Längen haben eine "
      "unbekannte Totstrecke"},
+    {"found a rate for a stream that tells its times, expected none",
+     "Abtastrate für einen Strom, der seine Zeiten nennt; erwartet: keine"},
     {"found a rate of {0#} samples a second, expected 0.001 to 10000000",
      "eine Rate von {0} Abtastwerten je Sekunde; erwartet: 0,001 bis 10000000"},
     {"found a recording of {0#} samples, expected at most {1#}",
@@ -49,6 +55,8 @@ constexpr Phrase rows[] = {
      "eine .rtx-Aufzeichnung, die in ihrem Kopf endet; erwartet: Abtastwerte"},
     {"found another program at this recording, expected none: it has one listener",
      "ein anderes Programm ist an dieser Aufzeichnung; erwartet: keines, denn nur eines kann hören"},
+    {"found axis {0#} of an array, expected 1: it has one",
+     "Achse {0} eines Arrays; erwartet: 1, denn es hat nur eine"},
     {"found axis {0#} of the stream, expected 1: it holds one distance",
      "Achse {0} des Datenstroms; erwartet: 1, denn er enthält einen Abstand"},
     {"found bytes that are no frame behind frame {0#}, expected AA B0, {1#} bytes with a check that is right",
@@ -109,6 +117,10 @@ constexpr Phrase rows[] = {
      "Teil {0} verlangt; erwartet: 1 bis {1}: der Plan und die zu ihm gehörenden"},
     {"found readings at {0#} of {1#} targets in {2#} standstills, expected at least two",
      "Messwerte an {0} von {1} Zielpositionen in {2} Stillständen; erwartet: mindestens zwei"},
+    {"found the column {0=}, expected positions", "Spalte {0}; erwartet: Positionen"},
+    {"found the columns {0=} beside the time, expected --stream-axis, which says the position's: 1 is the first of "
+     "these",
+     "Spalten {0} neben der Zeit; erwartet: --stream-axis, das die der Position nennt; 1 ist die erste von diesen"},
     {"found the port {0=} in {1=}, expected 1 to {2#}", "Port {0} in {1}; erwartet: 1 bis {2}"},
     {"found the recording {0=}, expected a file ending in .csv, .txt or .npy",
      "Aufzeichnung {0}; erwartet: eine Datei mit der Endung .csv, .txt oder .npy"},
@@ -238,6 +250,10 @@ constexpr Phrase rows[] = {
      "Abtastwerte im Stillstand streuen um {0}, was {1} in einem Messwert lässt, bei einer Streuung zwischen den "
      "Durchläufen von {2}: R und A enthalten das Rauschen der Aufzeichnung"},
     {"target {0#} run {1#}: {2}", "Zielposition {0}, Durchlauf {1}: {2}"},
+    {"the axis rested {0#} s at the targets, half of the rests longer and half shorter, where the plan has {1#} s: the "
+     "dwell is that of the recording",
+     "die Achse ruhte {0} s an den Zielpositionen (die Hälfte länger, die Hälfte kürzer), wo der Plan {1} s hat: Als "
+     "Verweilzeit gilt die der Aufzeichnung"},
     {"the clock of the samples was set ahead {0#} times, first in line {1#}; it was taken as a gap",
      "die Uhr der Abtastwerte wurde {0}-mal vorgestellt, zuerst in Zeile {1}; das gilt als Lücke"},
     {"the clock of the samples was set back {0#} times, first in line {1#}; it was taken on",

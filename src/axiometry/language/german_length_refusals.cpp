@@ -161,6 +161,14 @@ constexpr Phrase rows[] = {
      "Punkt {0} bei {1}; erwartet: {2} wie in Zeile {3}: Sollpunkte ändern sich nicht"},
     {"found point {0=} without angles and without a nominal place, expected one of them",
      "Punkt {0} ohne Winkel und ohne Sollpunkt; erwartet: eines von beiden"},
+    {"found points that lie {0#} mm (root mean square) from their nominal places, point {1=} the farthest by {2#} mm, "
+     "expected a few tenths: are points exchanged, or are these places of another set?",
+     "Punkte, die {0} mm (quadratisches Mittel) von ihren Sollorten liegen, Punkt {1} mit {2} mm am weitesten; "
+     "erwartet: einige Zehntel. Sind Punkte vertauscht, oder gehören diese Orte zu einem anderen Satz?"},
+    {"found points that lie {0#} mm (root mean square) from their nominal places, point {1=} the farthest by {2#} mm, "
+     "expected a few tenths: azimuths or an axis of the nominal places count the other way",
+     "Punkte, die {0} mm (quadratisches Mittel) von ihren Sollorten liegen, Punkt {1} mit {2} mm am weitesten; "
+     "erwartet: einige Zehntel. Azimute oder eine Achse der Sollorte zählen andersherum"},
     {"found readings at {0#} of the {1#} targets of line {2=}, expected at least two",
      "Messwerte an {0} der {1} Zielpositionen der Linie {2}; erwartet: an mindestens zwei"},
     {"found segment {0#} in reading {1#}, expected fewer segments than readings",

@@ -95,7 +95,7 @@ constexpr Phrase rows[] = {
      "Längen von {0} Stationen lassen Verformungen der Maschine offen, die keine von ihnen ändern; drei Stationen sind "
      "das Mindeste, vier oder mehr sind besser"},
     {"line {0#} of station {1=} with tool {2=}", "Zeile {0} von Station {1} mit Werkzeug {2}"},
-    {"more is told of {0=} by the smoothness than by the lengths: by the lengths alone uncertainties would be up to "
+    {"more is told of {0} by the smoothness than by the lengths: by the lengths alone uncertainties would be up to "
      "{1#} times as large",
      "über {0} sagt die Glattheit mehr als die Längen: Aus den Längen allein wären die Unsicherheiten bis zu {1}-mal "
      "so groß"},
@@ -146,28 +146,32 @@ constexpr Phrase rows[] = {
      "moved, or lengths of two set-ups or days are mixed",
      "Station {0} mit Werkzeug {1} steht im Segment {3} etwa {2} anderswo als in den übrigen: Das Messgerät wurde "
      "bewegt, oder Längen zweier Aufbauten oder Tage sind vermischt"},
-    {"the lengths do not tell {0=}; {1}: no number is given for it",
+    {"the lengths do not tell {0}; {1}: no number is given for it",
      "die Längen bestimmen {0} nicht; {1}: dafür ist kein Wert angegeben"},
-    {"the lengths do not tell {0=}; {1}: no number is given for them",
+    {"the lengths do not tell {0}; {1}: no number is given for them",
      "die Längen bestimmen {0} nicht; {1}: dafür sind keine Werte angegeben"},
-    {"the lengths show that {0=} bend farther than the smoothness allows, up to {1#} times as far: uncertainties may "
+    {"the lengths show that {0} bend farther than the smoothness allows, up to {1#} times as far: uncertainties may "
      "not hold the truth",
      "die Längen zeigen, dass sich {0} stärker biegen, als die Glattheit zulässt, bis zu {1}-mal so stark: Die "
      "Unsicherheiten enthalten die Wahrheit womöglich nicht"},
-    {"the lengths show that {0=} bends farther than the smoothness allows, up to {1#} times as far: uncertainties may "
+    {"the lengths show that {0} bends farther than the smoothness allows, up to {1#} times as far: uncertainties may "
      "not hold the truth",
      "die Längen zeigen, dass sich {0} stärker biegt, als die Glattheit zulässt, bis zu {1}-mal so stark: Die "
      "Unsicherheiten enthalten die Wahrheit womöglich nicht"},
-    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} station shows",
-     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Station zeigt"},
-    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} station shows, as if {4}",
-     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Station zeigt, als ob {4}"},
-    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} stations show alike",
-     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Stationen übereinstimmend "
+    {"the offset of tool {0=} less that of tool {1=} is {2#}, not {3#} as stated, as {4#} station shows",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist {2}, nicht {3} wie angegeben, wie {4} Station zeigt"},
+    {"the offset of tool {0=} less that of tool {1=} is {2#}, not {3#} as stated, as {4#} station shows, as if {5}",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist {2}, nicht {3} wie angegeben, wie {4} Station zeigt, "
+     "als ob {5}"},
+    {"the offset of tool {0=} less that of tool {1=} is {2#}, not {3#} as stated, as {4#} stations show alike",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist {2}, nicht {3} wie angegeben, wie {4} Stationen "
+     "übereinstimmend "
      "zeigen"},
-    {"the offset of tool {0=} less that of tool {1=} is wrong by {2#}, as {3#} stations show alike, as if {4}",
-     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist um {2} falsch, wie {3} Stationen übereinstimmend "
-     "zeigen, als ob {4}"},
+    {"the offset of tool {0=} less that of tool {1=} is {2#}, not {3#} as stated, as {4#} stations show alike, as if "
+     "{5}",
+     "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist {2}, nicht {3} wie angegeben, wie {4} Stationen "
+     "übereinstimmend "
+     "zeigen, als ob {5}"},
     {"the points that were measured, with the directions from which they were approached, do not suffice for curves as "
      "fine as these",
      "die gemessenen Punkte mit den Richtungen, aus denen sie angefahren wurden, reichen für so feine Kurven nicht "

@@ -78,6 +78,7 @@ Result<void> put_rate(const std::string& word, CaptureOptions& o) {
 Result<void> put_stream_axis(const std::string& word, CaptureOptions& o) {
   AXIOMETRY_TRY(const std::size_t axis, count_from(word));
   o.recording.axis = axis - 1;
+  o.recording.axis_stated = true;
   return {};
 }
 

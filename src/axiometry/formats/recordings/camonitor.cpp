@@ -69,6 +69,7 @@ class CamonitorReader final : public LineReader {
 };
 
 Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
+  AXIOMETRY_TRY_VOID(check_times_and_positions(options));
   return std::make_unique<CamonitorReader>(options);
 }
 

@@ -215,7 +215,11 @@ class NpyReader final : public RecordingReader {
   std::vector<Sample> samples_;
 };
 
-Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions&) { return std::make_unique<NpyReader>(); }
+Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
+  AXIOMETRY_TRY_VOID(check_times_and_positions(options));
+  if (options.axis > 0) return fail(fmt::format("found axis {} of an array, expected 1: it has one", options.axis + 1));
+  return std::make_unique<NpyReader>();
+}
 
 int recognise(std::string_view head) { return head.starts_with(magic) ? 100 : 0; }
 

@@ -74,6 +74,31 @@ TEST(TimePosition, TakesOneOfSeveralColumns) {
   EXPECT_EQ(from_text("1 2 3\n", second), "1:3");
 }
 
+TEST(TimePosition, TakesOfSeveralColumnsOnlyTheOneThatSaysToBeThePosition) {
+  EXPECT_EQ(from_text("time_s,setpoint_mm,position_mm\n1,2,3\n"), "1:3");
+  EXPECT_EQ(from_text("time_s,temperature_C,position_mm\n1,20,3\n"), "1:3");
+  EXPECT_EQ(from_text("time,command,actual\n1,2,3\n"), "1:3");
+  const auto refused = [](std::string_view bytes) { return read_samples("time-position", bytes).refusal; };
+  EXPECT_THAT(refused("time_s,x_mm,y_mm\n1,2,3\n"),
+              HasSubstr("found the columns \"x\", \"y\" beside the time, expected --stream-axis"));
+  EXPECT_THAT(refused("time_s,a,b\n1,2,3\n"), HasSubstr("expected --stream-axis"));
+  EXPECT_THAT(refused("time_s,temperature_C\n1,2\n"),
+              HasSubstr("found the column \"temperature_C\", expected positions"));
+  RecordingOptions first;
+  first.axis_stated = true;
+  EXPECT_EQ(from_text("time_s,x_mm,y_mm\n1,2,3\n", first), "1:2");
+}
+
+TEST(TimePosition, RefusesWhatItHasNoUseFor) {
+  RecordingOptions counted;
+  counted.units_per_count = 0.001;
+  EXPECT_THAT(read_samples("time-position", "1,2\n", counted).refusal, HasSubstr("found a length per count"));
+  RecordingOptions rated;
+  rated.rate_hz = 7.0;
+  for (const char* layout : {"time-position", "npy", "camonitor-stream"})
+    EXPECT_THAT(read_samples(layout, "", rated).refusal, HasSubstr("found a rate")) << layout;
+}
+
 TEST(TimePosition, RefusesWhatIsNoSampleAndSaysWhere) {
   EXPECT_EQ(from_text("0,1\n1,nan\n"), "line 2:1: found \"nan\", expected a finite number as position 0:1");
   EXPECT_EQ(from_text("0,1\n1,2\n0.5,3\n"),

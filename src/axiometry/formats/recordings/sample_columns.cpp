@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "axiometry/base/number_text.h"
@@ -67,6 +68,49 @@ bool is_time(const Heading& heading) {
          });
 }
 
+/// What a column is called that holds what the axis shall do, not what was measured.
+constexpr std::string_view setpoint_words[] = {"setpoint", "set_point", "set point", "command", "cmd",    "target",
+                                               "demand",   "nominal",   "reference", "soll",    "desired"};
+constexpr std::string_view position_words[] = {"position", "pos", "actual", "measured", "distance", "displacement",
+                                               "laser",    "ist", "weg",    "encoder",  "angle",    "winkel"};
+/// … and what is no position at all.
+constexpr std::string_view other_words[] = {"temp",   "humid", "feuchte", "pressure", "druck",    "speed",   "velocity",
+                                            "feed",   "count", "signal",  "quality",  "status",   "error",   "flag",
+                                            "torque", "strom", "current", "voltage",  "drehzahl", "spannung"};
+
+bool names_any(std::string_view name, std::span<const std::string_view> words) {
+  const std::string lower = text::to_lower(name);
+  return std::ranges::any_of(words, [&](std::string_view word) { return lower.find(word) != lower.npos; });
+}
+
+/// Which of the columns beside the time is the position.
+Result<std::size_t> position_column(const std::vector<Heading>& headings, std::size_t time,
+                                    std::optional<std::size_t> stated) {
+  const std::size_t beside = headings.size() - 1;
+  if (stated && *stated >= beside)
+    return fail(fmt::format("found {} columns beside the time, expected at least {}", beside, *stated + 1));
+  if (stated || beside == 1) {
+    const std::size_t k = stated.value_or(0);
+    return k < time ? k : k + 1;
+  }
+  std::vector<std::size_t> with_unit, called;
+  for (std::size_t k = 0; k < headings.size(); ++k) {
+    const Heading& heading = headings[k];
+    if (k == time || names_any(heading.name, setpoint_words) || names_any(heading.name, other_words)) continue;
+    if (heading.unit != nullptr) with_unit.push_back(k);
+    if (names_any(heading.name, position_words)) called.push_back(k);
+  }
+  if (with_unit.size() == 1) return with_unit.front();
+  if (with_unit.empty() && called.size() == 1) return called.front();
+  std::string names;
+  for (std::size_t k = 0; k < headings.size(); ++k)
+    if (k != time) names += (names.empty() ? "" : ", ") + text::quoted(headings[k].name);
+  return fail(
+      fmt::format("found the columns {} beside the time, expected --stream-axis, which says the position's: 1 is "
+                  "the first of these",
+                  names));
+}
+
 }  // namespace
 
 std::vector<std::string_view> cells_of(std::string_view line, char delimiter) {
@@ -119,7 +163,7 @@ std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_
   return columns;
 }
 
-Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::size_t axis) {
+Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::optional<std::size_t> stated) {
   SampleColumns columns;
   columns.by_header = true;
   columns.delimiter = sample_delimiter(line);
@@ -134,13 +178,13 @@ Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, st
                     text::quoted(line)));
   columns.time = static_cast<std::size_t>(time - headings.begin());
   columns.seconds_per_unit = time->seconds.value_or(1.0);
-  if (axis + 1 >= headings.size())
-    return fail(fmt::format("found {} columns beside the time, expected at least {}", headings.size() - 1, axis + 1));
-  columns.position = axis < columns.time ? axis : axis + 1;
+  AXIOMETRY_TRY(columns.position, position_column(headings, columns.time, stated));
   const Heading& position = headings[columns.position];
   if (position.unit != nullptr && position.unit->kind != kind)
     return fail(fmt::format("found positions in {}, expected {} for a {} axis", position.unit->symbol,
                             kind == AxisKind::linear ? "a unit of length" : "a unit of angle", axis_kind_name(kind)));
+  if (position.unit == nullptr && names_any(position.name, other_words))
+    return fail(fmt::format("found the column {}, expected positions", text::quoted(cells[columns.position])));
   if (position.unit != nullptr) {
     columns.position_factor = position.unit->factor;
     columns.position_divisor = position.unit->divisor * deviation_per_position(kind);

@@ -36,7 +36,9 @@ char sample_delimiter(std::string_view line);
 std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_t axis);
 
 /// From a header line: names such as time, t, zeit, position, x with units behind them as "_mm", "[mm]", "(mm)",
-/// "/mm" or alone. Fails on a unit of the other kind of axis, and where time or position cannot be told.
-Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::size_t axis);
+/// "/mm" or alone. The position is the column that was stated (0 is the first beside the time), else the only one, else
+/// the only one that has a unit of position, or is called one, and is no setpoint. Fails on a unit of the other kind of
+/// axis, on a column called a temperature or the like, and where time or position cannot be told.
+Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::optional<std::size_t> stated);
 
 }  // namespace axiometry::formats

@@ -14,6 +14,7 @@
 namespace axiometry::formats {
 namespace {
 
+constexpr std::size_t columns_looked_at = 16;  // for one that may be the position
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_comment(std::string_view line) { return line.empty() || line.front() == '#' || line.front() == '%'; }
@@ -21,7 +22,9 @@ bool is_comment(std::string_view line) { return line.empty() || line.front() == 
 class TimePositionReader final : public LineReader {
  public:
   explicit TimePositionReader(const RecordingOptions& options)
-      : LineReader(options, StampJudge::Kind::times), kind_(options.kind), axis_(options.axis) {}
+      : LineReader(options, StampJudge::Kind::times),
+        kind_(options.kind),
+        stated_(options.axis_stated || options.axis > 0 ? std::optional(options.axis) : std::nullopt) {}
 
  private:
   Result<void> take(std::string_view line) override {
@@ -43,9 +46,9 @@ class TimePositionReader final : public LineReader {
 
   /// The first line that is no comment: values, or a header.
   Result<void> begin(std::string_view line) {
-    columns_ = columns_by_values(line, axis_);
+    columns_ = columns_by_values(line, stated_.value_or(0));
     if (columns_) return take(line);
-    AXIOMETRY_TRY(columns_, columns_by_header(line, kind_, axis_));
+    AXIOMETRY_TRY(columns_, columns_by_header(line, kind_, stated_));
     return {};
   }
 
@@ -69,7 +72,7 @@ class TimePositionReader final : public LineReader {
   }
 
   AxisKind kind_;
-  std::size_t axis_;
+  std::optional<std::size_t> stated_;  ///< which of the columns beside the time
   std::optional<SampleColumns> columns_;
   std::size_t width_ = 0;
   bool time_seen_ = false;
@@ -77,6 +80,7 @@ class TimePositionReader final : public LineReader {
 };
 
 Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
+  AXIOMETRY_TRY_VOID(check_times_and_positions(options));
   return std::make_unique<TimePositionReader>(options);
 }
 
@@ -95,14 +99,16 @@ int recognise(std::string_view head) {
   const auto values = columns_by_values(lines[0], 0);
   if (values && (count == 1 || columns_by_values(lines[1], 0))) return values->stamps ? 70 : 50;
   if (values || count < 2) return 0;
-  for (AxisKind kind : {AxisKind::linear, AxisKind::rotary}) {
-    const auto columns = columns_by_header(lines[0], kind, 0);
-    if (!columns) continue;
-    const auto cells = cells_of(lines[1], columns->delimiter);
-    if (cells.size() <= std::max(columns->time, columns->position)) continue;
-    const bool time = number_of(cells[columns->time], columns->delimiter) || parse_time_stamp(cells[columns->time]);
-    if (time && number_of(cells[columns->position], columns->delimiter)) return 80;
-  }
+  const std::size_t beside = cells_of(lines[1], sample_delimiter(lines[0])).size();
+  for (AxisKind kind : {AxisKind::linear, AxisKind::rotary})
+    for (std::size_t column = 0; column + 1 < beside && column < columns_looked_at; ++column) {
+      const auto columns = columns_by_header(lines[0], kind, column);
+      if (!columns) continue;
+      const auto cells = cells_of(lines[1], columns->delimiter);
+      if (cells.size() <= std::max(columns->time, columns->position)) continue;
+      const bool time = number_of(cells[columns->time], columns->delimiter) || parse_time_stamp(cells[columns->time]);
+      if (time && number_of(cells[columns->position], columns->delimiter)) return 80;
+    }
   return 0;
 }
 
@@ -119,8 +125,9 @@ time_s,position_mm
 - Columns are separated by comma, semicolon, tab or blanks. Numbers have a decimal point, or a decimal comma where the
   comma parts no columns.
 - Without a header there are two columns: time in s, position in mm (° on a rotary axis). A header names the columns
-  (`time`, `t`, `zeit`; anything else is a position) and their units, as `_ms`, `[ms]`, `(ms)` or `/ms`: s, ms, us, ns,
-  min, h; mm, um, nm, m, in, deg, arcsec, rad and so on. Of several positions `--stream-axis` says which one is read.
+  (`time`, `t`, `zeit`, and the position) and their units, as `_ms`, `[ms]`, `(ms)` or `/ms`: s, ms, us, ns,
+  min, h; mm, um, nm, m, in, deg, arcsec, rad and so on. Of several columns the only
+  one with a unit of position, or called one, is read, setpoints left aside; else `--stream-axis` says which.
 - The time may be a point in time: `2026-11-21T12:34:56.789Z`, `2026-11-21 12:34:56,789`; it counts from the first.
 - Lines that begin with `#` or `%` and empty lines are passed over.
 - Refused: lines with other columns than those before, numbers that are not finite, time that runs backwards, positions

@@ -37,6 +37,7 @@ class PolarAdjustment {
     AXIOMETRY_TRY_VOID(check_directions());
     AXIOMETRY_TRY_VOID(check_points());
     to_datum();
+    AXIOMETRY_TRY_VOID(check_nominal());
     fill();
     return std::move(fit_);
   }
@@ -70,6 +71,27 @@ class PolarAdjustment {
                         "from three stations off one line with it",
                         polar_point_name(options_, i)));
     return {};
+  }
+
+  struct NominalMisfit {
+    double rms_mm = 0.0;
+    std::size_t farthest = 0;
+    double farthest_mm = 0.0;
+  };
+  /// What is left between points once they are turned and moved onto others.
+  static NominalMisfit misfit_of(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to) {
+    const Eigen::Matrix3d turn = best_turn(from, to);
+    const auto n = static_cast<double>(from.size());
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < from.size(); ++k) shift += (to[k] - turn * from[k]) / n;
+    NominalMisfit misfit;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      const double off = (to[k] - turn * from[k] - shift).norm();
+      misfit.rms_mm += off * off / n;
+      if (off > misfit.farthest_mm) misfit.farthest = k, misfit.farthest_mm = off;
+    }
+    misfit.rms_mm = std::sqrt(misfit.rms_mm);
+    return misfit;
   }
 
   /// The parts across the beam are 0 behind the instrument too: there a reading seems to fit that is not met at all.
@@ -195,6 +217,26 @@ class PolarAdjustment {
     }
     system_ = reduce_polar(layout_, readings_, state_);
     inverse_ = invert_polar(system_, station_gauge(layout_, state_, middle()));
+  }
+
+  /// What the turn onto the nominal points leaves must be errors of a machine, not points that are others.
+  Result<void> check_nominal() const {
+    if (datum_station()) return {};
+    std::vector<Eigen::Vector3d> nominal, mirrored;
+    for (const Vector3& p : options_.nominal_mm) nominal.push_back(eigen(p) - centre_);
+    for (const auto& p : state_.points) mirrored.emplace_back(-p.x(), p.y(), p.z());
+    const NominalMisfit misfit = misfit_of(state_.points, nominal);
+    double spread = 0.0;
+    for (const auto& p : nominal) spread = std::max(spread, 2.0 * (p - nominal.front()).norm());
+    const double most = nominal_misfit_most_mm(spread);
+    if (misfit.rms_mm <= most) return {};
+    const bool is_mirror = misfit_of(mirrored, nominal).rms_mm <= most;
+    return fail(
+        fmt::format("found points that lie {:.3f} mm (root mean square) from their nominal places, point {} the "
+                    "farthest by {:.3f} mm, expected a few tenths: {}",
+                    misfit.rms_mm, polar_point_name(options_, misfit.farthest), misfit.farthest_mm,
+                    is_mirror ? "azimuths or an axis of the nominal places count the other way"
+                              : "are points exchanged, or are these places of another set?"));
   }
 
   void fill() {

@@ -181,6 +181,30 @@ TEST(PolarNetwork, RefusesANominalPlaceBehindTheInstrument) {
   EXPECT_NE(fit.error().message.find("or its nominal place"), std::string::npos) << fit.error().message;
 }
 
+TEST(PolarNetwork, RefusesNominalPlacesThatAreOthers) {
+  const auto refusal = [](std::vector<Vector3> nominal, double sign) {
+    std::vector<PolarReading> readings;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      Vector3 seen = places[i];
+      const Vector3 from{-900, -800, 100};
+      seen.y = from.y + sign * (seen.y - from.y);  // −1: azimuths count the other way
+      readings.push_back(polar_read(i, 0, seen, from, 0.0));
+    }
+    PolarOptions options;
+    options.datum = PolarDatum::nominal;
+    options.nominal_mm = nominal;
+    const auto fit = adjust_polar(places.size(), 1, readings, options);
+    return fit ? std::string() : fit.error().message;
+  };
+  std::vector<Vector3> near = places;
+  near[3] += Vector3{0.4, -0.3, 0.2};
+  EXPECT_EQ(refusal(near, 1.0), "") << "a machine that errs by half a millimetre";
+  std::vector<Vector3> exchanged = places;
+  std::swap(exchanged[1], exchanged[6]);
+  EXPECT_NE(refusal(exchanged, 1.0).find("are points exchanged"), std::string::npos) << refusal(exchanged, 1.0);
+  EXPECT_NE(refusal(places, -1.0).find("count the other way"), std::string::npos) << refusal(places, -1.0);
+}
+
 TEST(PolarNetwork, NeedsNoNominalPlacesForTheFrameOfAStation) {
   std::vector<PolarReading> readings;
   for (std::size_t i = 0; i < 2; ++i) readings.push_back(polar_read(i, 0, places[i], {-900, -800, 100}, 0.0));

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/tracking/ranges/multilateration_findings.h"
+#include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking::detail {
 namespace {
@@ -135,7 +136,7 @@ Result<StationStart> start_one(const RangeInput& in, StationReadings& s, std::si
     settled.jump_mm = start.dead_mm[old] - start.dead_mm[fresh];
     note(settled);
   }
-  if (start.rms_mm > 2.0 + 0.02 * spread_of(s))
+  if (start.rms_mm > nominal_misfit_most_mm(spread_of(s)))
     return fail(
         fmt::format("found lengths of station {} that leave {:.3f} mm (root mean square) to the nominal points "
                     "from the place that fits best, expected a few tenths{}",

@@ -12,6 +12,12 @@
 
 namespace axiometry::tracking {
 
+namespace {
+
+constexpr double serious_ratio = 9.0;  // residuals three times as large as stated
+
+}  // namespace
+
 std::optional<Finding> chi_squared_finding(double chi_squared, std::size_t degrees_of_freedom) {
   if (degrees_of_freedom == 0) return std::nullopt;
   const auto nu = static_cast<double>(degrees_of_freedom);
@@ -19,7 +25,7 @@ std::optional<Finding> chi_squared_finding(double chi_squared, std::size_t degre
   const double part = 2.0 / (9.0 * nu);
   const auto bound = [&](double z) { return std::pow(std::max(1.0 - part + z * std::sqrt(part), 0.0), 3.0); };
   if (ratio > bound(3.09))
-    return Finding{"tracking-residuals-large", ratio > 25.0,
+    return Finding{"tracking-residuals-large", ratio > serious_ratio,
                    fmt::format("the residuals are {:.2f} times as large as stated (χ²/ν = {:.2f}, "
                                "ν = {}); all covariances were multiplied by {:.2f}",
                                std::sqrt(ratio), ratio, degrees_of_freedom, ratio)};

@@ -77,6 +77,37 @@ double squares_over(std::vector<double> matrix, std::vector<double> d) {
   return std::inner_product(d.begin(), d.end(), d.begin(), 0.0);
 }
 
+/// Both ends of a diagonal as shares of the travels: "NPP-PNN", "XY NP-PN", "NP0-PN0".
+std::optional<std::pair<Vector3, Vector3>> ends_of(std::string_view name) {
+  std::string first = "000", last = "000";
+  const bool of_a_face = name.size() == 8 && name[2] == ' ' && name[5] == '-';
+  if (of_a_face) {
+    if (name[0] < 'X' || name[1] > 'Z' || name[0] >= name[1]) return std::nullopt;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto a = static_cast<std::size_t>(name[k] - 'X');
+      first[a] = name[3 + k];
+      last[a] = name[6 + k];
+    }
+  } else if (name.size() == 7 && name[3] == '-') {
+    first = name.substr(0, 3);
+    last = name.substr(4);
+  } else {
+    return std::nullopt;
+  }
+  Vector3 from{0.5, 0.5, 0.5}, to = from;
+  std::size_t moving = 0;
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    if (first[a] == '0' && last[a] == '0') continue;
+    const bool up = first[a] == 'N' && last[a] == 'P', down = first[a] == 'P' && last[a] == 'N';
+    if (!up && !down) return std::nullopt;
+    from[a] = up ? 0.0 : 1.0;
+    to[a] = 1.0 - from[a];
+    ++moving;
+  }
+  if (moving < 2) return std::nullopt;
+  return std::pair{from, to};
+}
+
 }  // namespace
 
 std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine line) {
@@ -123,15 +154,9 @@ const std::vector<std::string>& diagonal_names() {
 
 std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_view name, Vector3 tool_mm,
                                         std::size_t targets) {
-  if (std::ranges::find(diagonal_names(), name) == diagonal_names().end()) return std::nullopt;
-  const bool body = name[3] == '-';
-  const std::string_view axes = body ? "XYZ" : name.substr(0, 2), ends = body ? name : name.substr(3);
-  Vector3 from{0.5, 0.5, 0.5}, to = from;
-  for (std::size_t k = 0; k < axes.size(); ++k) {
-    const auto a = static_cast<std::size_t>(axes[k] - 'X');
-    to[a] = ends[k] == 'P' ? 1.0 : 0.0;
-    from[a] = 1.0 - to[a];
-  }
+  const auto ends = ends_of(name);
+  if (!ends) return std::nullopt;
+  const auto& [from, to] = *ends;
   TestedLine line{.name = std::string(name),
                   .from_mm = place_in(model.observed(), from),
                   .to_mm = place_in(model.observed(), to),

@@ -42,11 +42,12 @@ std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine li
 TestedLine axis_line(const ErrorModel& model, std::size_t axis, Vector3 through_mm, Vector3 tool_mm,
                      std::size_t targets = 11);
 
-/// The four diagonals of the body, "PPP-NNN", "NPP-PNN", "PNP-NPN", "PPN-NNP", named by the ends of X, Y and Z (P: the
-/// largest coordinate), from the second to the first; and the six of the faces, "XY PP-NN", "XY NP-PN" and so on, where
-/// the third axis stands in the middle. Positions are distances from their beginning.
+/// The four diagonals of the body, "PPP-NNN", "NPP-PNN", "PNP-NPN", "PPN-NNP", named by their ends in X, Y and Z (P:
+/// the largest coordinate), from the first to the second; and the six of the faces, "XY PP-NN", "XY NP-PN" and so on,
+/// where the third axis stands in the middle. Positions are distances from their beginning.
 const std::vector<std::string>& diagonal_names();
-/// Absent for other names.
+/// By such a name, by one that begins at the other end, "NNN-PPP", and by those of iso230_6::Diagonal, "NP0-PN0".
+/// Absent for others.
 std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_view name, Vector3 tool_mm,
                                         std::size_t targets = 11);
 

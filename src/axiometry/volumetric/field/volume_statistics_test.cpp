@@ -102,10 +102,19 @@ TEST(LinePrediction, KnowsEveryDiagonalByNameAndNoOther) {
   const ErrorModel model = with_squareness(1.0);
   EXPECT_EQ(diagonal_names().size(), 10u);
   for (const std::string& name : diagonal_names()) EXPECT_TRUE(diagonal_line(model, name, {0, 0, 0})) << name;
-  EXPECT_FALSE(diagonal_line(model, "NNN-PPP", {0, 0, 0}));
-  const auto line = diagonal_line(model, "NPP-PNN", {0, 0, 0});
-  EXPECT_EQ(line->from_mm, (Vector3{1000, 0, -500}));
-  EXPECT_EQ(line->to_mm, (Vector3{0, 600, 0}));
+  for (const char* other :
+       {"NNN-PPN", "PPP", "NN0-NP0", "N00-P00", "YX PP-NN", "XX PP-NN", "XY PPNNN", "ABC-PPP", "", "XW PP-NN"})
+    EXPECT_FALSE(diagonal_line(model, other, {0, 0, 0})) << other;
+  // As plans of ISO 230-6 name and begin them (iso230_6::Diagonal).
+  const std::pair<const char*, Vector3> planned[] = {
+      {"NNN-PPP", {0, 0, -500}}, {"NPP-PNN", {0, 600, 0}}, {"NP0-PN0", {0, 600, -250}}, {"0NP-0PN", {500, 0, 0}}};
+  for (const auto& [name, begin] : planned) {
+    const auto line = diagonal_line(model, name, {0, 0, 0});
+    ASSERT_TRUE(line) << name;
+    EXPECT_EQ(line->from_mm, begin) << name;
+  }
+  EXPECT_EQ(diagonal_line(model, "XY NP-PN", {0, 0, 0})->from_mm, diagonal_line(model, "NP0-PN0", {0, 0, 0})->from_mm);
+  EXPECT_EQ(diagonal_line(model, "PPP-NNN", {0, 0, 0})->from_mm, (Vector3{1000, 600, 0}));
 }
 
 /// What a perfect instrument would find along a line.

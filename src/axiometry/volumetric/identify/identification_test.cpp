@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/volumetric/identify/identification.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/volumetric/field/curve_nodes.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
 #include "axiometry/volumetric/identify/noise_trials.h"
@@ -269,7 +271,12 @@ TEST(Identify, NoticesAToolOffsetThatIsWrongByCentimetres) {
   const VolumetricFinding* found = finding(*result, "volumetric-tool-offset");
   ASSERT_NE(found, nullptr);
   EXPECT_TRUE(found->serious);
-  EXPECT_THAT(found->message, HasSubstr("(-10.00, 0.00, 20.00) mm"));
+  const Vector3 stated = machine.model.tools[1].offset_mm - machine.model.tools[0].offset_mm;
+  const auto text = [](Vector3 v) {
+    return fmt::format("({}; {}; {}) mm", format_fixed(v.x, 2), format_fixed(v.y, 2), format_fixed(v.z, 2));
+  };
+  EXPECT_THAT(found->message,
+              HasSubstr("is " + text(stated - Vector3{10.0, 0.0, -20.0}) + ", not " + text(stated) + " as stated"));
   EXPECT_THAT(found->message, HasSubstr("4 stations"));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/identify/findings.h"
@@ -57,11 +58,12 @@ std::vector<Mixing> mixings() {
 }
 
 std::string vector_text(Vector3 v, int decimals) {
-  return fmt::format("({:.{}f}, {:.{}f}, {:.{}f}) mm", v.x, decimals, v.y, decimals, v.z, decimals);
+  return fmt::format("({}; {}; {}) mm", format_fixed(v.x, decimals), format_fixed(v.y, decimals),
+                     format_fixed(v.z, decimals));
 }
 
-/// By how much the offset of a tool is wrong against that of the first: s_first − s_tool, at every station that saw
-/// both.
+/// What is to be added to the stated offset of a tool less that of the first: s_first − s_tool, at every station that
+/// saw both. A tool that is longer than stated by d sees its station moved by −d.
 std::vector<Vector3> offset_errors(const Identification& result, std::size_t first, std::size_t tool) {
   std::vector<Vector3> errors;
   for (const IdentifiedStation& a : result.stations)
@@ -103,10 +105,11 @@ void add_tool_offsets(const MachineModel& machine, const VolumetricLengths& leng
         as_if = ", as if " + mixing.text();
     findings.push_back(
         {"volumetric-tool-offset", norm(mean) > offset_serious_mm,
-         fmt::format("the offset of tool {} less that of tool {} is wrong by {}, as {} station{} "
+         fmt::format("the offset of tool {} less that of tool {} is {}, not {} as stated, as {} station{} "
                      "show{}{}",
-                     text::quoted(lengths.tools[tool]), text::quoted(lengths.tools[0]), vector_text(mean, 2),
-                     errors.size(), errors.size() == 1 ? "" : "s", errors.size() == 1 ? "s" : " alike", as_if)});
+                     text::quoted(lengths.tools[tool]), text::quoted(lengths.tools[0]),
+                     vector_text(difference + mean, 2), vector_text(difference, 2), errors.size(),
+                     errors.size() == 1 ? "" : "s", errors.size() == 1 ? "s" : " alike", as_if)});
   }
 }
 

@@ -21,7 +21,7 @@ export const t = texts({
   watch: ['Watch', 'Zusehen'],
   nothing: ['no lengths', 'keine Längen'],
   not_used: ['not used', 'nicht verwendet'],
-  parts_done: ['{n} of {all} parts have lengths.', '{n} von {all} Teilen haben Längen.'],
+  parts_done: ['{n} of {all} parts {n|has|have} lengths.', '{n} von {all} Teilen {n|hat|haben} Längen.'],
   identify: ['Find the errors from these lengths', 'Aus diesen Längen die Abweichungen finden'],
   evaluate: ['Evaluate these lengths', 'Diese Längen auswerten'],
   // live

@@ -39,7 +39,7 @@ std::optional<double> stated_number(const std::optional<Deviation>& x) { return 
 std::optional<double> stated_number(const std::optional<Length>& x) { return in(x, &Length::in_mm); }
 
 std::string statement_text(const ResolvedRow& row) {
-  std::string value = row.value ? format_exact(*row.value) : row.word;
+  std::string value = row.value ? fmt::format("{:.9g}", *row.value) : row.word;  // differences leave a rounding
   if (!row.unit.empty()) value += " " + row.unit;
   return fmt::format("{} = {} ({})", row.key, value, stated_by(row));
 }
