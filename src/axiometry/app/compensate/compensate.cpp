@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "axiometry/app/compensate/control_findings.h"
 #include "axiometry/app/compensate/existing_table.h"
+#include "axiometry/app/compensate/measured_state.h"
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/iso_date.h"
@@ -134,6 +136,7 @@ Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrecti
   Test& test = again.test;
   if (test.metadata.axis.kind != before.metadata.axis.kind)
     return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, again.name));
+  AXIOMETRY_TRY_VOID(in_file(check_not_itself(before, test), again.name));
   const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
   const auto effect = compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
   if (effect)
@@ -143,6 +146,7 @@ Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrecti
                         "the re-test has fewer than three targets in common with the test: it cannot be held against "
                         "the prediction"});
   add_doubts_of_retest(before.metadata, test.metadata, findings);
+  std::ranges::move(findings_of_retest_state(test), std::back_inserter(findings));
   Evaluation evaluation = iso230_2::evaluate(test.series);
   return Retest{std::move(test), std::move(evaluation), effect};
 }
@@ -295,6 +299,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
   const std::string& name = axis.measured.name;
   Test& test = axis.measured.test;
+  AXIOMETRY_TRY_VOID(in_file(check_measures_axis(test), name));
   AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), name));
 
   if (control->limits.cross_only)
@@ -325,7 +330,9 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(std::string text, in_file(nc::write_table(*control, fit.correction, s.options), name));
   AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), name));
 
-  std::vector<NamedFinding> findings = compensation::findings_of_readings(test.series, s.options.kind, s.curves);
+  std::vector<NamedFinding> findings = findings_of_state(test, s.existing.has_value());
+  std::ranges::move(compensation::findings_of_readings(test.series, s.options.kind, s.curves),
+                    std::back_inserter(findings));
   std::ranges::move(compensation::findings_of_table(test.series, fit.correction), std::back_inserter(findings));
   if (periodic)
     std::ranges::move(compensation::findings_of_periodic(*periodic, request.periodic, s.nodes, s.options.kind),
