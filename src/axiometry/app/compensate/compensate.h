@@ -93,7 +93,7 @@ struct CompensatedAxis {
   iso230_2::Evaluation before, predicted;
   iso230_2::AxisParameters interpolated;  ///< with nodes interpolated instead, unrounded
   iso230_2::AxisParameters fitted;        ///< with the nodes of the fit, unrounded
-  iso230_2::AxisParameters scatter;       ///< what no table removes
+  iso230_2::AxisParameters scatter;       ///< what no table removes; empty where nothing tells it
   std::optional<compensation::ExpectedRetest> expected;
   compensation::CompensatedPositions known;  ///< where the axis stands with the table, and to within what
   std::optional<Retest> retest;

@@ -223,6 +223,23 @@ TEST(Compensate, AReversalIsNotCalledScatter) {
   EXPECT_EQ(scatter.error().message.find("reversal"), std::string::npos) << scatter.error().message;
 }
 
+TEST(Compensate, ScatterOfSingleApproachesIsNotKnown) {
+  const auto once = [](std::size_t runs) {
+    const ReadingRuns all{{0, 4, 8, 12, 16}, {0.1, 4, 8.2, 12, 16.1}};
+    const ReadingRuns some(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(runs));
+    const auto made =
+        compensate({{"x.csv", {{}, testing_support::make_series({0, 110, 190, 310, 400}, some, some), {}}}},
+                   {.control = "linuxcnc", .axis = "X"});
+    EXPECT_TRUE(made) << made.error().message;
+    return made ? present(*made, {}).json : json::Value();
+  };
+  const json::Value single = once(1), twice = once(2);
+  ASSERT_NE(single.find("scatter"), nullptr);
+  EXPECT_TRUE(single.find("scatter")->find("E")->is(json::Kind::null));
+  EXPECT_TRUE(single.find("predicted")->find("E")->is(json::Kind::number));
+  EXPECT_TRUE(twice.find("scatter")->find("E")->is(json::Kind::number));
+}
+
 TEST(Compensate, AFormatOfOneUnitAsksForNoOther) {
   const auto made =
       compensate({axis_of(0.05, 0, 4), NamedTable{"old.dat", "unit = mm\n[X]\n0, 0, 0\n15, 0.001, 0.001\n"}},
