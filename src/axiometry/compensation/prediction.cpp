@@ -34,7 +34,7 @@ double change_at(double position, Direction direction, const AxisCorrection& add
 }
 
 /// At one target and direction that both tests have.
-struct Change {
+struct RetestChange {
   double position = 0.0;
   Direction direction = Direction::up;
   double wanted = 0.0;                 ///< by the table
@@ -45,9 +45,9 @@ struct Change {
 
 std::size_t way_index(Direction direction) { return static_cast<std::size_t>(direction); }
 
-std::vector<Change> changes_of(const Series& before, const Series& after, const AxisCorrection& added,
-                               const AxisCorrection* removed, double same_target_native) {
-  std::vector<Change> changes;
+std::vector<RetestChange> changes_of(const Series& before, const Series& after, const AxisCorrection& added,
+                                     const AxisCorrection* removed, double same_target_native) {
+  std::vector<RetestChange> changes;
   const double ends = added.positions().front() + added.positions().back();
   for (const Direction direction : both_directions) {
     const Direction other = direction == Direction::up ? Direction::down : Direction::up;
@@ -68,8 +68,6 @@ std::vector<Change> changes_of(const Series& before, const Series& after, const 
   }
   return changes;
 }
-
-constexpr double share_known_most = 0.15;  ///< standard uncertainty of a γ that tells anything: 0, 1 and 2 lie apart
 
 /// Least squares of found = γ·w + a, with sums about the means: w of what should be, f of what was found.
 struct ChangeLine {
@@ -93,12 +91,12 @@ struct ChangeLine {
   }
 };
 
-ChangeLine line_of(const std::vector<Change>& changes, double Change::*wanted) {
+ChangeLine line_of(const std::vector<RetestChange>& changes, double RetestChange::*wanted) {
   ChangeLine line;
   line.count = static_cast<double>(changes.size());
   double wanted_mean = 0.0, found_mean = 0.0, weighted = 0.0;
-  for (const Change& c : changes) wanted_mean += c.*wanted / line.count, found_mean += c.found / line.count;
-  for (const Change& c : changes) {
+  for (const RetestChange& c : changes) wanted_mean += c.*wanted / line.count, found_mean += c.found / line.count;
+  for (const RetestChange& c : changes) {
     const double w = c.*wanted - wanted_mean, f = c.found - found_mean;
     line.ww += w * w, line.wf += w * f, line.ff += f * f;
     line.variance += c.variance;
@@ -108,9 +106,9 @@ ChangeLine line_of(const std::vector<Change>& changes, double Change::*wanted) {
   return line;
 }
 
-void add_reversal(const std::vector<Change>& changes, Effect& effect) {
+void add_reversal(const std::vector<RetestChange>& changes, Effect& effect) {
   double rr = 0.0, rf = 0.0, rv = 0.0;
-  const auto first_down = std::ranges::find(changes, Direction::down, &Change::direction);
+  const auto first_down = std::ranges::find(changes, Direction::down, &RetestChange::direction);
   auto down = first_down;  // both directions ascend
   for (auto up = changes.begin(); up != first_down; ++up) {
     while (down != changes.end() && down->position < up->position) ++down;
@@ -121,7 +119,7 @@ void add_reversal(const std::vector<Change>& changes, Effect& effect) {
     rf += wanted * (up->found - down->found);
     rv += wanted * wanted * (up->variance + down->variance);
   }
-  if (!(rr > 0.0) || std::sqrt(rv) / rr >= share_known_most) return;
+  if (!(rr > 0.0) || std::sqrt(rv) / rr >= share_u_most) return;
   effect.of_reversal = rf / rr;
   effect.u_of_reversal = std::sqrt(rv) / rr;
 }
@@ -152,26 +150,27 @@ Result<Series> scatter_alone(const Series& series) {
 
 std::optional<Effect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
                                       const AxisCorrection* removed, double same_target_native) {
-  const std::vector<Change> changes = changes_of(before, after, added, removed, same_target_native);
+  const std::vector<RetestChange> changes = changes_of(before, after, added, removed, same_target_native);
   if (changes.size() < 3) return std::nullopt;
-  const ChangeLine line = line_of(changes, &Change::wanted);
+  const ChangeLine line = line_of(changes, &RetestChange::wanted);
   if (!(line.ww > 0.0)) return std::nullopt;
   Effect effect{line.share()};
   effect.u_of_scatter = line.u_of_scatter();
   effect.compared = changes.size();
   for (const Direction direction : both_directions) {
-    std::vector<Change> way;
-    std::ranges::copy_if(changes, std::back_inserter(way), [&](const Change& c) { return c.direction == direction; });
+    std::vector<RetestChange> way;
+    std::ranges::copy_if(changes, std::back_inserter(way),
+                         [&](const RetestChange& c) { return c.direction == direction; });
     if (way.size() < 3) continue;
-    const ChangeLine own = line_of(way, &Change::wanted);
-    if (own.ww > 0.0 && own.share().u < share_known_most) effect.directions[way_index(direction)] = own.share();
+    const ChangeLine own = line_of(way, &RetestChange::wanted);
+    if (own.ww > 0.0 && own.share().u < share_u_most) effect.directions[way_index(direction)] = own.share();
   }
-  const auto is_explained_as = [&](double Change::*by) {
+  const auto is_explained_as = [&](double RetestChange::*by) {
     const ChangeLine other = line_of(changes, by);
     return other.is_explained(other.left_at(1.0));
   };
-  effect.exchanged = is_explained_as(&Change::exchanged);
-  effect.mirrored = is_explained_as(&Change::mirrored);
+  effect.exchanged = is_explained_as(&RetestChange::exchanged);
+  effect.mirrored = is_explained_as(&RetestChange::mirrored);
   add_reversal(changes, effect);
   return effect;
 }

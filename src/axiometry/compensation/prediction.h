@@ -28,6 +28,10 @@ Result<Series> scatter_alone(const Series& series);
 /// Whether any target was approached twice from one side: without, nobody knows the scatter.
 bool tells_scatter(const Series& series);
 
+/// Standard uncertainty of a share that tells anything: shares that have a name, −1, 0, 1 and 2, lie 1 apart, and three
+/// of it reach less than half way to the next.
+inline constexpr double share_u_most = 0.15;
+
 /// γ of x̄_retest − x̄_before = γ·c + a, by least squares.
 struct TableShare {
   double share = 0.0;      ///< γ: 1 the table did what it should, 0 nothing, −1 the opposite, 2 twice

@@ -79,11 +79,9 @@ std::size_t nodes_without_target(const Series& series, const std::vector<double>
   return bare;
 }
 
-// What a re-test shows. Shares that have a name, −1, 0, 1 and 2, lie 1 apart: with u at most 0.15 three of it reach
-// less than half way to the next. Nearer than 0.05 nobody asks more of an axis from one day to the next.
-constexpr double share_u_most = 0.15;
-constexpr double near_enough = 0.05;
-constexpr double part_most = 0.25;  // of what is a part of the table alone, beside a whole that fits
+// What a re-test shows.
+constexpr double near_enough = 0.05;  // nobody asks more of an axis from one day to the next
+constexpr double part_most = 0.25;    // of what is a part of the table alone, beside a whole that fits
 
 std::string share_words(const TableShare& found) {
   return fmt::format("{} ± {} (k = 2)", format_fixed(found.share, 2), format_fixed(2.0 * found.u, 2));

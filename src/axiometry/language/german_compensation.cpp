@@ -264,6 +264,10 @@ constexpr Phrase rows[] = {
     {"new table ↑", "neue Tabelle ↑"},
     {"new table ↓", "neue Tabelle ↓"},
     {"number: {0}", "Nummer: {0}"},
+    {"one count of the control is taken for 1 µm (--resolution), in the table that was active too: where it is another "
+     "amount, all that the table does is wrong in that proportion",
+     "ein Zählschritt der Steuerung gilt als 1 µm (--resolution), auch in der Tabelle, die aktiv war: Ist er ein "
+     "anderer, so ist alles, was die Tabelle tut, in diesem Verhältnis falsch"},
     {"periodic: {0}", "periodic: {0}"},
     {"points: {0}", "Stützpunkte: {0}"},
     {"re-test ↑", "Nachprüfung ↑"},

@@ -255,6 +255,9 @@ Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable
   AXIOMETRY_TRY(AxisCorrection read, in_file(nc::read_table(s.control, existing->text, options), existing->name));
   if (!in_inch && s.control.uses.inch)
     AXIOMETRY_TRY_VOID(in_file(check_unit_of_length(read, s.series, s.options.in_inch), existing->name));
+  if (s.control.limits.origin == nc::TableOrigin::on_grid) {
+    AXIOMETRY_TRY(read, without_lead_to(s.options.reference, std::move(read), s.series));
+  }
   if (s.control.backlash.empty()) return std::optional(std::move(read));
   AXIOMETRY_TRY(read, without_number_beside(read));
   return std::optional(std::move(read));
@@ -262,8 +265,9 @@ Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable
 
 /// What must be done beside the table, or is known of it beside its numbers.
 void add_findings_of_control(const Setting& s, const AxisCorrection& applied, std::vector<NamedFinding>& findings) {
-  std::ranges::move(findings_of_control(s.control, s.options, applied, s.request.resolution_said),
-                    std::back_inserter(findings));
+  std::ranges::move(
+      findings_of_control(s.control, s.options, applied, {s.request.resolution_said, s.existing.has_value()}),
+      std::back_inserter(findings));
   const bool has_positions = s.control.limits.points == 0 || s.control.limits.points > 2;
   if (s.existing && has_positions)
     if (auto cut = finding_of_cut_table(*s.existing, s.nodes)) findings.push_back(*std::move(cut));
