@@ -106,6 +106,21 @@ TEST(FindingOfRetest, CallsNothingWhatItShouldBeThatIsNot) {
       << "a table that is not active changes nothing";
 }
 
+TEST(FindingOfRetest, CallsAReversalThatChangedNoPrediction) {
+  // One curve for both directions, which leaves the reversal as it is; in the re-test it is another one.
+  const std::vector<double> curve{2, -7, -13, -20, -28};
+  std::vector<double> turned = curve;
+  for (double& x : turned) x += 12.0;
+  const AxisCorrection made = acting(curve, curve);
+  const auto id_of = [&](const std::vector<double>& down) {
+    return finding_of_retest(
+               *effect_of_table(before(), *corrected_series(before(), acting(curve, down)), made, nullptr, 1e-3))
+        .id;
+  };
+  EXPECT_EQ(id_of(curve), "retest-as-predicted");
+  EXPECT_EQ(id_of(turned), "retest-unexplained");
+}
+
 TEST(FindingOfRetest, NamesMirroredPositionsWhereTheyExplainTheChange) {
   const std::vector<double> bent{0, -20, -24, -26, -27}, mirrored{-27, -26, -24, -20, 0};
   const Series first = make_series(targets, {{0, 20, 24, 26, 27}, {0.1, 20, 24.1, 26, 27}},

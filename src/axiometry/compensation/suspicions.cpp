@@ -115,11 +115,11 @@ bool acts_as_a_whole(const Effect& effect, double share) {
          reversal_agrees(effect, share);
 }
 
-/// As it should, but perhaps for the reversal: by the whole where that is a line, or by both directions alone, which no
-/// reversal that is wrong puts out of line.
+/// As it should, but perhaps for the reversal: by the whole where that is a line, or by both directions alone, where a
+/// reversal that is wrong puts the whole out of line.
 bool acts_in_each_direction(const Effect& effect) {
   if (effect.whole.is_line && is_about(effect.whole, 1.0, near_enough) && directions_agree(effect, 1.0)) return true;
-  return std::ranges::all_of(effect.directions, [](const std::optional<TableShare>& way) {
+  return !reversal_agrees(effect, 1.0) && std::ranges::all_of(effect.directions, [](const auto& way) {
     return way && way->is_line && is_about(*way, 1.0, near_enough);
   });
 }

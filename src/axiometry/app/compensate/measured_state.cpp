@@ -58,7 +58,7 @@ std::vector<NamedFinding> findings_of_state(const Test& test, bool table_given) 
                         fmt::format("the table corrects what is not of the axis: {}", effect.reason())});
   const Axis& axis = test.metadata.axis;
   if (table_given || !may_be_compensated(axis)) return findings;
-  const std::string said = text::trim(axis.compensation).empty()
+  const std::string said = !axis.compensation_points.empty()
                                ? "sampling points of a compensation (axis.compensation_points)"
                                : fmt::format("{} as axis.compensation", text::quoted(text::trim(axis.compensation)));
   findings.push_back(

@@ -113,6 +113,8 @@ TEST(MeasuredState, AnActiveCompensationWantsItsTable) {
   NamedTest sampled = stated_axis();
   sampled.test.metadata.axis.compensation_points = {0, 50, 100};
   EXPECT_EQ(serious_ids(sampled), told);
+  sampled.test.metadata.axis.compensation = "none";
+  EXPECT_EQ(serious_ids(sampled), told) << "one of both is wrong";
   for (const char* none : {"", "none", "None", "not used", "-", "–", "n/a", "keine", "aucune", " not active "}) {
     NamedTest bare = stated_axis();
     bare.test.metadata.axis.compensation = none;
