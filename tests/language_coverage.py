@@ -43,7 +43,7 @@ SOURCES = [
     "report/figures/layout/layout.cpp", "report/figures/layout/layout_of.cpp", "report/figures/residuals.cpp",
     "report/figures/lines_overview.cpp", "report/figures/length_difference.cpp", "report/figures/periodic.cpp",
     "report/method_values.cpp", "report/conformity_text.cpp", "report/correction_text.cpp", "report/documents/plan_sheet.cpp",
-    "app/workbench/compensations.cpp", "app/workbench/compensation_standing.cpp", "app/workbench/kept_things.cpp", "compensation/fit.cpp", "compensation/grid.cpp", "compensation/suspicions.cpp",
+    "app/compensate/measured_state.cpp", "app/workbench/compensations.cpp", "app/workbench/compensation_standing.cpp", "app/workbench/kept_things.cpp", "compensation/fit.cpp", "compensation/grid.cpp", "compensation/suspicions.cpp",
     "model/axis_correction.cpp", "nc/axis_table.cpp", "nc/table_text.cpp", "nc/compensations/fanuc_reading.cpp",
     "nc/compensations/increments.cpp", "nc/compensations/linuxcnc_lines.cpp", "nc/compensations/siemens_lines.cpp",
     "report/documents/compensation_document.cpp", "report/figures/compensation_curves.cpp", "report/documents/volumetric_document.cpp",

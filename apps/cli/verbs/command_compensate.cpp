@@ -12,6 +12,7 @@
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/compensate_flags.h"
+#include "cli/flags/correction_flags.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/reading_flags.h"
@@ -25,6 +26,8 @@ constexpr const char* compensate_examples =
     R"(The table is read back by the control's own rule and applied to the readings: where that would not make the axis
 better, no file is written. What stands beside "predicted" is a prediction; only a re-test proves it: --retest holds one
 against it, and names a sign mistake, a table that is not active, or one that is applied twice.
+The readings are those of the axis: what the test tells of its instrument and of temperatures is corrected by --correct,
+in the re-test likewise.
 Exit code 3: something must be looked at before the table is used.
 Examples:
   axiometry compensate --list
@@ -106,6 +109,7 @@ void add_compensate(const Verb& program, int& exit_code) {
   add_compensate_flags(*verb, arguments->request);
   add_measured_flags(*verb, arguments->request);
   add_reading_flags(*verb, arguments->files.reading, "axis.kind=rotary");
+  add_correction_flags(*verb, arguments->files.reading.corrections);
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, verb, &exit_code] {
     check_alone(*verb, "--list", {"--json"});

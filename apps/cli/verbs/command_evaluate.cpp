@@ -11,13 +11,13 @@
 #include <vector>
 #include "cli/flags/verb.h"
 
-#include "axiometry/app/evaluate/correction_text.h"
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/flags/capture_flags.h"
+#include "cli/flags/correction_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/reading_flags.h"
 #include "cli/flags/temperature_flags.h"
@@ -194,36 +194,9 @@ void add_input_flags(const Verb& verb, EvaluateArguments& arguments) {
       ->group(group);
 }
 
-void add_correction_flags(const Verb& verb, EvaluateArguments& arguments) {
-  constexpr const char* group = "Corrections of the readings, none unasked";
-  CorrectionRequest& request = arguments.evaluate.corrections;
-  verb.add_option_function<std::vector<std::string>>(
-          "--correct",
-          [&request](const std::vector<std::string>& lists) {
-            for (const std::string& list : lists)
-              if (auto chosen = app::choose_corrections(list, request); !chosen)
-                throw UsageError("--correct", chosen.error().message);
-          },
-          "Correct the readings, by a list of: sign (the instrument's is reversed), gain (instrument.gain), air=ciddor "
-          "or air=edlen (refractive index of air), dead-path (instrument.dead_path_mm), nde (expansion), drift (a "
-          "straight line in time); made in this order, may be repeated")
-      ->type_name("LIST")
-      ->one_at_a_time()
-      ->group(group);
-  verb.add_flag_function(
-          "--nde-correct", [&request](std::int64_t) { request.expansion = true; },
-          "As --correct nde: correct the readings for nominal differential expansion, from the temperatures of the "
-          "sensors and the expansion coefficients; refused where the instrument has done it")
-      ->group(group);
-}
-
-}  // namespace
-
-namespace {
-
 void add_flags(const Verb& verb, const std::shared_ptr<EvaluateArguments>& arguments, int& exit_code) {
   add_input_flags(verb, *arguments);
-  add_correction_flags(verb, *arguments);
+  add_correction_flags(verb, arguments->evaluate.corrections);
   add_capture_flags(verb, arguments->recording);
   add_tolerance_flags(verb, arguments->evaluate.tolerance, arguments->tolerance_table);
   add_output_flags(verb, *arguments);

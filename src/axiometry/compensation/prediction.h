@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -24,15 +25,37 @@ Result<Series> corrected_series(const Series& series, const AxisCorrection& adde
 /// Without the mean deviation of every target and direction: what the best table leaves, since it is the scatter.
 Result<Series> scatter_alone(const Series& series);
 
-/// How a re-test relates to what the table should have done: x̄_retest − x̄_before = γ·c + a, by least squares over all
-/// targets and directions, a for what a new zero of the instrument does.
-struct Effect {
+/// Whether any target was approached twice from one side: without, nobody knows the scatter.
+bool tells_scatter(const Series& series);
+
+/// Standard uncertainty of a share that tells anything: shares that have a name, −1, 0, 1 and 2, lie 1 apart, and three
+/// of it reach less than half way to the next.
+inline constexpr double share_u_most = 0.15;
+
+/// γ of x̄_retest − x̄_before = γ·c + a, by least squares.
+struct TableShare {
   double share = 0.0;      ///< γ: 1 the table did what it should, 0 nothing, −1 the opposite, 2 twice
   double u = 0.0;          ///< standard uncertainty of γ, of the scatter of both tests and of what the line leaves
   double explained = 0.0;  ///< R² of that line
+  bool is_line = true;     ///< what the line leaves is scatter, or less than a tenth of the change
+  bool unchanged = false;  ///< the change is scatter, or less than a fifth of what the table should have made
+};
+
+/// How a re-test relates to what the table should have done, over all targets and directions; a for what a new zero of
+/// the instrument does.
+struct Effect {
+  TableShare whole;
+  double u_of_scatter = 0.0;  ///< the part of u that the scatter of both tests makes
   /// γ of x̄↑ − x̄↓ alone, which no new zero and no shape of the axis can hide: −1 where directions are exchanged, 2
   /// where a backlash acts beside the table. Nothing where the table does not change it by more than the scatter.
   std::optional<double> of_reversal{};
+  double u_of_reversal = 0.0;
+  /// Of ↑ and of ↓ alone, each with an a of its own, so that the reversal has no part in it. Nothing where it does not
+  /// tell.
+  std::array<std::optional<TableShare>, 2> directions{};
+  /// Whether the change is explained, as by a line, by all of the table with its directions exchanged, or with its
+  /// positions mirrored from end to end.
+  bool exchanged = false, mirrored = false;
   std::size_t compared = 0;  ///< targets and directions that both tests have
 };
 

@@ -41,7 +41,7 @@ TEST(EffectOfTable, TellsHowMuchOfItIsActive) {
   for (const double share : {1.0, 0.0, -1.0, 2.0, 0.5}) {
     const auto effect = effect_of_table(before(), with_share(share), table(), nullptr, 1e-3);
     ASSERT_TRUE(effect);
-    EXPECT_NEAR(effect->share, share, 1e-9);
+    EXPECT_NEAR(effect->whole.share, share, 1e-9);
     EXPECT_EQ(effect->compared, 10u);
   }
 }
@@ -74,9 +74,87 @@ TEST(FindingOfRetest, NamesABacklashBesideTheTable) {
   EXPECT_EQ(finding_of_retest(*effect).id, "retest-reversal-twice");
 }
 
+/// What a re-test is called in which the control added `acting`, with an axis that is otherwise the same but for a
+/// little.
+std::string id_of_retest(const AxisCorrection& acting, const RetestContext& context = {}) {
+  std::size_t k = 0;
+  const auto after = shifted_series(*corrected_series(before(), acting),
+                                    [&](double, Direction) { return 0.05 * static_cast<double>((3 * k++) % 4) + 1.0; });
+  return finding_of_retest(*effect_of_table(before(), *after, table(), nullptr, 1e-3), context).id;
+}
+
+AxisCorrection acting(const std::vector<double>& up, const std::vector<double>& down) {
+  return *AxisCorrection::make(AxisKind::linear, targets, up, down);
+}
+
+TEST(FindingOfRetest, CallsNothingWhatItShouldBeThatIsNot) {
+  const AxisCorrection c = table();
+  const std::vector<double>&up = c.values(Direction::up), &down = c.values(Direction::down), none(up.size(), 0.0);
+  const auto scaled = [](std::vector<double> values, double by) {
+    for (double& x : values) x *= by;
+    return values;
+  };
+  EXPECT_EQ(id_of_retest(c), "retest-as-predicted");
+  EXPECT_EQ(id_of_retest(c, {.above_expected = true}), "retest-more-left");
+  EXPECT_EQ(id_of_retest(acting(scaled(up, 0.8), scaled(down, 0.8))), "retest-otherwise");
+  EXPECT_EQ(id_of_retest(acting(scaled(up, 1.2), scaled(down, 1.2))), "retest-otherwise");
+  EXPECT_EQ(id_of_retest(acting(up, none)), "retest-one-direction");
+  EXPECT_EQ(id_of_retest(acting(none, down)), "retest-one-direction");
+  EXPECT_EQ(id_of_retest(acting(down, up)), "retest-directions");
+  EXPECT_EQ(id_of_retest(acting(none, none)), "retest-not-active");
+  EXPECT_EQ(id_of_retest(acting({0, 14, -14, 14, -14}, {9, -9, 9, -9, 9})), "retest-unexplained")
+      << "a table that is not active changes nothing";
+}
+
+TEST(FindingOfRetest, CallsAReversalThatChangedNoPrediction) {
+  // One curve for both directions, which leaves the reversal as it is; in the re-test it is another one.
+  const std::vector<double> curve{2, -7, -13, -20, -28};
+  std::vector<double> turned = curve;
+  for (double& x : turned) x += 12.0;
+  const AxisCorrection made = acting(curve, curve);
+  const auto id_of = [&](const std::vector<double>& down) {
+    return finding_of_retest(
+               *effect_of_table(before(), *corrected_series(before(), acting(curve, down)), made, nullptr, 1e-3))
+        .id;
+  };
+  EXPECT_EQ(id_of(curve), "retest-as-predicted");
+  EXPECT_EQ(id_of(turned), "retest-unexplained");
+}
+
+TEST(FindingOfRetest, NamesMirroredPositionsWhereTheyExplainTheChange) {
+  const std::vector<double> bent{0, -20, -24, -26, -27}, mirrored{-27, -26, -24, -20, 0};
+  const Series first = make_series(targets, {{0, 20, 24, 26, 27}, {0.1, 20, 24.1, 26, 27}},
+                                   {{0, 20.1, 24, 26, 27}, {0, 20, 24, 26.1, 27}});
+  const AxisCorrection made = acting(bent, bent);
+  const auto named = [&](const std::vector<double>& values) {
+    return finding_of_retest(
+               *effect_of_table(first, *corrected_series(first, acting(values, values)), made, nullptr, 1e-3))
+        .id;
+  };
+  EXPECT_EQ(named(mirrored), "retest-mirrored");
+  EXPECT_EQ(named(bent), "retest-as-predicted");
+}
+
+TEST(FindingOfRetest, SaysWhereMirroredPositionsLookLikeASignMistake) {
+  const std::vector<double> straight{0, -10, -20, -30, -40}, turned{-40, -30, -20, -10, 0};
+  const Series first = make_series(targets, {{0, 10, 20, 30, 40}, {0.1, 10, 20.1, 30, 40}},
+                                   {{0, 10.1, 20, 30, 40}, {0, 10, 20, 30.1, 40}});
+  const AxisCorrection made = acting(straight, straight);
+  const auto effect = effect_of_table(first, *corrected_series(first, acting(turned, turned)), made, nullptr, 1e-3);
+  const NamedFinding found = finding_of_retest(*effect);
+  EXPECT_EQ(found.id, "retest-sign");
+  EXPECT_THAT(found.message, HasSubstr("positions mirrored"));
+}
+
 TEST(EffectOfTable, TellsNothingOfOtherTargets) {
   const Series other = make_series({50, 150, 250}, {{1, 2, 3}}, {{1, 2, 3}});
   EXPECT_FALSE(effect_of_table(before(), other, table(), nullptr, 1e-3));
+}
+
+TEST(ScatterAlone, IsKnownOfWhatWasRepeated) {
+  EXPECT_TRUE(tells_scatter(before()));
+  EXPECT_FALSE(tells_scatter(make_series({0, 100}, {{0, 9}}, {{-4, 5}})));
+  EXPECT_TRUE(tells_scatter(make_series({0, 100}, {{0, 9}, {testing_support::none, 9}}, {})));
 }
 
 TEST(ScatterAlone, HasNoSystematicErrorLeft) {

@@ -51,10 +51,7 @@ std::string place_words(double position, AxisKind kind) {
 
 /// Of a programme that tells less of the axis than a table takes from it (5.3, 6.2).
 void add_findings_of_programme(const Series& series, AxisKind kind, std::vector<NamedFinding>& findings) {
-  std::size_t most = 0;
-  for (const Direction direction : {Direction::up, Direction::down})
-    for (std::size_t i = 0; i < series.target_count(); ++i) most = std::max(most, series.count(i, direction));
-  if (most < 2)
+  if (!tells_scatter(series))
     findings.push_back({"compensation-one-approach", false,
                         "found no target that was approached twice from the same side: what of the deviations is "
                         "scatter nobody can tell, and the table corrects it too"});
@@ -80,6 +77,99 @@ std::size_t nodes_without_target(const Series& series, const std::vector<double>
     if (is_within && !has_target) ++bare;
   }
   return bare;
+}
+
+// What a re-test shows.
+constexpr double near_enough = 0.05;  // nobody asks more of an axis from one day to the next
+constexpr double part_most = 0.25;    // of what is a part of the table alone, beside a whole that fits
+
+std::string share_words(const TableShare& found) {
+  return fmt::format("{} ± {} (k = 2)", format_fixed(found.share, 2), format_fixed(2.0 * found.u, 2));
+}
+
+bool is_about(const TableShare& found, double share, double enough) {
+  return std::abs(found.share - share) <= std::max(enough, 3.0 * found.u);
+}
+
+/// The re-test is the test but for what is small, and no share that matters could hide in it.
+bool is_not_active(const Effect& effect) {
+  const bool reversal = effect.of_reversal && std::abs(*effect.of_reversal) > 0.5;
+  return effect.whole.unchanged && !reversal && is_about(effect.whole, 0.0, near_enough) &&
+         std::abs(effect.whole.share) + 2.0 * effect.whole.u < 0.5;
+}
+
+/// Each direction that tells, apart from the reversal.
+bool directions_agree(const Effect& effect, double share) {
+  return std::ranges::all_of(effect.directions, [&](const std::optional<TableShare>& way) {
+    return !way || (way->is_line && is_about(*way, share, part_most));
+  });
+}
+
+bool reversal_agrees(const Effect& effect, double share) {
+  return !effect.of_reversal ||
+         std::abs(*effect.of_reversal - share) <= std::max(part_most, 3.0 * effect.u_of_reversal);
+}
+
+bool acts_as_a_whole(const Effect& effect, double share) {
+  return effect.whole.is_line && is_about(effect.whole, share, near_enough) && directions_agree(effect, share) &&
+         reversal_agrees(effect, share);
+}
+
+/// As it should, but perhaps for the reversal: by the whole where that is a line, or by both directions alone, where a
+/// reversal that is wrong puts the whole out of line.
+bool acts_in_each_direction(const Effect& effect) {
+  if (effect.whole.is_line && is_about(effect.whole, 1.0, near_enough) && directions_agree(effect, 1.0)) return true;
+  return !reversal_agrees(effect, 1.0) && std::ranges::all_of(effect.directions, [](const auto& way) {
+    return way && way->is_line && is_about(*way, 1.0, near_enough);
+  });
+}
+
+NamedFinding finding_of_active(const Effect& effect, const RetestContext& context) {
+  const std::string share = share_words(effect.whole);
+  if (reversal_agrees(effect, 1.0)) {
+    if (!context.above_expected)
+      return {"retest-as-predicted", false,
+              fmt::format("the table does what it should: the re-test shows {} of it", share)};
+    return {"retest-more-left", true,
+            fmt::format("the re-test shows {} of the table, and more is left than it lets expect: did axis or set-up "
+                        "change?",
+                        share)};
+  }
+  const std::string reversal = format_fixed(*effect.of_reversal, 2);
+  const auto is_reversal = [&](double amount) {
+    return std::abs(*effect.of_reversal - amount) <= std::max(part_most, 3.0 * effect.u_of_reversal);
+  };
+  if (is_reversal(-1.0) && effect.exchanged)
+    return {"retest-directions", true,
+            fmt::format("the table's two directions are exchanged: the re-test shows {} of its reversal", reversal)};
+  if (is_reversal(2.0))
+    return {"retest-reversal-twice", true,
+            fmt::format("the reversal is corrected twice, the re-test shows {} of it: is a backlash of the control "
+                        "active beside the table?",
+                        reversal)};
+  if (is_reversal(0.0))
+    return {"retest-reversal-not-active", true,
+            fmt::format("the reversal is not corrected, the re-test shows {} of it", reversal)};
+  return {"retest-reversal-otherwise", true,
+          fmt::format("the re-test shows the table but for its reversal, of which it shows {}: is a backlash of the "
+                      "control active beside it, or did the reversal change?",
+                      reversal)};
+}
+
+/// One direction does what it should, and nothing happened to the other.
+std::optional<NamedFinding> finding_of_one_direction(const Effect& effect) {
+  for (const Direction active : {Direction::up, Direction::down}) {
+    const Direction other = active == Direction::up ? Direction::down : Direction::up;
+    const auto& acts = effect.directions[static_cast<std::size_t>(active)];
+    const auto& rests = effect.directions[static_cast<std::size_t>(other)];
+    if (!acts || !rests || !acts->is_line || !is_about(*acts, 1.0, 2.0 * near_enough)) continue;
+    if (!rests->unchanged || !is_about(*rests, 0.0, near_enough)) continue;
+    return NamedFinding{
+        "retest-one-direction", true,
+        fmt::format("the table is active {} alone: the re-test shows {} of it {} and {} of it {}", arrow(active),
+                    share_words(*acts), arrow(active), share_words(*rests), arrow(other))};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -188,50 +278,53 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
   return findings;
 }
 
-NamedFinding finding_of_retest(const Effect& effect, bool sign_inferred) {
-  const double slack = std::max(0.25, 3.0 * effect.u);
-  const auto is_near = [&](double share) { return std::abs(effect.share - share) < slack; };
-  const std::string share =
-      fmt::format("{} ± {} (k = 2)", format_fixed(effect.share, 2), format_fixed(2.0 * effect.u, 2));
-  if (effect.u > 0.25)
+NamedFinding finding_of_retest(const Effect& effect, const RetestContext& context) {
+  const std::string share = share_words(effect.whole);
+  if (effect.u_of_scatter > share_u_most || (effect.whole.is_line && effect.whole.u > share_u_most))
     return {"retest-tells-nothing", false,
             fmt::format("the re-test shows {} of the table: too uncertain to tell whether it is active", share)};
-  if (is_near(0.0))
+  if (is_not_active(effect))
     return {"retest-not-active", true,
             fmt::format("the table is not active, the re-test shows {} of it: is it loaded, switched on, and the axis "
                         "referenced?",
                         share)};
-  if (is_near(-1.0))
+  if (acts_as_a_whole(effect, -1.0))
     return {
         "retest-sign", true,
-        fmt::format(
-            "the error has doubled, the re-test shows {} of the table: a sign mistake; take it out{}", share,
-            sign_inferred ? ", and make it with the sign that this control has: --turned-sign, or without it" : "")};
-  if (is_near(2.0))
+        fmt::format("the error has doubled, the re-test shows {} of the table: a sign mistake{}; take it out{}", share,
+                    effect.exchanged || effect.mirrored
+                        ? ", or directions exchanged or positions mirrored, which would show alike"
+                        : "",
+                    context.sign_inferred
+                        ? ", and make it with the sign that this control has: --turned-sign, or without it"
+                        : "")};
+  if (acts_as_a_whole(effect, 2.0))
     return {"retest-twice", true,
             fmt::format("the table is applied twice, the re-test shows {} of it: is an older one still active beside "
                         "it, or was the new one added to one that holds it already?",
                         share)};
-  if (!is_near(1.0))
-    return {"retest-otherwise", true,
-            fmt::format("the re-test shows {} of the table: neither what it should do, nor a sign mistake, nor a table "
-                        "that is not active; did the axis change, or the set-up?",
+  if (acts_in_each_direction(effect)) return finding_of_active(effect, context);
+  if (auto one = finding_of_one_direction(effect)) return *std::move(one);
+  if (!effect.whole.is_line && effect.exchanged && !effect.mirrored)
+    return {"retest-directions", true,
+            fmt::format("the table's two directions are exchanged: so the change from test to re-test is explained, "
+                        "the table itself shows {} in it",
                         share)};
-  if (effect.of_reversal && std::abs(*effect.of_reversal - 1.0) > 0.5) {
-    const std::string reversal = format_fixed(*effect.of_reversal, 2);
-    if (*effect.of_reversal < -0.5)
-      return {"retest-directions", true,
-              fmt::format("the table's two directions are exchanged: the re-test shows {} of its reversal", reversal)};
-    if (*effect.of_reversal > 1.5)
-      return {"retest-reversal-twice", true,
-              fmt::format("the reversal is corrected twice, the re-test shows {} of it: is a backlash of the control "
-                          "active beside the table?",
-                          reversal)};
-    return {"retest-reversal-not-active", true,
-            fmt::format("the reversal is not corrected, the re-test shows {} of it", reversal)};
-  }
-  return {"retest-as-predicted", false,
-          fmt::format("the table does what it should: the re-test shows {} of it", share)};
+  if (!effect.whole.is_line && effect.mirrored && !effect.exchanged)
+    return {"retest-mirrored", true,
+            fmt::format("the table's positions are mirrored, the first value at the last position: so the change from "
+                        "test to re-test is explained, the table itself shows {} in it",
+                        share)};
+  if (effect.whole.is_line && !(effect.of_reversal && std::abs(*effect.of_reversal - effect.whole.share) > part_most))
+    return {"retest-otherwise", true,
+            fmt::format("the re-test shows {} of the table, everywhere in proportion: is its scale another one in the "
+                        "control (unit, count, magnification), or did axis or set-up change?",
+                        share)};
+  return {"retest-unexplained", true,
+          fmt::format("the table explains {} % of the change from test to re-test, which shows {} of it: look whether "
+                      "its directions are exchanged, its positions mirrored, one direction alone is active, another "
+                      "table is, or axis or set-up changed",
+                      format_fixed(100.0 * std::clamp(effect.whole.explained, 0.0, 1.0), 0), share)};
 }
 
 }  // namespace axiometry::compensation

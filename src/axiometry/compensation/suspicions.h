@@ -26,9 +26,16 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
 /// which follow from those beside them.
 std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction);
 
-/// Of a re-test: "did what it should", or what went wrong instead: a sign mistake (the error doubled), a table that was
-/// not active, one that was added twice, directions that were exchanged, a reversal that is corrected twice. Of a
-/// control whose sign was inferred a sign mistake names the way out.
-NamedFinding finding_of_retest(const Effect& effect, bool sign_inferred = false);
+struct RetestContext {
+  bool sign_inferred = false;   ///< of the control: a sign mistake names the way out
+  bool above_expected = false;  ///< more is left than 95 % of re-tests would show
+};
+
+/// Of a re-test: "does what it should", where all of the change is the table's, within 5 % or three times its standard
+/// uncertainty, and nothing is above what was expected; or what went wrong instead, where that explains the change: a
+/// sign mistake (the error doubled), a table that was not active, or in one direction alone, one that was added twice,
+/// directions that are exchanged, positions mirrored, a reversal that is corrected twice. What nothing explains is told
+/// as that.
+NamedFinding finding_of_retest(const Effect& effect, const RetestContext& context = {});
 
 }  // namespace axiometry::compensation

@@ -3,6 +3,7 @@
 // Every finding of suspicions.cpp, provoked, in German.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iterator>
 #include <regex>
 #include <set>
@@ -91,13 +92,31 @@ std::set<std::string> of_tables() {
   return ids;
 }
 
+/// What a change that is a line shows.
+TableShare share_of(double share, double u = 0.01) { return {share, u, 1.0, true, std::abs(share) < 0.1}; }
+
 std::set<std::string> of_retests() {
   std::vector<NamedFinding> findings;
-  for (const double share : {1.0, 0.0, -1.0, 2.0, 0.5}) findings.push_back(finding_of_retest({share, 0.01, 1.0}));
-  for (const double reversal : {-1.0, 2.0, 0.0}) findings.push_back(finding_of_retest({1.0, 0.01, 1.0, reversal}));
-  findings.push_back(finding_of_retest({1.0, 0.5, 1.0}));
-  findings.push_back(finding_of_retest({-1.0, 0.01, 1.0}, true));
-  EXPECT_NE(findings.back().message.find("--turned-sign"), std::string::npos);
+  for (const double share : {1.0, 0.0, -1.0, 2.0, 0.5})
+    findings.push_back(finding_of_retest({.whole = share_of(share)}));
+  for (const double reversal : {-1.0, 2.0, 0.0, 0.5})
+    findings.push_back(
+        finding_of_retest({.whole = share_of(1.0), .of_reversal = reversal, .exchanged = reversal < 0.0}));
+  findings.push_back(finding_of_retest({.whole = share_of(1.0, 0.5)}));
+  findings.push_back(finding_of_retest({.whole = share_of(1.0)}, {.above_expected = true}));
+  const TableShare no_line{0.3, 0.1, 0.2, false, false};
+  findings.push_back(finding_of_retest({.whole = no_line, .directions = {share_of(1.0), share_of(0.0)}}));
+  findings.push_back(finding_of_retest({.whole = no_line, .directions = {share_of(0.0), share_of(1.0)}}));
+  findings.push_back(finding_of_retest({.whole = no_line, .exchanged = true}));
+  findings.push_back(finding_of_retest({.whole = no_line, .mirrored = true}));
+  findings.push_back(finding_of_retest({.whole = no_line}));
+  for (const bool exchanged : {false, true}) {
+    findings.push_back(finding_of_retest({.whole = share_of(-1.0), .exchanged = exchanged}, {.sign_inferred = true}));
+    EXPECT_NE(findings.back().message.find("--turned-sign"), std::string::npos);
+    findings.push_back(finding_of_retest({.whole = share_of(-1.0), .exchanged = exchanged}));
+  }
+  for (const NamedFinding& finding : findings)
+    EXPECT_TRUE(language::is_known(finding.message, Language::french)) << finding.message;
   return german_ids(findings);
 }
 

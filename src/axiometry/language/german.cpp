@@ -40,6 +40,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_volume_plan,
                                  german_calibrations,
                                  german_compensation,
+                                 german_retests,
                                  german_known_positions,
                                  german_control_tables,
                                  german_controls,

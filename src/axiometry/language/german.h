@@ -41,6 +41,7 @@ extern const std::span<const Phrase> german_volume_recordings;    ///< lengths o
 extern const std::span<const Phrase> german_length_captures;      ///< and captured live from the workbench
 extern const std::span<const Phrase> german_calibrations;         ///< calibrations in the archive
 extern const std::span<const Phrase> german_compensation;         ///< tables by which controls correct an axis
+extern const std::span<const Phrase> german_retests;              ///< what speaks against their test, what proves them
 extern const std::span<const Phrase> german_known_positions;      ///< with a table
 extern const std::span<const Phrase> german_control_tables;       ///< what is refused of their files
 extern const std::span<const Phrase> german_controls;             ///< the controls, and what is known of each

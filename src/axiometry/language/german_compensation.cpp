@@ -94,7 +94,6 @@ constexpr Phrase rows[] = {
      "ein periodischer Anteil mit einer Periode von {0} und einer Amplitude von {1} in den Messwerten, und Positionen "
      "der Tabelle oder Zielpositionen bis {2} auseinander, mehr als die halbe Periode: Die Tabelle enthält davon, was "
      "die Zielpositionen gerade trafen, und ist dazwischen falsch; --periodic leave lässt ihn weg"},
-    {"found a re-test of another kind of axis", "eine Nachprüfung einer anderen Art von Achse"},
     {"found a re-test without its version, expected both or none",
      "Nachprüfung ohne ihre Version; erwartet: beides oder keines"},
     {"found a result of the archive that cannot be read: {0}", "ein Ergebnis des Archivs, das nicht lesbar ist: {0}"},
@@ -265,6 +264,10 @@ constexpr Phrase rows[] = {
     {"new table ↑", "neue Tabelle ↑"},
     {"new table ↓", "neue Tabelle ↓"},
     {"number: {0}", "Nummer: {0}"},
+    {"one count of the control is taken for 1 µm (--resolution), in the table that was active too: where it is another "
+     "amount, all that the table does is wrong in that proportion",
+     "ein Zählschritt der Steuerung gilt als 1 µm (--resolution), auch in der Tabelle, die aktiv war: Ist er ein "
+     "anderer, so ist alles, was die Tabelle tut, in diesem Verhältnis falsch"},
     {"periodic: {0}", "periodic: {0}"},
     {"points: {0}", "Stützpunkte: {0}"},
     {"re-test ↑", "Nachprüfung ↑"},
@@ -278,13 +281,6 @@ constexpr Phrase rows[] = {
      "readings do not tell",
      "die Verlagerungen auf der Linie unterscheiden sich um {0}, und jede ist auf ±{1} (k = 2) bekannt: Die Tabelle "
      "ist vor allem, was die Messwerte nicht sagen"},
-    {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out",
-     "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
-     "herausnehmen"},
-    {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake; take it out, and make "
-     "it with the sign that this control has: --turned-sign, or without it",
-     "der Fehler hat sich verdoppelt, die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: ein Vorzeichenfehler; sie "
-     "herausnehmen und mit dem Vorzeichen machen, das diese Steuerung hat: --turned-sign, oder ohne"},
     {"the instrument counts against the axis: turn its sign, or the axis in the test",
      "das Messgerät zählt gegen die Achse: sein Vorzeichen umkehren, oder die Achse in der Prüfung"},
     {"the instrument did not see the axis move", "das Messgerät hat die Bewegung der Achse nicht gesehen"},
@@ -302,46 +298,12 @@ constexpr Phrase rows[] = {
      "is predicted",
      "der periodische Anteil mit einer Periode von {0} und einer Amplitude von {1} ist nicht in der Tabelle: Er "
      "bleibt, und die Vorhersage enthält ihn"},
-    {"the re-test has fewer than three targets in common with the test: it cannot be held against the prediction",
-     "die Nachprüfung hat weniger als drei Ziele mit der Prüfung gemein: Sie kann nicht an der Vorhersage gemessen "
-     "werden"},
-    {"the re-test is of {0=}, the test of {1=}: no table that was made of the test can have been active",
-     "die Nachprüfung ist vom {0}, die Prüfung vom {1}: Keine Tabelle, die aus der Prüfung gemacht ist, kann aktiv "
-     "gewesen sein"},
-    {"the re-test names the axis {0=}, the test {1=}: it proves nothing of this table",
-     "die Nachprüfung nennt die Achse {0}, die Prüfung {1}: Sie beweist nichts über diese Tabelle"},
-    {"the re-test names the machine {0=}, the test {1=}: it proves nothing of this table",
-     "die Nachprüfung nennt die Maschine {0}, die Prüfung {1}: Sie beweist nichts über diese Tabelle"},
-    {"the re-test names the serial number {0=}, the test {1=}: it proves nothing of this table",
-     "die Nachprüfung nennt die Seriennummer {0}, die Prüfung {1}: Sie beweist nichts über diese Tabelle"},
-    {"the re-test shows {0#} ± {1#} (k = 2) of the table: neither what it should do, nor a sign mistake, nor a table "
-     "that is not active; did the axis change, or the set-up?",
-     "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: weder was sie soll noch ein Vorzeichenfehler noch eine "
-     "Tabelle, die nicht wirkt; hat sich die Achse geändert oder der Aufbau?"},
-    {"the re-test shows {0#} ± {1#} (k = 2) of the table: too uncertain to tell whether it is active",
-     "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: zu unsicher, um zu sagen, ob sie wirkt"},
-    {"the re-test shows {0=} of {1#} {2=}, where 95 % of re-tests would show less than {3#} {4=}: the axis, the "
-     "set-up or the table is not what it was taken for",
-     "die Nachprüfung zeigt {0} von {1} {2}, wo 95 % der Nachprüfungen weniger als {3} {4} zeigen würden: Die Achse, "
-     "der Aufbau oder die Tabelle ist nicht, wofür sie gehalten wurde"},
-    {"the re-test was linked in version {0#} of test {1#}, and its latest version {2#} differs in metadata, options or "
-     "axis: what was found with it does not count until it is linked again",
-     "die Nachprüfung ist in Version {0} der Prüfung {1} verknüpft, deren neueste Version {2} sich in Metadaten, "
-     "Optionen oder Achse unterscheidet: Was mit ihr gefunden wurde, zählt nicht, bis sie neu verknüpft ist"},
     {"the re-test, test {0#}, is withdrawn: what was found with it does not count, and the table is not proved",
      "die Nachprüfung, Prüfung {0}, ist zurückgezogen: Was mit ihr gefunden wurde, zählt nicht, und die Tabelle ist "
      "nicht bewiesen"},
-    {"the reversal is corrected twice, the re-test shows {0#} of it: is a backlash of the control active beside the "
-     "table?",
-     "die Umkehrspanne wird zweimal korrigiert, die Nachprüfung zeigt {0} davon: Wirkt ein Umkehrspiel der Steuerung "
-     "neben der Tabelle?"},
-    {"the reversal is not corrected, the re-test shows {0#} of it",
-     "die Umkehrspanne wird nicht korrigiert, die Nachprüfung zeigt {0} davon"},
     {"the sign is turned against what was inferred of {0}: only a re-test tells whether this is the one of the control",
      "das Vorzeichen ist gegen das gedreht, was für {0} erschlossen wurde: Erst eine Nachprüfung sagt, ob es das der "
      "Steuerung ist"},
-    {"the table does what it should: the re-test shows {0#} ± {1#} (k = 2) of it",
-     "die Tabelle tut, was sie soll: Die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr"},
     {"the table goes from {0#} to {1#}, the targets from {2#} to {3#}: beyond its ends the control holds the last "
      "value",
      "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Jenseits ihrer Enden hält die Steuerung den "
@@ -352,14 +314,6 @@ constexpr Phrase rows[] = {
      "letzten Zielposition, was niemand gemessen hat"},
     {"the table has one curve for both directions: the reversal error stays as it is",
      "die Tabelle hat eine Kurve für beide Richtungen: Die Umkehrspanne bleibt, wie sie ist"},
-    {"the table is applied twice, the re-test shows {0#} ± {1#} (k = 2) of it: is an older one still active beside "
-     "it, or was the new one added to one that holds it already?",
-     "die Tabelle wirkt zweimal, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Wirkt eine ältere noch daneben, "
-     "oder wurde die neue zu einer addiert, die sie schon enthält?"},
-    {"the table is not active, the re-test shows {0#} ± {1#} (k = 2) of it: is it loaded, switched on, and the axis "
-     "referenced?",
-     "die Tabelle wirkt nicht, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Ist sie geladen, eingeschaltet und "
-     "die Achse referenziert?"},
     {"the table that was active goes from {0#} to {1#}, the new one from {2#} to {3#}: beyond its ends what the old "
      "one corrected is given up",
      "die Tabelle, die wirkte, geht von {0} bis {1}, die neue von {2} bis {3}: Jenseits ihrer Enden ist aufgegeben, "
@@ -368,8 +322,6 @@ constexpr Phrase rows[] = {
      "axis: make the table of that one",
      "die Tabelle entstand aus Version {0} der Prüfung {1}, deren neueste Version {2} sich in Metadaten, Optionen oder "
      "Achse unterscheidet: die Tabelle aus dieser erzeugen"},
-    {"the table's two directions are exchanged: the re-test shows {0#} of its reversal",
-     "die beiden Richtungen der Tabelle sind vertauscht: Die Nachprüfung zeigt {0} ihrer Umkehrspanne"},
     {"the targets are in inches and the readings in mm", "die Zielpositionen sind in Zoll und die Messwerte in mm"},
     {"the targets are in mm and the readings in inches", "die Zielpositionen sind in mm und die Messwerte in Zoll"},
     {"the targets do not tell a periodic part with a period of {0#}: nothing was left out",

@@ -48,6 +48,10 @@ constexpr Phrase rows[] = {
      "eine Sollposition, die nicht über der vorigen liegt, was LinuxCNC ablehnt"},
     {"found a position of {0#}, expected them 0.0001 apart at least and at most {1#} counts",
      "Position {0}; erwartet: mindestens 0,0001 auseinander und höchstens {1} Inkremente"},
+    {"found a range of {0#} steps in a table of {1#} entries, expected {2#}: is one count another amount "
+     "(--resolution)?",
+     "ein Bereich von {0} Schritten in einer Tabelle von {1} Einträgen; erwartet: {2}: Ist ein Zählschritt ein anderer "
+     "(--resolution)?"},
     {"found a range of {0#}, expected at most the length of the table, {1#}",
      "Bereich {0}; erwartet: höchstens die Länge der Tabelle, {1}"},
     {"found a rotary axis, which {0} has no such table for", "eine Rundachse, für die {0} keine solche Tabelle hat"},
@@ -55,6 +59,8 @@ constexpr Phrase rows[] = {
     {"found a spacing of {0#}, expected {1#}, the only one of {2}", "Abstand {0}; erwartet: {1}, der einzige von {2}"},
     {"found a table for one direction, expected one for each, or one for both",
      "eine Tabelle für eine Richtung; erwartet: eine je Richtung, oder eine für beide"},
+    {"found a table in counts of {0#}, expected {1#} (--resolution)",
+     "Tabelle in Zählschritten von {0}; erwartet: {1} (--resolution)"},
     {"found a table of {0#} entries over {1#} counts, expected at most {2#} and at least 1 count",
      "eine Tabelle mit {0} Einträgen über {1} Inkremente; erwartet: höchstens {2} und mindestens 1 Inkrement"},
     {"found a table that says: A positive number moves the axis in the negative direction; expected the sign that was "
@@ -273,6 +279,8 @@ constexpr Phrase rows[] = {
     {"found {0=}, expected the number of points, the spacing, the offset, a line each",
      "{0}; erwartet: die Zahl der Stützpunkte, der Abstand, der Versatz, je eine Zeile"},
     {"found {0=}, expected unit = mm", "{0}; erwartet: unit = mm"},
+    {"found {0=}, expected what one count is: a number and um or arcsec",
+     "{0}; erwartet: wofür ein Zählschritt steht: eine Zahl und um oder arcsec"},
     {"found {0=}, expected whole numbers of 1/16 count", "{0}; erwartet: ganze Zahlen von 1/16 Inkrement"},
     {"found {0=}, expected {1#},COMMANDED", "{0}; erwartet: {1},SOLLWERT"},
     {"found {0=}, expected {1=}NUMBER or {2=}NUMBER, once", "{0}; erwartet: {1}ZAHL oder {2}ZAHL, je einmal"},

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/model/axis.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "axiometry/base/text.h"
 
 namespace axiometry {
 namespace {
@@ -18,7 +21,37 @@ std::optional<Vector3> vector_of(const std::vector<double>& numbers) {
   return is_finite(v) && norm(v) <= farthest ? std::optional(v) : std::nullopt;
 }
 
+/// What is written where there was no compensation, or where nobody says whether there was one.
+constexpr std::string_view no_compensation[] = {"none",         "no",
+                                                "off",          "not used",
+                                                "not active",   "inactive",
+                                                "disabled",     "switched off",
+                                                "without",      "n/a",
+                                                "na",           "unknown",
+                                                "not known",    "not stated",
+                                                "tbd",          "keine",
+                                                "kein",         "nein",
+                                                "aus",          "inaktiv",
+                                                "nicht aktiv",  "ausgeschaltet",
+                                                "abgeschaltet", "ohne",
+                                                "unbekannt",    "nicht angegeben",
+                                                "aucune",       "aucun",
+                                                "non",          "sans",
+                                                "désactivée",   "inconnue",
+                                                "non indiqué"};
+
+bool has_letter_or_digit(std::string_view text) {
+  return std::ranges::any_of(
+      text, [](unsigned char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+}
+
 }  // namespace
+
+bool may_be_compensated(const Axis& axis) {
+  if (!axis.compensation_points.empty()) return true;
+  const std::string_view word = text::trim(axis.compensation);
+  return has_letter_or_digit(word) && !text::is_one_of(word, no_compensation);
+}
 
 std::optional<SpatialLine> spatial_line(const Axis& axis) {
   const auto origin = vector_of(axis.line_origin_mm), direction = vector_of(axis.line_direction);

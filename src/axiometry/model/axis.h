@@ -72,6 +72,10 @@ struct Axis {
   std::vector<double> line_direction;  ///< of the same: where position grows, as given
 };
 
+/// Whether a control may have corrected the axis while it was measured, as `compensation` and its sampling points tell:
+/// not where nothing is stated, nor where it is stated that there was none ("none", "not used", "keine", "aucune").
+bool may_be_compensated(const Axis& axis);
+
 /// A straight line in space that the linear axes X, Y, Z drive together, or one of them alone at a known place: at
 /// position P they stand at origin_mm + P·direction.
 struct SpatialLine {

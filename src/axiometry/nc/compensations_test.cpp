@@ -353,9 +353,7 @@ TEST(Compensations, TablesOfAnotherAxisAreNotTakenForThis) {
     const std::string text = table_text_of(table, correction, options);
     options.axis = "Y";
     const bool names_axis = text.find(options.kind == AxisKind::linear ? "X" : "A ") != std::string::npos;
-    if (table.id == "pmac" || table.id == "haas" || table.id == "fagor" || table.id == "acs" ||
-        table.id == "twincat-ptp" || table.id.starts_with("fanuc") || !names_axis)
-      return;  // by number, or in a comment alone
+    if (table.id == "pmac" || table.id == "haas" || !names_axis) return;  // by number, or by hand alone
     EXPECT_FALSE(table.read(text, options)) << text;
   });
 }

@@ -14,6 +14,12 @@
 #include "axiometry/nc/safe_text.h"
 
 namespace axiometry::nc {
+namespace {
+
+constexpr int count_decimals = 6;
+constexpr double last_digit_of_count = 0.6e-6;  // half of it, and what doubles round
+
+}  // namespace
 
 std::string fixed_number(double x, int decimals) {
   std::string text = fmt::format("{:.{}f}", x, decimals);
@@ -137,6 +143,29 @@ Result<void> check_axis_word(const AxisTableOptions& options, std::string_view b
   if (!axis.empty() && axis.size() <= 32 && axis.find_first_not_of(allowed) == std::string_view::npos) return {};
   return fail(
       fmt::format("found the axis {}, expected its name in the control: letters and digits", text::quoted(axis)));
+}
+
+Result<void> check_axis_named(std::string_view found, const AxisTableOptions& options, const TableLine& line) {
+  if (text::equal_ignoring_case(found, options.axis)) return {};
+  return fail(fmt::format("found the axis {}, expected {} alone", text::quoted(found), text::quoted(options.axis)),
+              {line.number, 0});
+}
+
+std::string count_text(const AxisTableOptions& options) {
+  return fmt::format("{} {}", trimmed_fixed(options.resolution, count_decimals), deviation_unit_key(options.kind));
+}
+
+Result<void> check_count_text(std::string_view said, const AxisTableOptions& options, const TableLine& line) {
+  const std::vector<std::string_view> words = text::words(said);
+  const auto count = words.size() == 2 ? parse_number(words[0]) : std::nullopt;
+  const bool is_linear = words.size() == 2 && words[1] == deviation_unit_key(AxisKind::linear);
+  if (!count || (!is_linear && words[1] != deviation_unit_key(AxisKind::rotary)))
+    return refused(line, "what one count is: a number and um or arcsec");
+  const AxisKind kind = is_linear ? AxisKind::linear : AxisKind::rotary;
+  if (kind == options.kind && std::abs(*count - options.resolution) <= last_digit_of_count) return {};
+  return fail(fmt::format("found a table in counts of {} {}, expected {} {} (--resolution)", format_rounded(*count, 6),
+                          deviation_unit(kind), format_rounded(options.resolution, 6), deviation_unit(options.kind)),
+              {line.number, 0});
 }
 
 bool is_whole_turn(const AxisCorrection& correction) {

@@ -97,7 +97,8 @@ RichText sentence(std::string_view message) {
   std::string text(message);
   const bool ends = text.ends_with('.') || text.ends_with('?') || text.ends_with('!');
   if (!text.empty() && !ends) text += '.';
-  const bool word = text.size() > 1 && text[0] >= 'a' && text[0] <= 'z' && text[1] >= 'a' && text[1] <= 'z';
+  const auto small = [&](std::size_t k) { return k < text.size() && text[k] >= 'a' && text[k] <= 'z'; };
+  const bool word = (small(0) && small(1)) || (text.starts_with("a ") && small(2) && small(3));  // "a gain", no symbol
   if (word) text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return prose(text);
 }

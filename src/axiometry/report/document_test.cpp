@@ -61,6 +61,8 @@ TEST(Sentence, BeginsLargeAndEndsWithAStop) {
   EXPECT_EQ(plain_text(sentence("found 4 runs, expected 5")), "Found 4 runs, expected 5.");
   EXPECT_EQ(plain_text(sentence("Already one.")), "Already one.");
   EXPECT_EQ(plain_text(sentence("s is too small")), "s is too small.");
+  EXPECT_EQ(plain_text(sentence("a gain of 1.1 of the sensor")), "A gain of 1.1 of the sensor.");
+  EXPECT_EQ(plain_text(sentence("a = 3")), "a = 3.");
   EXPECT_EQ(plain_text(sentence("")), "");
 }
 

@@ -13,7 +13,7 @@ const t = texts({
 /** With a capital letter and a full stop, unless it begins with a symbol ("s_i") or ends already. */
 export function sentence(message: string): string {
   const begins_with_key = /^\p{Ll}[^\s]*[._]\S/u.test(message);
-  const begun = !begins_with_key && /^(\p{Ll}{2}|\p{Ll}’|à )/u.test(message) ? message.charAt(0).toUpperCase() + message.slice(1) : message;
+  const begun = !begins_with_key && /^(\p{Ll}{2}|\p{Ll}’|à |a \p{Ll}{2})/u.test(message) ? message.charAt(0).toUpperCase() + message.slice(1) : message;
   return /[.?!]$/.test(begun) ? begun : `${begun}.`;
 }
 

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "axiometry/app/compensate/control_findings.h"
 #include "axiometry/app/compensate/existing_table.h"
+#include "axiometry/app/compensate/measured_state.h"
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/iso_date.h"
@@ -129,21 +131,49 @@ void add_doubts_of_retest(const Metadata& before, const Metadata& after, std::ve
                                     then, first)});
 }
 
-Result<Retest> retest_of(NamedTest again, const Test& before, const AxisCorrection& applied, const Setting& s,
+/// What lies above 95 % of the re-tests that were to be expected.
+void add_exceeded(const Evaluation& retest, const compensation::ExpectedRetest& expected, AxisKind kind,
+                  std::vector<NamedFinding>& findings) {
+  constexpr double room = 1.2;  // so that one re-test in twenty is not called wrong
+  for (const auto member : {&iso230_2::AxisParameters::E, &iso230_2::AxisParameters::B}) {
+    const auto &found = retest.parameters.*member, &most = expected.percent_95.*member;
+    if (!found || !most || found->in_native() <= room * most->in_native()) continue;
+    findings.push_back(
+        {"retest-above-expected", true,
+         fmt::format("the re-test shows {} of {:.2f} {}, where 95 % of re-tests would show less than {:.2f} "
+                     "{}: the axis, the set-up or the table is not what it was taken for",
+                     member == &iso230_2::AxisParameters::E ? "E" : "B", found->in_native(), deviation_unit(kind),
+                     most->in_native(), deviation_unit(kind))});
+  }
+}
+
+/// What is known of the table before its re-test is looked at.
+struct Foretold {
+  const AxisCorrection& applied;
+  const std::optional<compensation::ExpectedRetest>& expected;
+};
+
+Result<Retest> retest_of(NamedTest again, const Test& before, const Foretold& foretold, const Setting& s,
                          std::vector<NamedFinding>& findings) {
   Test& test = again.test;
   if (test.metadata.axis.kind != before.metadata.axis.kind)
     return std::unexpected(in_file(Error{"found a re-test of another kind of axis", {}, {}}, again.name));
+  AXIOMETRY_TRY_VOID(in_file(check_not_itself(before, test), again.name));
   const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
-  const auto effect = compensation::effect_of_table(before.series, test.series, applied, removed, same_target_native);
+  Evaluation evaluation = iso230_2::evaluate(test.series);
+  std::vector<NamedFinding> exceeded;
+  if (foretold.expected) add_exceeded(evaluation, *foretold.expected, s.options.kind, exceeded);
+  const auto effect =
+      compensation::effect_of_table(before.series, test.series, foretold.applied, removed, same_target_native);
   if (effect)
-    findings.push_back(compensation::finding_of_retest(*effect, s.control.uses.turned_sign));
+    findings.push_back(compensation::finding_of_retest(*effect, {s.control.uses.turned_sign, !exceeded.empty()}));
   else
     findings.push_back({"retest-other-targets", true,
                         "the re-test has fewer than three targets in common with the test: it cannot be held against "
                         "the prediction"});
   add_doubts_of_retest(before.metadata, test.metadata, findings);
-  Evaluation evaluation = iso230_2::evaluate(test.series);
+  std::ranges::move(findings_of_retest_state(test), std::back_inserter(findings));
+  std::ranges::move(exceeded, std::back_inserter(findings));
   return Retest{std::move(test), std::move(evaluation), effect};
 }
 
@@ -172,22 +202,6 @@ Result<void> check_worth_it(const Evaluation& before, const std::optional<compen
   return fail(fmt::format(
       "found that a re-test would show E of {:.2f} {} (median) where the axis has {:.2f} {}: {}; no table is written",
       E_after->in_native(), unit, E_before->in_native(), unit, why_not_better(before, scatter, s)));
-}
-
-/// What lies above 95 % of the re-tests that were to be expected.
-void add_exceeded(const Evaluation& retest, const compensation::ExpectedRetest& expected, AxisKind kind,
-                  std::vector<NamedFinding>& findings) {
-  constexpr double room = 1.2;  // so that one re-test in twenty is not called wrong
-  for (const auto member : {&iso230_2::AxisParameters::E, &iso230_2::AxisParameters::B}) {
-    const auto &found = retest.parameters.*member, &most = expected.percent_95.*member;
-    if (!found || !most || found->in_native() <= room * most->in_native()) continue;
-    findings.push_back(
-        {"retest-above-expected", true,
-         fmt::format("the re-test shows {} of {:.2f} {}, where 95 % of re-tests would show less than {:.2f} "
-                     "{}: the axis, the set-up or the table is not what it was taken for",
-                     member == &iso230_2::AxisParameters::E ? "E" : "B", found->in_native(), deviation_unit(kind),
-                     most->in_native(), deviation_unit(kind))});
-  }
 }
 
 struct Within {
@@ -241,6 +255,9 @@ Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable
   AXIOMETRY_TRY(AxisCorrection read, in_file(nc::read_table(s.control, existing->text, options), existing->name));
   if (!in_inch && s.control.uses.inch)
     AXIOMETRY_TRY_VOID(in_file(check_unit_of_length(read, s.series, s.options.in_inch), existing->name));
+  if (s.control.limits.origin == nc::TableOrigin::on_grid) {
+    AXIOMETRY_TRY(read, without_lead_to(s.options.reference, std::move(read), s.series));
+  }
   if (s.control.backlash.empty()) return std::optional(std::move(read));
   AXIOMETRY_TRY(read, without_number_beside(read));
   return std::optional(std::move(read));
@@ -248,8 +265,9 @@ Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable
 
 /// What must be done beside the table, or is known of it beside its numbers.
 void add_findings_of_control(const Setting& s, const AxisCorrection& applied, std::vector<NamedFinding>& findings) {
-  std::ranges::move(findings_of_control(s.control, s.options, applied, s.request.resolution_said),
-                    std::back_inserter(findings));
+  std::ranges::move(
+      findings_of_control(s.control, s.options, applied, {s.request.resolution_said, s.existing.has_value()}),
+      std::back_inserter(findings));
   const bool has_positions = s.control.limits.points == 0 || s.control.limits.points > 2;
   if (s.existing && has_positions)
     if (auto cut = finding_of_cut_table(*s.existing, s.nodes)) findings.push_back(*std::move(cut));
@@ -295,6 +313,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
   const std::string& name = axis.measured.name;
   Test& test = axis.measured.test;
+  AXIOMETRY_TRY_VOID(in_file(check_measures_axis(test), name));
   AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), name));
 
   if (control->limits.cross_only)
@@ -325,7 +344,9 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(std::string text, in_file(nc::write_table(*control, fit.correction, s.options), name));
   AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), name));
 
-  std::vector<NamedFinding> findings = compensation::findings_of_readings(test.series, s.options.kind, s.curves);
+  std::vector<NamedFinding> findings = findings_of_state(test, s.existing.has_value());
+  std::ranges::move(compensation::findings_of_readings(test.series, s.options.kind, s.curves),
+                    std::back_inserter(findings));
   std::ranges::move(compensation::findings_of_table(test.series, fit.correction), std::back_inserter(findings));
   if (periodic)
     std::ranges::move(compensation::findings_of_periodic(*periodic, request.periodic, s.nodes, s.options.kind),
@@ -342,8 +363,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
                 in_file(compensation::compensated_positions(test, {applied, fit.correction, removed}), name));
   std::optional<Retest> retest;
   if (axis.retest) {
-    AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, applied, s, findings));
-    if (expected) add_exceeded(retest->evaluation, *expected, s.options.kind, findings);
+    AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, {applied, expected}, s, findings));
   }
   if (request.axis.empty() && test.metadata.axis.name.empty())
     findings.push_back(
@@ -362,7 +382,8 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
                          .predicted = iso230_2::evaluate(corrected),
                          .interpolated = interpolated.parameters,
                          .fitted = fitted.parameters,
-                         .scatter = iso230_2::evaluate(scatter).parameters,
+                         .scatter = compensation::tells_scatter(scatter) ? iso230_2::evaluate(scatter).parameters
+                                                                         : iso230_2::AxisParameters{},
                          .expected = expected,
                          .known = std::move(known),
                          .retest = std::move(retest),

@@ -93,19 +93,20 @@ struct CompensatedAxis {
   iso230_2::Evaluation before, predicted;
   iso230_2::AxisParameters interpolated;  ///< with nodes interpolated instead, unrounded
   iso230_2::AxisParameters fitted;        ///< with the nodes of the fit, unrounded
-  iso230_2::AxisParameters scatter;       ///< what no table removes
+  iso230_2::AxisParameters scatter;       ///< what no table removes; empty where nothing tells it
   std::optional<compensation::ExpectedRetest> expected;
   compensation::CompensatedPositions known;  ///< where the axis stands with the table, and to within what
   std::optional<Retest> retest;
   std::vector<NamedFinding> findings;
 };
 
-/// Fails as check_request() does; on a periodic part to leave without a period that anybody knows; on an existing table
-/// that fits the targets in the other unit of length alone, or goes beyond them where nobody says what to do there; on
-/// a series that no axis makes, on a table that the control would not take, and on a re-test of another kind of axis;
-/// where the control cannot hold the table; and where the table, read back by the control's own rule, would not reduce
-/// E and the root mean square of the mean deviations, of these readings, or E of the re-tests that are to be expected:
-/// nothing is written then; on inputs of the uncertainty as gum() does.
+/// Fails as check_request() does; on a test of a reversed sign or along a line of several axes; on a periodic part to
+/// leave without a period that anybody knows; on an existing table that fits the targets in the other unit of length
+/// alone, or goes beyond them where nobody says what to do there; on a series that no axis makes, on a table that the
+/// control would not take, and on a re-test of another kind of axis or that is the test itself; where the control
+/// cannot hold the table; and where the table, read back by the control's own rule, would not reduce E and the root
+/// mean square of the mean deviations, of these readings, or E of the re-tests that are to be expected: nothing is
+/// written then; on inputs of the uncertainty as gum() does.
 Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& request);
 
 /// Positions with what the control adds there in each direction: [{"position", "up", "down"}].

@@ -197,9 +197,9 @@ Experiment present(const CompensatedAxis& done, const report::Options& options, 
     retest.add("parameters", parameter_values(done.retest->evaluation.parameters));
     retest.add("means", means_to_json(done.retest->evaluation));
     if (const auto& effect = done.retest->effect) {
-      retest.add("share", effect->share);
-      retest.add("u", effect->u);
-      retest.add("explained", effect->explained);
+      retest.add("share", effect->whole.share);
+      retest.add("u", effect->whole.u);
+      retest.add("explained", effect->whole.explained);
       retest.add("compared", effect->compared);
     }
   }

@@ -70,6 +70,76 @@ TEST(Compensate, AnOlderTableIsReadInTheUnitThatIsSaid) {
   EXPECT_FALSE(with(old_inch->text, in_mm, {})) << "not even where its positions are not taken";
 }
 
+/// Every 50 mm over 500 mm.
+NamedTest evenly_measured(double slope, double bow) {
+  std::vector<double> targets;
+  ReadingRuns up(3), down(3);
+  for (int i = 0; i <= 10; ++i) {
+    const double p = 50.0 * i;
+    targets.push_back(p);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double x = slope * p + bow * std::sin(p / 80.0) + 0.05 * static_cast<double>((3 * i + 2 * j) % 5);
+      up[j].push_back(x);
+      down[j].push_back(x - 1.0);
+    }
+  }
+  axiometry::Test test{{}, testing_support::make_series(targets, up, down), {}};
+  test.metadata.axis.name = "X";
+  return {"x.csv", std::move(test)};
+}
+
+/// A control whose points lead on to its reference point reads its own table as it was asked for.
+TEST(Compensate, AnOlderTableLeadsOnToAReferenceBeyondItsTargets) {
+  for (const char* control : {"fanuc", "fanuc-bidirectional", "pmac"})
+    for (const double reference : {500.0, 600.0, 0.0, -100.0}) {
+      SCOPED_TRACE(std::string(control) + ' ' + std::to_string(reference));
+      CompensateRequest request{.control = control, .resolution_said = true};
+      request.table.reference = reference;
+      request.table.resolution = 0.1;
+      if (request.control != "pmac") request.table.largest = 127;
+      const auto first = compensate({evenly_measured(0.02, 3.0)}, request);
+      ASSERT_TRUE(first) << first.error().message;
+      const auto next = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.txt", first->text}}, request);
+      ASSERT_TRUE(next) << next.error().message;
+      EXPECT_EQ(next->existing->positions().front(), 0.0);
+      EXPECT_EQ(next->existing->positions().back(), 500.0);
+      EXPECT_FALSE(has_finding(*next, "compensation-existing-cut"));
+      EXPECT_FALSE(has_finding(*next, "compensation-ends-held"));
+    }
+}
+
+TEST(Compensate, ATableOfAnotherCountIsRefused) {
+  for (const char* control : {"fanuc", "pmac"}) {
+    CompensateRequest request{.control = control, .resolution_said = true};
+    request.table.resolution = 0.1;
+    if (request.control != "pmac") request.table.largest = 127;
+    const auto first = compensate({evenly_measured(0.02, 3.0)}, request);
+    ASSERT_TRUE(first) << first.error().message;
+    CompensateRequest forgotten{.control = control};
+    forgotten.table.largest = request.table.largest;
+    const auto next = compensate({evenly_measured(0.004, 0.0), NamedTable{"old.txt", first->text}}, forgotten);
+    ASSERT_FALSE(next) << control;
+    EXPECT_NE(next.error().message.find("--resolution"), std::string::npos) << next.error().message;
+    EXPECT_TRUE(language::is_known(next.error().message, language::Language::german)) << next.error().message;
+  }
+}
+
+TEST(Compensate, ACountThatNobodySaysIsSeriousWhereATableWasReadWithIt) {
+  CompensateRequest request{.control = "pmac"};
+  const auto first = compensate({evenly_measured(0.02, 3.0)}, request);
+  ASSERT_TRUE(first) << first.error().message;
+  const auto next = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.txt", first->text}}, request);
+  ASSERT_TRUE(next) << next.error().message;
+  const auto found = std::ranges::find(next->findings, "compensation-count-assumed", &NamedFinding::id);
+  ASSERT_NE(found, next->findings.end());
+  EXPECT_TRUE(found->serious);
+  EXPECT_TRUE(language::is_known(found->message, language::Language::german)) << found->message;
+  request.resolution_said = true;
+  const auto said = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.txt", first->text}}, request);
+  ASSERT_TRUE(said) << said.error().message;
+  EXPECT_FALSE(has_finding(*said, "compensation-count-assumed"));
+}
+
 TEST(Compensate, ALongTableIsNotTakenForOneInInches) {
   // 2 m of table, and a test of its first 480 mm: nothing speaks for another unit.
   const auto made = compensate({axis_of(0.02, 0, 2), NamedTable{"old.comp", "0 0 0\n2000 2000.01 2000.01\n"}},
@@ -221,6 +291,23 @@ TEST(Compensate, AReversalIsNotCalledScatter) {
   ASSERT_FALSE(scatter);
   EXPECT_NE(scatter.error().message.find("what scatter makes of them"), std::string::npos) << scatter.error().message;
   EXPECT_EQ(scatter.error().message.find("reversal"), std::string::npos) << scatter.error().message;
+}
+
+TEST(Compensate, ScatterOfSingleApproachesIsNotKnown) {
+  const auto once = [](std::size_t runs) {
+    const ReadingRuns all{{0, 4, 8, 12, 16}, {0.1, 4, 8.2, 12, 16.1}};
+    const ReadingRuns some(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(runs));
+    const auto made =
+        compensate({{"x.csv", {{}, testing_support::make_series({0, 110, 190, 310, 400}, some, some), {}}}},
+                   {.control = "linuxcnc", .axis = "X"});
+    EXPECT_TRUE(made) << made.error().message;
+    return made ? present(*made, {}).json : json::Value();
+  };
+  const json::Value single = once(1), twice = once(2);
+  ASSERT_NE(single.find("scatter"), nullptr);
+  EXPECT_TRUE(single.find("scatter")->find("E")->is(json::Kind::null));
+  EXPECT_TRUE(single.find("predicted")->find("E")->is(json::Kind::number));
+  EXPECT_TRUE(twice.find("scatter")->find("E")->is(json::Kind::number));
 }
 
 TEST(Compensate, AFormatOfOneUnitAsksForNoOther) {

@@ -10,7 +10,7 @@ namespace {
 
 /// Of a control that counts: without the size of a count the numbers of its table are worth nothing, and the usual one
 /// of a linear axis in mm, 1 µm, is that of no control in degrees or inches.
-NamedFinding finding_of_count(const nc::AxisTableOptions& options) {
+NamedFinding finding_of_count(const nc::AxisTableOptions& options, bool was_read) {
   constexpr std::string_view wrong = "where it is another amount, all that the table does is wrong in that proportion";
   if (options.kind == AxisKind::rotary)
     return {"compensation-count-assumed", true,
@@ -22,6 +22,11 @@ NamedFinding finding_of_count(const nc::AxisTableOptions& options) {
             fmt::format("one count of the control is taken for 1 µm (--resolution), and many controls in inches count "
                         "in 0.0001 inch (2.54 µm): {}",
                         wrong)};
+  if (was_read)
+    return {
+        "compensation-count-assumed", true,
+        fmt::format("one count of the control is taken for 1 µm (--resolution), in the table that was active too: {}",
+                    wrong)};
   return {"compensation-count-assumed", false,
           fmt::format("one count of the control is taken for 1 µm (--resolution): {}", wrong)};
 }
@@ -29,10 +34,10 @@ NamedFinding finding_of_count(const nc::AxisTableOptions& options) {
 }  // namespace
 
 std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, const nc::AxisTableOptions& options,
-                                              const AxisCorrection& applied, bool count_said) {
+                                              const AxisCorrection& applied, const CountStanding& count) {
   std::vector<NamedFinding> findings;
-  if (control.uses.resolution && !count_said && options.resolution == nc::AxisTableOptions{}.resolution)
-    findings.push_back(finding_of_count(options));
+  if (control.uses.resolution && !count.said && options.resolution == nc::AxisTableOptions{}.resolution)
+    findings.push_back(finding_of_count(options, count.was_read));
   if (options.turned_sign)
     findings.push_back({"compensation-sign-turned", false,
                         fmt::format("the sign is turned against what was inferred of {}: only a re-test tells whether "

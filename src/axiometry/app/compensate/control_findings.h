@@ -10,8 +10,13 @@
 /// What must be done at the control beside loading a table, and what of it only a re-test tells.
 namespace axiometry::app {
 
-/// `count_said`: somebody stated what one count of the control is, so that the usual one is not assumed.
+/// Of what one count of the control is.
+struct CountStanding {
+  bool said = false;      ///< somebody stated it, so that the usual one is not assumed
+  bool was_read = false;  ///< a table that was active was read with it
+};
+
 std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, const nc::AxisTableOptions& options,
-                                              const AxisCorrection& applied, bool count_said);
+                                              const AxisCorrection& applied, const CountStanding& count);
 
 }  // namespace axiometry::app

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 #include "axiometry/base/rounded_text.h"
 #include "axiometry/nc/numbers.h"
@@ -47,6 +49,31 @@ Result<void> check_unit_of_length(const AxisCorrection& existing, const Series& 
                   "as the table to make, or --existing-unit that says what it is in",
                   format_rounded(as_read.low), format_rounded(as_read.high), format_rounded(targets.low),
                   format_rounded(targets.high), in_inch ? "mm" : "inches", in_inch ? "inches" : "mm"));
+}
+
+Result<AxisCorrection> without_lead_to(double reference, AxisCorrection existing, const Series& series) {
+  const std::vector<double>& positions = existing.positions();
+  const Stretch targets = stretch_of(series), table = stretch_of(positions);
+  const bool turns = existing.kind() == AxisKind::rotary && table.high - table.low > 360.0 - beside;
+  if (positions.size() < 2 || turns) return existing;
+  const double step = positions[1] - positions[0];
+  const auto is_alike = [&](std::size_t a, std::size_t b) {
+    return existing.values(Direction::up)[a] == existing.values(Direction::up)[b] &&
+           existing.values(Direction::down)[a] == existing.values(Direction::down)[b];
+  };
+  std::size_t first = 0, last = positions.size() - 1;
+  while (last > first + 1 && positions[last] > targets.high + beside && positions[last] <= reference + step + beside &&
+         is_alike(last, last - 1))
+    --last;
+  while (first + 1 < last && positions[first] < targets.low - beside && positions[first] >= reference - beside &&
+         is_alike(first, first + 1))
+    ++first;
+  const auto part = [&](const std::vector<double>& all) {
+    return std::vector(all.begin() + static_cast<std::ptrdiff_t>(first),
+                       all.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  };
+  return AxisCorrection::make(existing.kind(), part(positions), part(existing.values(Direction::up)),
+                              part(existing.values(Direction::down)));
 }
 
 Result<void> check_within_targets(const AxisCorrection& existing, const Series& series) {

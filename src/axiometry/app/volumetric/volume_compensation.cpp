@@ -157,7 +157,7 @@ std::vector<NamedFinding> findings_of(const VolumeCompensation& made, const std:
          fmt::format("the line through the middle becomes better, and the volume not: 95 % of the tool point's errors "
                      "lie below {:.2f} µm with this table alone, {:.2f} µm without",
                      made.effect.after.percent_95, made.effect.before.percent_95)});
-  std::ranges::move(findings_of_control(*made.control, made.options, made.applied, count_said),
+  std::ranges::move(findings_of_control(*made.control, made.options, made.applied, {.said = count_said}),
                     std::back_inserter(findings));
   return findings;
 }

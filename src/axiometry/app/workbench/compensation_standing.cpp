@@ -63,7 +63,8 @@ std::vector<NamedFinding> findings_since(const TestOfCompensation& test,
 
 std::vector<KeptFinding> counting_findings(const json::Value& result, bool retest_counts) {
   std::vector<KeptFinding> findings = kept_findings(result);
-  // Every finding of a re-test is called so: compensation/suspicions.cpp, app/compensate/compensate.cpp.
+  // Every finding of a re-test is called so: compensation/suspicions.cpp, compensate.cpp and
+  // measured_state.cpp of app/compensate.
   if (!retest_counts) std::erase_if(findings, [](const KeptFinding& f) { return f.id.starts_with("retest-"); });
   return findings;
 }

@@ -23,6 +23,7 @@ extern const AxisTable acs_axis_table;
 namespace acs {
 namespace {
 
+constexpr std::string_view before_axis = "Comp";  // of the array's name
 constexpr std::string_view sign = "A positive number moves the axis in the positive direction: it is added.";
 
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
@@ -32,7 +33,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   const auto step = common_step(positions);
   AXIOMETRY_CONTRACT(step);  // check_limits()
   const double unit = position_per_unit(options);
-  const std::string name = "Comp" + options.axis;
+  const std::string name = std::string(before_axis) + options.axis;
   std::string text = comment_lines("!", sign);
   fmt::format_to(std::back_inserter(text), "GLOBAL REAL {}({})\n", name, positions.size());
   for (std::size_t k = 0; k < positions.size(); ++k)
@@ -77,6 +78,8 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, Progra
                           : whole_number(declared.substr(bracket + 1, declared.size() - bracket - 2));
     if (!size || *size < 2 || !program.name.empty()) return refused(line, "GLOBAL REAL NAME(SIZE), once");
     program.name = text::trim(declared.substr(0, bracket));
+    if (program.name.starts_with(before_axis) && program.name != before_axis)
+      AXIOMETRY_TRY_VOID(check_axis_named(program.name.substr(before_axis.size()), options, line));
     program.size = *size;
     return {};
   }

@@ -102,10 +102,9 @@ Result<std::string> write(const AxisCorrection& given, const AxisTableOptions& o
                                     options.resolution * static_cast<double>(reversal), last + 1, options));
   fmt::format_to(
       std::back_inserter(text),
-      "%\n({} : NOT READ BY THE CONTROL, TO BE SET BY HAND)\n(DETECTION UNIT {} {})\n3605#0 = {}\n3620 = {}\n"
-      "3621 = {}\n3622 = {}\n3623 = {}\n3624 = {}\n",
-      options.axis, trimmed_fixed(options.resolution, 6), deviation_unit_key(options.kind), each_way ? 1 : 0, reference,
-      first, last, options.magnification, trimmed_fixed(*step, 6));
+      "%\n({}{}, TO BE SET BY HAND)\n{}{})\n3605#0 = {}\n3620 = {}\n3621 = {}\n3622 = {}\n3623 = {}\n3624 = {}\n",
+      options.axis, behind_axis, before_count, count_text(options), each_way ? 1 : 0, reference, first, last,
+      options.magnification, trimmed_fixed(*step, 6));
   if (turns) text += "3625 = 360.0\n";
   if (each_way) fmt::format_to(std::back_inserter(text), "3626 = {}\n3627 = {}\n", last + 1, reversal);
   for (const std::string_view line : {sign, std::string_view("3624 is in mm or degrees. Choose the numbers so that no "

@@ -13,6 +13,10 @@ inline constexpr unsigned largest_increment = 7;  ///< of the older controls
 inline constexpr unsigned largest_of_any = 127;   ///< one signed byte
 inline constexpr long long number_most = 9999;
 
+// What the comments behind the points begin with: "(X : NOT READ …", "(DETECTION UNIT 0.1 um)".
+inline constexpr std::string_view behind_axis = " : NOT READ BY THE CONTROL";
+inline constexpr std::string_view before_count = "(DETECTION UNIT ";
+
 inline constexpr std::string_view sign =
     "A positive number moves the axis in the positive direction, on its way from the point before to its own.";
 inline constexpr std::string_view loading =

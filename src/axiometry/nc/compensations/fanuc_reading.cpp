@@ -47,8 +47,18 @@ Result<void> take_point(const TableLine& line, Tape& tape) {
   return {};
 }
 
-Result<void> take_parameter(const TableLine& line, Tape& tape) {
-  if (line.text.starts_with('(')) return {};
+/// Of what a comment says is held against the options what they say too: the axis, and what one count is.
+Result<void> check_comment(const TableLine& line, const AxisTableOptions& options) {
+  if (const std::size_t behind = line.text.find(behind_axis); behind != std::string_view::npos)
+    return check_axis_named(text::trim(line.text.substr(1, behind - 1)), options, line);
+  if (!line.text.starts_with(before_count)) return {};
+  std::string_view count = line.text.substr(before_count.size());
+  if (count.ends_with(')')) count.remove_suffix(1);
+  return check_count_text(count, options, line);
+}
+
+Result<void> take_parameter(const TableLine& line, const AxisTableOptions& options, Tape& tape) {
+  if (line.text.starts_with('(')) return check_comment(line, options);
   constexpr std::string_view expected = "PARAMETER = NUMBER, or a comment in brackets";
   const auto a = assignment_of(line.text);
   const auto number = a ? whole_number(a->name.substr(0, a->name.find("#0"))) : std::nullopt;
@@ -59,7 +69,7 @@ Result<void> take_parameter(const TableLine& line, Tape& tape) {
   return {};
 }
 
-Result<Tape> tape_of(std::string_view text) {
+Result<Tape> tape_of(std::string_view text, const AxisTableOptions& options) {
   Tape tape;
   int percents = 0;
   for (TableLine line : lines_of(text)) {
@@ -70,7 +80,7 @@ Result<Tape> tape_of(std::string_view text) {
     else if (percents == 1)
       AXIOMETRY_TRY_VOID(take_point(line, tape));
     else if (percents == 2)
-      AXIOMETRY_TRY_VOID(take_parameter(line, tape));
+      AXIOMETRY_TRY_VOID(take_parameter(line, options, tape));
     else
       return refused(line, "% before and behind the points");
     if (percents > 2) return refused(line, "% before and behind the points, no more");
@@ -140,7 +150,7 @@ Result<std::vector<double>> summed(const Tape& tape, const Frame& f, long long f
 }  // namespace
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options, bool each_way) {
-  AXIOMETRY_TRY(const Tape tape, tape_of(text));
+  AXIOMETRY_TRY(const Tape tape, tape_of(text, options));
   AXIOMETRY_TRY(const Frame f, frame_of(tape, options, each_way));
   AXIOMETRY_TRY(std::vector<double> up, summed(tape, f, f.first));
   std::vector<double> down = up;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double per_count = 16.0;
 constexpr long long entry_most = 8'388'607;  // 24 bits
-constexpr std::string_view range_mark = "; range ";
+constexpr std::string_view range_mark = "; range ", count_mark = "; one count = ";
 
 /// Where the table stands, from the first position to the last, home among them.
 struct Span {
@@ -102,9 +102,9 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
         "found a curve for each direction, expected one for both (--curves both-ways): BLCOMP moves its own motor "
         "alone");
   std::string text = comment_lines(";", pmac_axis_table.sign);
-  fmt::format_to(std::back_inserter(text), "{}{} to {}\n#{} DEFINE COMP {},{}{}\n", range_mark,
-                 trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), motors.target, span.entries,
-                 motors.of_table(), span.length_counts);
+  fmt::format_to(std::back_inserter(text), "{}{} to {}\n{}{}\n#{} DEFINE COMP {},{}{}\n", range_mark,
+                 trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), count_mark, count_text(options),
+                 motors.target, span.entries, motors.of_table(), span.length_counts);
   AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) { return correction.at(x, Direction::up); }));
   if (!correction.same_both_ways()) {
     fmt::format_to(std::back_inserter(text), "#{} DEFINE BLCOMP {},{}\n", motors.target, span.entries,
@@ -146,7 +146,8 @@ struct Program {
   bool is_on = false;
 };
 
-Result<void> take(TableLine line, const Motors& motors, Program& program) {
+Result<void> take(TableLine line, const AxisTableOptions& options, const Motors& motors, Program& program) {
+  if (line.text.starts_with(count_mark)) return check_count_text(line.text.substr(count_mark.size()), options, line);
   if (line.text.starts_with(range_mark) && !program.range) {
     const auto words = text::words(line.text.substr(range_mark.size()));
     const auto low = words.size() == 3 ? parse_number(words[0]) : std::nullopt;
@@ -184,10 +185,23 @@ double rolled(const Buffer& buffer, long long steps) {
   return static_cast<double>(buffer.values[static_cast<std::size_t>(place)]);
 }
 
+/// Every entry but the one that leads back to the first lies within the range; of a whole turn that one does too. A
+/// count of another size than was written makes another number of them.
+Result<void> check_range(double range, double step, const Buffer& buffer, AxisKind kind) {
+  const double steps = range / step, slack = 0.05 + steps / static_cast<double>(buffer.length_counts);
+  const auto entries = static_cast<double>(buffer.entries);
+  if (std::abs(steps - (entries - 1.0)) <= slack) return {};
+  if (kind == AxisKind::rotary && std::abs(steps - entries) <= slack) return {};
+  return fail(
+      fmt::format("found a range of {} steps in a table of {} entries, expected {}: is one count another amount "
+                  "(--resolution)?",
+                  format_rounded(steps, 3), buffer.entries, buffer.entries - 1));
+}
+
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
   Program program;
   AXIOMETRY_TRY(const Motors motors, motors_of(options));
-  for (const TableLine& line : lines_of(text)) AXIOMETRY_TRY_VOID(take(line, motors, program));
+  for (const TableLine& line : lines_of(text)) AXIOMETRY_TRY_VOID(take(line, options, motors, program));
   if (program.buffers.empty() || !program.is_on) return fail("found no table with I51=1 behind it, expected both");
   const Buffer& comp = program.buffers.front();
   for (const Buffer& buffer : program.buffers)
@@ -203,6 +217,7 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
   if (high - low > length * (1.0 + 1e-6) + 1e-6)
     return fail(fmt::format("found a range of {}, expected at most the length of the table, {}",
                             format_rounded(high - low), format_rounded(length)));
+  if (program.range) AXIOMETRY_TRY_VOID(check_range(high - low, step, comp, options.kind));
   std::vector<double> up, down;
   const long long first = std::llround((low - options.reference) / step),
                   last = std::llround((high - options.reference) / step);

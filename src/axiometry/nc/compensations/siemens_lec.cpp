@@ -55,10 +55,7 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, Found&
   const auto assignment = assignment_of(line.text);
   const auto value = assignment ? parse_number(assignment->value) : std::nullopt;
   if (!value || assignment->indices.size() < 2) return refused(line, expected);
-  if (!text::equal_ignoring_case(assignment->indices.back(), options.axis))
-    return fail(fmt::format("found the axis {}, expected {} alone", text::quoted(assignment->indices.back()),
-                            text::quoted(options.axis)),
-                {line.number, 0});
+  AXIOMETRY_TRY_VOID(check_axis_named(assignment->indices.back(), options, line));
   if (whole_number(assignment->indices[0]) != static_cast<long long>(options.number))
     return fail(
         fmt::format("found the encoder {}, expected {} alone", text::quoted(assignment->indices[0]), options.number),

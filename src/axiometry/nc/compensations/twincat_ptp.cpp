@@ -19,6 +19,7 @@ extern const AxisTable twincat_ptp_axis_table;
 namespace twincat_ptp {
 namespace {
 
+constexpr std::string_view behind_axis = "_Compensation";  // of the array's name
 constexpr std::string_view sign = "A positive number moves the axis in the positive direction: it is added.";
 
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {
@@ -26,8 +27,8 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY_VOID(check_axis_word(options));
   const std::size_t last = correction.positions().size() - 1;
   std::string text = comment_lines("//", sign);
-  fmt::format_to(std::back_inserter(text),
-                 "{}_Compensation : ARRAY[0..{}] OF ST_PositionCompensationTableElement := [\n", options.axis, last);
+  fmt::format_to(std::back_inserter(text), "{}{} : ARRAY[0..{}] OF ST_PositionCompensationTableElement := [\n",
+                 options.axis, behind_axis, last);
   for (std::size_t k = 0; k <= last; ++k)
     fmt::format_to(
         std::back_inserter(text), "  (Position := {}, Compensation := {}){}\n",
@@ -86,6 +87,11 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
     if (!stated) {
       stated = last_index(line.text);
       if (!stated) return refused(line, "NAME : ARRAY[0..N] OF ST_PositionCompensationTableElement := [");
+      std::string_view name = text::trim(line.text.substr(0, line.text.find(':')));
+      if (name.ends_with(behind_axis) && name != behind_axis) {
+        name.remove_suffix(behind_axis.size());
+        AXIOMETRY_TRY_VOID(check_axis_named(name, options, line));
+      }
       continue;
     }
     const auto element = is_closed ? std::nullopt : element_of(line.text);

@@ -133,8 +133,7 @@ void add_targets(Against& against, const Case& c) {
   add_unexplained(against, rules::targets_within_axis_travel(c));
   add_unexplained(against, rules::equally_spaced_targets(c));
   if (!random_part_may_be_large(c)) add_unexplained(against, rules::gap_between_targets(c));
-  const bool unknown_points =
-      !axis.compensation.empty() && compensates(axis.compensation) && axis.compensation_points.empty();
+  const bool unknown_points = may_be_compensated(axis) && axis.compensation_points.empty();
   if (unknown_points && rules::may_serve_acceptance(c.metadata.conditions.purpose))
     against.push_back(rules::missing("sampling-points-not-stated", "5.2",
                                      "sampling points of the compensation are not stated, so that nobody can tell "

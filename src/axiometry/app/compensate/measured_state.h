@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/model/named_finding.h"
+#include "axiometry/model/test.h"
+
+/// What a test says of itself that speaks against a table of its readings: a table corrects whatever is in them, be it
+/// of the axis or not.
+namespace axiometry::app {
+
+/// Fails where the instrument's sign is said to be reversed and was not corrected, so that a table would double the
+/// error; and on a line in space that is not along one axis, which no table of an axis corrects.
+Result<void> check_measures_axis(const Test& test);
+
+/// Of the test a table is made of, each serious: effects on the readings that the metadata tell of and nothing was done
+/// about (uncorrected_effects.h); a compensation that was active, and no table to count from (`table_given`).
+std::vector<NamedFinding> findings_of_state(const Test& test, bool table_given);
+
+/// Of its re-test: such effects alone.
+std::vector<NamedFinding> findings_of_retest_state(const Test& retest);
+
+/// Fails where both are one file with the same readings: it proves nothing. Several tests of one file are none such.
+Result<void> check_not_itself(const Test& test, const Test& retest);
+
+}  // namespace axiometry::app
