@@ -94,6 +94,23 @@ TEST_F(TheWorkbench, MakesANewTestOfBytesItKnowsAndSaysSo) {
               ElementsAre(first, received->tests.front().id));
 }
 
+TEST_F(TheWorkbench, SaysWhatBecameOfTheMachineThatATestStates) {
+  const std::string readings = "target_mm,direction,run,deviation_um\n0,+,1,1\n0,-,1,1\n100,+,1,2\n100,-,1,2\n";
+  const auto remarks = [&](const std::string& head) {
+    const std::string bytes = head + readings;
+    const Upload upload{"mill.csv", bytes};
+    return workbench.receive(std::span(&upload, 1), me)->tests.front().remarks;
+  };
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n"), IsEmpty());
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 11\n"),
+              ElementsAre("machine 1 had no serial number and takes over '11', which this test states"));
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 22\n"), IsEmpty());
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n# axis.name: Y\n"),
+              ElementsAre("2 machines of the archive are called 'Mill 5', and no serial number in this test tells them "
+                          "apart: it is kept with a machine without a number"));
+  EXPECT_EQ(store.counts()->machines, 3);
+}
+
 TEST_F(TheWorkbench, SaysOfEachFileOfManyWhichTestsHaveItsBytes) {
   const auto known = keep(example_table2);
   const Upload uploads[] = {{"new.csv", two_tests}, {"known.json", example_table2}, {"new again.csv", two_tests}};

@@ -89,7 +89,8 @@ struct ReceivedTest {
   store::Id id = 0;
   std::string title;
   std::vector<store::Id>
-      same_content;  ///< tests of other files with the bytes of its file, of before or of this upload
+      same_content;                    ///< tests of other files with the bytes of its file, of before or of this upload
+  std::vector<std::string> remarks{};  ///< what became of the machine that it states
 };
 
 struct Received {
