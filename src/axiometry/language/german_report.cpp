@@ -233,6 +233,7 @@ constexpr Phrase rows[] = {
     {"{0#} from the file of the test", "{0} aus der Datei der Prüfung"},
     {"{0#} from the file of the test {1#}", "{0} aus der Datei der Prüfung {1}"},
     {"{0#} from the limits of the axis", "{0} aus den Grenzwerten der Achse"},
+    {"{0#} from the limits of the axis as of {1#}", "{0} aus den Grenzwerten der Achse mit Stand vom {1}"},
     {"{0#} from the tolerance table", "{0} aus der Toleranztabelle"},
     {"{0#} from the tolerance table {1#}", "{0} aus der Toleranztabelle {1}"},
     {"{0#} from {1#} to {2#}, listed in Table 2", "{0} von {1} bis {2}, aufgeführt in Tabelle 2"},

@@ -650,6 +650,8 @@ export interface components {
                 axis: components["schemas"]["Id"];
                 version: number;
                 limits: components["schemas"]["Limit"][];
+                /** @description Day of that version of the axis. */
+                set_on?: string;
             } | null;
         };
         /** @description What is left out is as usual. */

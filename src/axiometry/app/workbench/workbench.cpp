@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/workbench/axis_limits.h"
 #include "axiometry/app/workbench/machine_remarks.h"
 #include "axiometry/app/workbench/same_answer.h"
 #include "axiometry/app/workbench/test_of_file.h"
@@ -346,6 +347,7 @@ Result<KeptTest> Workbench::test(store::Id id, std::optional<int> version) const
   AXIOMETRY_TRY(Changes changes, kept_changes(found.record.state));
   Draft draft{std::move(changes), std::move(options.options)};
   AXIOMETRY_TRY(Outcome outcome, kept_outcome(*state_, found.record, draft, std::move(options.from_archive)));
+  outcome.result = with_finding(std::move(outcome.result), changed_limits(outcome.from_archive, found.axis));
   AXIOMETRY_TRY(const auto file, state_->file_of(found.record));
   return KeptTest{.record = std::move(found.record),
                   .size = file->size,

@@ -20,6 +20,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const store::By me{"A. Tester", "a test"};
 
@@ -475,6 +476,26 @@ TEST_F(TheWorkbench, AppliesTheLimitsOfTheAxisWhereTheTestStatesNone) {
   EXPECT_EQ(tolerances[0].find("replaced")->items().front().find("limit")->number(), 5.0);
   EXPECT_EQ(tolerances[1].find("parameter")->text(), "B");
   EXPECT_EQ(tolerances[1].find("source")->text(), "axis");
+}
+
+TEST_F(TheWorkbench, SaysThatAVersionWasJudgedWithLimitsThatTheAxisHasNoMore) {
+  const auto id = keep(example_table2);
+  const auto axis = store.get<store::Axis>(*workbench.test(id)->record.axis);
+  store::Axis limited = axis->value;
+  limited.limits = {{"A", 12.0}};
+  ASSERT_TRUE(store.change(axis->id, axis->version, limited, me));
+  const auto judged = workbench.revise(id, {.draft = {}, .base_version = 1, .title = ""}, me);
+  ASSERT_TRUE(judged) << judged.error().to_string();
+  EXPECT_EQ(judged->record.state.evaluation.verdict, "conforms");
+  const auto html = [&] { return workbench.report(id, 2, {.extension = "html"})->bytes; };
+  EXPECT_THAT(html(), HasSubstr("from the limits of the axis as of"));
+  EXPECT_THAT(html(), Not(HasSubstr("have changed since")));
+  limited.limits = {{"A", 5.0}};
+  ASSERT_TRUE(store.change(axis->id, axis->version + 1, limited, me));
+  EXPECT_THAT(html(), HasSubstr("have changed since this version was evaluated"));
+  EXPECT_THAT(workbench.report(id, 2, {.extension = "json"})->bytes, HasSubstr("axis-limits-changed"));
+  EXPECT_THAT(json::dump(workbench.test(id)->outcome.result), HasSubstr("A 12 → 5 µm"));
+  EXPECT_EQ(workbench.test(id)->outcome.result.find("verdict")->text(), "conforms") << "as it was kept";
 }
 
 TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {

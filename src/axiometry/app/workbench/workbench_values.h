@@ -49,7 +49,7 @@ struct Revision {
 
 /// One evaluation.
 struct Outcome {
-  json::Value result;                 ///< docs/results.md; of a version that is kept exactly what was kept
+  json::Value result;                 ///< docs/results.md; of a version what was kept, and what changed since
   Series readings;                    ///< that were evaluated
   std::optional<Series> as_measured;  ///< before corrections, where there were any
   FromArchive from_archive;           ///< inputs of instruments and limits of the axis that took part

@@ -40,7 +40,7 @@ struct Tolerance {
   const ParameterInfo* parameter = nullptr;
   Deviation limit;
   ToleranceSource source = ToleranceSource::user;
-  std::string origin{};                   ///< of a table: which one, for people; else empty
+  std::string origin{};  ///< of a table: which one, for people; of an axis in the archive: since which day; else empty
   std::vector<ReplacedLimit> replaced{};  ///< of the same parameter, in rising precedence
 };
 
