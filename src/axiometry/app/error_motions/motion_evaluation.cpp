@@ -76,14 +76,12 @@ Result<void> check_statements(const MeasuredMotion& measured, bool may_be_positi
                     format_exact(*instrument.gain)));
   if (instrument.sign_reversed == true)
     return fail(
-        "found instrument.sign_reversed: yes, which is not applied to straightness and angles; expected # positive: "
-        "-Y, "
-        "or the direction that holds, in its place");
+        "found instrument.sign_reversed: yes, which is not applied to straightness and angles; expected "
+        "# positive: -Y, or the direction that holds, in its place");
   if (may_be_positions && !measured.error && !measured.sense)
     return fail(
-        "found deviations of an error that nobody names, which may be those of positions; expected # error: EYX, "
-        "--error "
-        "EYX or the column straightness_um");
+        "found deviations of an error that nobody names, which may be those of positions; expected "
+        "# error: EYX, --error EYX or the column straightness_um");
   return {};
 }
 

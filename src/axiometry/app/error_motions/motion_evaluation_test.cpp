@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <variant>
+#include <vector>
+
 namespace axiometry::app {
 namespace {
 
@@ -69,6 +73,54 @@ TEST(MotionEvaluation, HasFilesOfOneMachine) {
   const auto measured = measure_angles(request);
   ASSERT_FALSE(measured);
   EXPECT_THAT(measured.error().message, HasSubstr("expected files of one"));
+}
+
+/// Cells of the first row whose first is `name`, in any table; empty without one.
+std::vector<std::string> row_of(const report::Document& document, std::string_view name) {
+  for (const report::Section& section : document.sections)
+    for (const report::Block& block : section.blocks)
+      if (const auto* table = std::get_if<report::Table>(&block))
+        for (const auto& row : table->rows)
+          if (report::plain_text(row.front().text) == name) {
+            std::vector<std::string> cells;
+            for (const report::TableCell& cell : row) cells.push_back(report::plain_text(cell.text));
+            return cells;
+          }
+  return {};
+}
+
+report::Document straight_document(const std::string& bytes) {
+  const auto measured = measure_straightness({.file = "/home/me/a.csv", .options = {}, .bytes = bytes});
+  if (!measured) throw std::logic_error(measured.error().message);
+  return present(*measured, {}, {.report = true, .json = false}).document;
+}
+
+TEST(MotionReport, SaysWhatItIsOf) {
+  const auto document = straight_document(
+      "# machine.name: M5\n# machine.serial_number: 11\n# axis.name: X\n# test.date: 2026-11-26\n"
+      "# test.inspector: A. Tester\n" +
+      std::string(straight_rows));
+  EXPECT_EQ(row_of(document, "File").at(1), "a.csv");
+  EXPECT_EQ(row_of(document, "SHA-256 of the file").at(1).size(), 64u);
+  EXPECT_EQ(row_of(document, "Date of test").at(1), "2026-11-26");
+  EXPECT_THAT(row_of(document, "Program").at(1), HasSubstr("Axiometry "));
+  std::string identity;
+  for (const report::Fact& fact : document.identity)
+    identity += report::plain_text(fact.name) + ": " + report::plain_text(fact.value.text) + "\n";
+  EXPECT_THAT(identity, HasSubstr("Machine: M5\nSerial number: 11\nAxis: X\nDate of test: 2026-11-26\nInspector: A. "
+                                  "Tester\n"));
+  EXPECT_EQ(document.date, "2026-11-26");
+}
+
+TEST(MotionReport, HasAnUncertaintyOfTheAngleOfALineAndNoRoundingForAValue) {
+  const auto level = straight_document("position_mm,straightness_um\n0,1\n4,2\n8,1\n");
+  const std::vector<std::string> angle = row_of(level, "Angle of the line, θ");
+  ASSERT_EQ(angle.size(), 5u);
+  EXPECT_FALSE(angle[2].contains("e")) << angle[2];
+  EXPECT_TRUE(report::is_number(angle[3])) << angle[3];
+  const auto straight = straight_document("position_mm,straightness_um\n0,0.1\n4,0.1\n8,0.1\n");
+  EXPECT_EQ(row_of(straight, "Angle of the line, θ").at(2), "0");
+  EXPECT_EQ(row_of(straight, "Straightness, range of the residuals").at(2), "0");
 }
 
 }  // namespace
