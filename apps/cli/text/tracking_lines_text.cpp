@@ -169,7 +169,7 @@ std::string findings(const app::EvaluatedLines& e, const report::Options& option
 }
 
 /// What of the tests departs from their standard, each once with its lines.
-std::string departures(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
+std::string departures_text(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   std::vector<iso230_2::Finding> all;
   std::vector<std::vector<std::string>> lines;  // of each
   for (std::size_t k = 0; k < e.tests.size(); ++k) {
@@ -195,7 +195,7 @@ std::string departures(const app::EvaluatedLines& e, const report::Options& opti
 }
 
 /// Why no verdict was given where there is a value, line by line.
-std::string withheld(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
+std::string withheld_text(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   std::string text;
   for (std::size_t k = 0; k < e.tests.size(); ++k)
     for (const std::string& reason : report::withheld_statements(e.tests[k].judgements)) {
@@ -210,8 +210,8 @@ std::string withheld(const app::EvaluatedLines& e, const report::Options& option
 
 std::string lines_summary(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   return heading(e, options, terminal) + table(e, options, terminal) + diagonals(e, options, terminal) +
-         pairs(e, options, terminal) + squareness(e, options, terminal) + withheld(e, options, terminal) +
-         departures(e, options, terminal) + findings(e, options, terminal);
+         pairs(e, options, terminal) + squareness(e, options, terminal) + withheld_text(e, options, terminal) +
+         departures_text(e, options, terminal) + findings(e, options, terminal);
 }
 
 }  // namespace axiometry::cli

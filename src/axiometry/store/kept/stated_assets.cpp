@@ -69,8 +69,9 @@ Result<KnownInstrument> known_among(Connection& connection, const std::vector<Ve
 }
 
 /// All that are called so; where none is, those that were.
-Result<std::vector<Versioned<Machine>>> called(Connection& connection, const std::vector<Versioned<Machine>>& machines,
-                                               std::string_view name) {
+Result<std::vector<Versioned<Machine>>> machines_called(Connection& connection,
+                                                        const std::vector<Versioned<Machine>>& machines,
+                                                        std::string_view name) {
   std::vector<Versioned<Machine>> found;
   for (const Versioned<Machine>& machine : machines)
     if (same(machine.value.name, name)) found.push_back(machine);
@@ -115,7 +116,7 @@ Result<MachineMeant> machine_meant(Connection& connection, const Machine& stated
     if (found) return MachineMeant{.known = std::move(found)};
   }
   if (!given(stated.name)) return MachineMeant{};
-  AXIOMETRY_TRY(const auto so_called, called(connection, machines, stated.name));
+  AXIOMETRY_TRY(const auto so_called, machines_called(connection, machines, stated.name));
   return numbered ? first_of_number(connection, so_called) : without_number(so_called);
 }
 
