@@ -19,8 +19,9 @@ struct Reported {
 
   /// With the uncertainties that the assessment knows.
   void judge(const std::vector<iso230_2::Tolerance>& tolerances, const uncertainty::DecisionRule& rule = {}) {
-    judgements = iso230_2::judge(assessment.evaluation.parameters, tolerances, rule,
-                                 {iso230_2::uncertainties_of_record(assessment), {}, {}});
+    judgements = iso230_2::judge(
+        assessment.evaluation.parameters, tolerances, rule,
+        {iso230_2::uncertainties_of_record(assessment), {}, {}, {}, iso230_2::lower_bounds(assessment.evaluation)});
   }
 
   report::Subject subject() const { return {test, assessment, judgements}; }

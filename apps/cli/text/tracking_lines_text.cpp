@@ -5,13 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/model/aligned.h"
+#include "axiometry/report/conformity_text.h"
 #include "axiometry/report/drawing/utf8.h"
+#include "axiometry/report/finding_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/tracking/lengths/face_pairs.h"
+#include "cli/text/findings_text.h"
 
 namespace axiometry::cli {
 namespace {
@@ -162,11 +168,50 @@ std::string findings(const app::EvaluatedLines& e, const report::Options& option
   return text;
 }
 
+/// What of the tests departs from their standard, each once with its lines.
+std::string departures_text(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
+  std::vector<iso230_2::Finding> all;
+  std::vector<std::vector<std::string>> lines;  // of each
+  for (std::size_t k = 0; k < e.tests.size(); ++k) {
+    const iso230_2::Assessment& assessment = e.tests[k].assessment;
+    const AxisKind kind = e.tests[k].test.metadata.axis.kind;
+    for (auto& finding : report::shown_findings(assessment.findings, assessment, kind, options)) {
+      if (finding.severity != iso230_2::Severity::departure) continue;
+      const auto same = std::ranges::find_if(all, [&](const iso230_2::Finding& other) {
+        return other.clause == finding.clause && other.message == finding.message;
+      });
+      const auto at = static_cast<std::size_t>(same - all.begin());
+      if (same == all.end()) {
+        all.push_back(std::move(finding));
+        lines.emplace_back();
+      }
+      lines[at].push_back(e.evaluation.lines[k].id);
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].message =
+        fmt::format("{} {}: {}", lines[i].size() == 1 ? "line" : "lines", fmt::join(lines[i], ", "), all[i].message);
+  return findings_text(all, options, terminal);
+}
+
+/// Why no verdict was given where there is a value, line by line.
+std::string withheld_text(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
+  std::string text;
+  for (std::size_t k = 0; k < e.tests.size(); ++k)
+    for (const std::string& reason : report::withheld_statements(e.tests[k].judgements)) {
+      const std::string said =
+          report::translated(fmt::format("line {}: {}", e.evaluation.lines[k].id, reason), options);
+      text += terminal.yellow(wrapped(report::printable(said), terminal.width(), 0)) + "\n";
+    }
+  return text.empty() ? text : text + "\n";
+}
+
 }  // namespace
 
 std::string lines_summary(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   return heading(e, options, terminal) + table(e, options, terminal) + diagonals(e, options, terminal) +
-         pairs(e, options, terminal) + squareness(e, options, terminal) + findings(e, options, terminal);
+         pairs(e, options, terminal) + squareness(e, options, terminal) + withheld_text(e, options, terminal) +
+         departures_text(e, options, terminal) + findings(e, options, terminal);
 }
 
 }  // namespace axiometry::cli

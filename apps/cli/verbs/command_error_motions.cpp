@@ -24,7 +24,7 @@ struct MotionArguments {
 /// What a terminal shows of the report.
 report::Document short_document(report::Document document) {
   std::erase_if(document.sections, [](const report::Section& s) {
-    return s.id == "method" || s.id == "figures" || s.id.starts_with("positions");
+    return s.id == "method" || s.id == "figures" || s.id == "provenance" || s.id.starts_with("positions");
   });
   return document;
 }

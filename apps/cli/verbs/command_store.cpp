@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <functional>
@@ -119,8 +120,12 @@ Result<int> add(const StoreArguments& arguments) {
     const app::Upload upload{.name = std::filesystem::path(name).filename().string(), .bytes = bytes};
     AXIOMETRY_TRY(const app::Received received,
                   app::in_file(workbench.receive(std::span(&upload, 1), {"import", "axiometry store add"}), name));
-    for (const app::ReceivedTest& test : received.tests)
+    for (const app::ReceivedTest& test : received.tests) {
       fmt::print("test {}: {}\n", test.id, report::printable(test.title));
+      for (const std::string& remark : test.remarks) fmt::print("noted: {}\n", report::printable(remark));
+    }
+    if (const auto& same = received.same_content; !same.empty())
+      fmt::print("noted: the same bytes are kept as test {} already\n", fmt::join(same, ", "));
     std::fflush(stdout);  // what is said is kept, even if the next one ends this process
   }
   return exit_done;

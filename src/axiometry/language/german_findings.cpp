@@ -321,6 +321,10 @@ constexpr Phrase rows[] = {
     {"the last target at {0#}", "die letzte Zielposition bei {0}"},
     {"the limit of {0#} of the test's file, {1#}, was taken away for this test",
      "der Grenzwert von {0} aus der Datei der Prüfung, {1}, wurde für diese Prüfung weggenommen"},
+    {"the limits of the axis have changed since this version was evaluated, and its verdicts rest on those of its day: "
+     "{0#}",
+     "die Grenzwerte der Achse haben sich geändert, seit diese Version ausgewertet wurde, und ihre Entscheidungen "
+     "beruhen auf denen jenes Tages: {0}"},
     {"the machine sensor", "Sensor der Maschine"},
     {"the machine sensor ({0=})", "Sensor der Maschine ({0})"},
     {"the readings were corrected for expansion with {0=} µm/(m·°C), the uncertainty takes {1=} ({2})",

@@ -159,6 +159,8 @@ constexpr Phrase rows[] = {
     {"its file system is mounted read-only", "sein Dateisystem ist nur lesbar eingehängt"},
     {"its folder cannot be written: {0}", "sein Ordner ist nicht beschreibbar: {0}"},
     {"its server accepts no changes", "sein Server nimmt keine Änderungen an"},
+    {"machine {0#} had no serial number and takes over {1=}, which this test states",
+     "Maschine {0} hatte keine Seriennummer und übernimmt {1}, die diese Prüfung nennt"},
     {"plan", "Plan"},
     {"positions: found an empty list, expected positions", "Positionen: leere Liste; erwartet: Positionen"},
     {"stopped before it was done; nothing was kept", "abgebrochen, bevor es fertig war; nichts wurde aufbewahrt"},
@@ -181,6 +183,10 @@ constexpr Phrase rows[] = {
     {"the store cannot be used: {0}", "das Archiv ist nicht nutzbar: {0}"},
     {"the store's server cannot be reached: {0}", "der Server des Archivs ist nicht erreichbar: {0}"},
     {"there is no file of this name", "es gibt keine Datei dieses Namens"},
+    {"{0#} machines of the archive are called {1=}, and no serial number in this test tells them apart: it is kept "
+     "with a machine without a number",
+     "{0} Maschinen des Archivs heißen {1}, und keine Seriennummer in dieser Prüfung unterscheidet sie: sie wird bei "
+     "einer Maschine ohne Nummer aufbewahrt"},
     {"{0=} where version {1#} keeps {2=}, computed by {3=}; expected the same from this program, axiometry {4=}: save "
      "a new version to evaluate the test with it",
      "{0}, wo Version {1} {2} enthält, berechnet mit {3}; erwartet: dasselbe mit diesem Programm, Axiometry {4}: eine "

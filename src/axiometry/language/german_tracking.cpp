@@ -230,6 +230,7 @@ constexpr Phrase rows[] = {
     {"lengths in mm", "Längen in mm"},
     {"line of one axis", "Linie einer Achse"},
     {"line {0=}: {1}", "Linie {0}: {1}"},
+    {"lines {0=}: {1}", "Linien {0}: {1}"},
     {"negligible", "vernachlässigbar"},
     {"not stated: locate the station", "nicht angegeben: Station bestimmen"},
     {"nowhere", "nirgends"},

@@ -25,10 +25,23 @@ constexpr Phrase rows[] = {
      "nimmt keine andere an"},
     {"found an uncertainty of the instrument of {0=} in the file and another one given, expected one",
      "eine Unsicherheit des Messgeräts von {0} in der Datei und eine andere angegeben; erwartet: eine"},
+    {"found deviations of an error that nobody names, which may be those of positions; expected # error: EYX, --error "
+     "EYX "
+     "or the column straightness_um",
+     "Abweichungen, zu denen kein Fehler genannt ist und die solche von Positionen sein können; erwartet: # error: "
+     "EYX, --error EYX oder die Spalte straightness_um"},
     {"found equipment that is no object, expected one for each",
      "Messmittel, das kein Objekt ist; erwartet: eines für jedes"},
     {"found error with several files, expected one file, or # error: in each",
      "error bei mehreren Dateien; erwartet: eine Datei, oder # error: in jeder"},
+    {"found instrument.gain: {0#}, which is not applied to straightness and angles; expected readings that hold it, "
+     "and a file without it",
+     "instrument.gain: {0}, das auf Geradheit und Winkel nicht angewandt wird; erwartet: Messwerte, die es enthalten, "
+     "und eine Datei ohne diese Angabe"},
+    {"found instrument.sign_reversed: yes, which is not applied to straightness and angles; expected # positive: -Y, "
+     "or the direction that holds, in its place",
+     "instrument.sign_reversed: yes, das auf Geradheit und Winkel nicht angewandt wird; erwartet: an seiner Stelle # "
+     "positive: -Y oder die Richtung, die gilt"},
     {"found more than {0#} readings, expected as many as the plan has approaches",
      "mehr als {0} Messwerte; erwartet: so viele, wie der Plan Anfahrten hat"},
     {"found no JSON, expected what axiometry squareness writes with --json",
@@ -56,6 +69,8 @@ constexpr Phrase rows[] = {
      "Positionen, die nicht steigen, oder weniger als zwei; erwartet: zwei oder mehr, jede über der vorigen"},
     {"found readings of the error {0=}, expected deviations of positions; axiometry {1=} evaluates these",
      "Messwerte der Abweichung {0}; erwartet: Positionsabweichungen; diese wertet axiometry {1} aus"},
+    {"found readings of {0=} in a file of the axis {1=}, expected one of {2=}",
+     "Messwerte von {0} in einer Datei der Achse {1}; erwartet: eine von {2}"},
     {"found readings of {0=} with a plan of the axis {1=}, expected one of {2=}",
      "Messwerte von {0} mit einem Plan der Achse {1}; erwartet: einer von {2}"},
     {"found readings positive towards {0=} after {1=}, expected one way in a file",
@@ -85,6 +100,8 @@ constexpr Phrase rows[] = {
      "in common, from {5#} to {6#} mm",
      "Gerade {0} von {1} von {2} bis {3} mm abgelesen; erwartet: über den Bereich, den die Abweichungen von {4} "
      "gemeinsam haben, von {5} bis {6} mm"},
+    {"found the machines {0=} and {1=}, expected files of one",
+     "die Maschinen {0} und {1}; erwartet: Dateien von einer"},
     {"found the part about in the form, expected it where it is kept",
      "der Teil about im Formular; erwartet: dort, wo aufbewahrt wird"},
     {"found the reference {0=}, expected least-squares or end-points",
@@ -94,6 +111,8 @@ constexpr Phrase rows[] = {
      "Ergebnis {0}; erwartet: straightness, angles oder squareness"},
     {"found the sense of the readings of one line only, expected that of both or of neither",
      "der Sinn der Messwerte nur einer Linie; erwartet: der beider oder keiner"},
+    {"found the serial numbers {0=} and {1=}, expected files of one machine",
+     "die Seriennummern {0} und {1}; erwartet: Dateien von einer Maschine"},
     {"found the test's name {0=}, expected a file ending in {1=}",
      "Name {0} für die Prüfung; erwartet: eine Datei mit der Endung {1}"},
     {"found the unit {0=} of the column {1=}, expected a unit of angle: deg, arcsec, mdeg, rad, mrad or urad",

@@ -347,6 +347,7 @@ TEST(GermanReport, TellsWhereLimitsComeFrom) {
     const std::string words = fmt::format("Limits: A, R from the {}.", source_title(source));
     EXPECT_TRUE(language::is_known(words, german)) << words;
   }
+  EXPECT_TRUE(language::is_known("Limits: A, R from the limits of the axis as of 2026-11-26.", german));
 }
 
 TEST(GermanReport, TellsEquipmentThatWasOutOfCalibration) {

@@ -49,6 +49,13 @@ struct Machine {
   std::string notes;
 };
 
+/// Which machine of the archive a test means by what it states.
+struct MachineMeant {
+  std::optional<Versioned<Machine>> known;  ///< absent where one is added
+  bool takes_number = false;                ///< known by its name, it never had a serial number and takes the test's
+  std::size_t others = 0;                   ///< called so too, where the test says no number that would tell them apart
+};
+
 /// A limit of a parameter in the native unit of its axis (µm or ″).
 struct Limit {
   std::string parameter;  ///< key: "A", "R_up"

@@ -71,6 +71,8 @@ Result<std::optional<Versioned<Machine>>> Transaction::known(const Machine& stat
   return known_machine(connection_, stated);
 }
 
+Result<MachineMeant> Transaction::meant(const Machine& stated) const { return machine_meant(connection_, stated); }
+
 Result<std::optional<Versioned<Axis>>> Transaction::known(const Machine& stated, const Axis& axis) const {
   AXIOMETRY_TRY(const KnownMachine machine, known_machine(connection_, stated));
   if (!machine) return std::nullopt;

@@ -46,6 +46,7 @@ class Transaction {
   /// Which machine, axis or instrument of the archive receive() and revise() would take for what a test states: by the
   /// one rule of stated_assets.h. Nothing where they would add one.
   Result<std::optional<Versioned<Machine>>> known(const Machine& stated) const;
+  Result<MachineMeant> meant(const Machine& stated) const;
   Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis) const;
   Result<std::optional<Versioned<Instrument>>> known(const Instrument& stated) const;
 

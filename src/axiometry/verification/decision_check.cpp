@@ -55,7 +55,8 @@ struct Case {
 
   std::string_view key() const { return key_of(parameter); }
   bool two_sided() const { return parameter == Parameter::B_mean; }
-  bool has_root() const { return key().front() == 'A' || key().front() == 'R'; }
+  bool has_scatter() const { return key().front() == 'A' || key().front() == 'R'; }
+  bool has_root() const { return has_scatter(); }
   Interval magnitude_of_y() const { return magnitude(y); }
 };
 
@@ -156,6 +157,27 @@ bool is_withheld(const Value& row) {
          !(withheld->is(Kind::text) && withheld->text().empty());
 }
 
+bool complete(const ExactCell& cell, bool with_scatter) { return cell.mean && (!with_scatter || cell.s); }
+
+/// Whether some target lacks a reading that the parameter is taken from.
+bool lacks_a_term(const Case& c, std::span<const ExactPosition> positions) {
+  return std::ranges::any_of(positions, [&](const ExactPosition& at) {
+    const bool up = complete(at.up, c.has_scatter()), down = complete(at.down, c.has_scatter());
+    if (c.key().ends_with("_up")) return !up;
+    if (c.key().ends_with("_down")) return !down;
+    return !up || !down;
+  });
+}
+
+/// Less what a value cannot show of which terms are missing.
+Allowed of_a_part(Allowed allowed, const Case& c) {
+  const bool rejects = allowed.rejecting && !c.two_sided();
+  allowed.open = allowed.open || allowed.conforming || rejects != allowed.rejecting;
+  allowed.conforming = false;
+  allowed.rejecting = rejects;
+  return allowed;
+}
+
 std::string place_of(const Case& c, std::string_view what) {
   return fmt::format("{} of {} against its limit", what, c.key());
 }
@@ -230,7 +252,8 @@ std::string_view check_row(const Value& row, const Known& known, Ledger& ledger)
   }
   auto p = probability(c, known);
   if (p) p = with_the_value(c, *p, known.rounding);
-  const Allowed allowed = allowed_verdicts(c, number_member(&row, "guard_band"), p, known.rounding);
+  Allowed allowed = allowed_verdicts(c, number_member(&row, "guard_band"), p, known.rounding);
+  if (lacks_a_term(c, known.positions)) allowed = of_a_part(allowed, c);
   if (!allowed.holds(verdict)) expect(allowed.text().empty() ? std::string("none that is known") : allowed.text());
   check_numbers(row, verdict, c, p, known, ledger);
   return verdict;

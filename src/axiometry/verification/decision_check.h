@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "axiometry/base/json.h"
@@ -16,6 +17,7 @@ struct Known {
   const ExactParameters& measured;
   const Interval& rounding;  ///< of the parameters, rounding_of()
   const Drawn& drawn;
+  std::span<const ExactPosition> positions{};  ///< that the parameters were taken over
 };
 
 /// Decides every row of `tolerances` of a result (docs/results.md) again and compares verdict, probability, risks and
@@ -29,6 +31,8 @@ struct Known {
 /// - y = T is decided by decimals for parameters without roots. With roots a value up to 1e-9 of itself above its limit
 ///   may count as at it; of a probability within 1e-9 of 0.95 both decisions are right.
 /// - A row that is withheld (a known effect is not corrected) is undecided whatever its numbers are.
+/// - A value of which some target lacks a term is a lower bound: it never conforms. B̄ of a part of the targets is
+///   decided neither way.
 void check_decisions(const json::Value& rows, std::string_view overall, const Known& known, Ledger& ledger);
 
 }  // namespace axiometry::verification

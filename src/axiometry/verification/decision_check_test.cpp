@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace axiometry::verification {
 namespace {
@@ -19,6 +20,7 @@ struct Stated {
   std::optional<double> guard_band{};
   std::optional<double> probability{};
   bool withheld = false;
+  std::vector<ExactPosition> positions{};
 };
 
 bool agrees(const Stated& stated, std::string_view verdict, const Drawn& drawn = {}) {
@@ -37,7 +39,7 @@ bool agrees(const Stated& stated, std::string_view verdict, const Drawn& drawn =
   of(measured, *parameter_of_key(stated.parameter)) = Interval::of(stated.value);
   const Interval rounding = Interval::of(1e-13);
   Ledger ledger;
-  check_decisions(rows, verdict, {measured, rounding, drawn}, ledger);
+  check_decisions(rows, verdict, {measured, rounding, drawn, stated.positions}, ledger);
   return ledger.agrees();
 }
 
@@ -118,6 +120,19 @@ TEST(DecisionCheck, KeepsAGuardBand) {
 TEST(DecisionCheck, LeavesOpenWhatIsWithheld) {
   EXPECT_EQ(accepted({.value = 1.0, .withheld = true}), "undecided");
   EXPECT_EQ(accepted({.value = 100.0, .rule = "simple", .withheld = true}), "undecided");
+}
+
+TEST(DecisionCheck, LeavesOpenWhatOfWhichTermsAreMissing) {
+  ExactPosition whole, part;
+  whole.up.mean = whole.down.mean = part.down.mean = Interval(1);
+  whole.up.s = whole.down.s = part.down.s = Interval(1);
+  const std::vector<ExactPosition> gap = {whole, part};
+  for (const std::string_view parameter : {"E", "E_up", "A", "R_up", "M", "B", "B_mean"})
+    EXPECT_EQ(accepted({.parameter = parameter, .value = 1.0, .rule = "simple", .positions = gap}), "undecided");
+  EXPECT_EQ(accepted({.value = 100.0, .rule = "simple", .positions = gap}), "does not conform");
+  EXPECT_EQ(accepted({.parameter = "B_mean", .value = 100.0, .rule = "simple", .positions = gap}), "undecided");
+  EXPECT_EQ(accepted({.parameter = "E_down", .value = 1.0, .rule = "simple", .positions = gap}), "conforms");
+  EXPECT_EQ(accepted({.value = 1.0, .rule = "simple", .positions = {whole, whole}}), "conforms");
 }
 
 TEST(DecisionCheck, RefusesRulesThatItDoesNotKnow) { EXPECT_EQ(accepted({.rule = "lenient"}), ""); }

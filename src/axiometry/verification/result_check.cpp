@@ -290,8 +290,8 @@ Found check_result(const Value& result, const Evidence& evidence, Ledger& ledger
   const Value* decisions = present_value(&result, "tolerances");
   if (decisions == nullptr || !decisions->is(Kind::array)) return found;
   for (const Value& row : decisions->items()) check_deciding(row, uncertainty, ledger);
-  check_decisions(*decisions, text_member(&result, "verdict"), {found.parameters, found.rounding, evidence.drawn},
-                  ledger);
+  check_decisions(*decisions, text_member(&result, "verdict"),
+                  {found.parameters, found.rounding, evidence.drawn, found.positions}, ledger);
   return found;
 }
 

@@ -650,6 +650,8 @@ export interface components {
                 axis: components["schemas"]["Id"];
                 version: number;
                 limits: components["schemas"]["Limit"][];
+                /** @description Day of that version of the axis. */
+                set_on?: string;
             } | null;
         };
         /** @description What is left out is as usual. */
@@ -2454,6 +2456,8 @@ export interface components {
                 title: string;
                 /** @description Tests of other files with the very bytes of this test's file, of before or of this upload. */
                 same_content: components["schemas"]["Id"][];
+                /** @description What became of the machine that it states: that it took over a serial number, or that several are called so. */
+                remarks: string[];
             }[];
             /** @description Tests of before with the very bytes of any of the files. */
             same_content: components["schemas"]["Id"][];

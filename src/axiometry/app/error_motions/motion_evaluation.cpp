@@ -7,6 +7,8 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/standards/error_motions/abbe_offset.h"
 
@@ -48,6 +50,58 @@ Result<void> put_sense(MeasuredMotion& measured, const std::optional<ReadingSens
   return {};
 }
 
+/// Whether a name begins with the letter of another axis, "Z" or "z 1" for X. What is called by no letter is not
+/// judged.
+bool is_of_other_axis(std::string_view name, char axis) {
+  const std::string said = text::to_lower(text::trim(name));
+  const bool by_letter = !said.empty() && (said.size() == 1 || std::string_view(" -_.0123456789").contains(said[1]));
+  return by_letter && said[0] >= 'x' && said[0] <= 'z' && said[0] - 'x' != axis - 'X';
+}
+
+Result<void> check_axis(const MeasuredMotion& measured) {
+  const std::string& name = measured.metadata.axis.name;
+  if (!measured.error || !is_of_other_axis(name, measured.error->axis)) return {};
+  return fail(fmt::format("found readings of {} in a file of the axis {}, expected one of {}", measured.error->text(),
+                          text::quoted(name), measured.error->axis));
+}
+
+/// What a file says that would make other figures of its readings, and what nobody takes into account here.
+Result<void> check_statements(const MeasuredMotion& measured, bool may_be_positions) {
+  AXIOMETRY_TRY_VOID(check_axis(measured));
+  const InstrumentSettings& instrument = measured.metadata.instrument;
+  if (instrument.gain && *instrument.gain != 1.0)
+    return fail(
+        fmt::format("found instrument.gain: {}, which is not applied to straightness and angles; expected "
+                    "readings that hold it, and a file without it",
+                    format_exact(*instrument.gain)));
+  if (instrument.sign_reversed == true)
+    return fail(
+        "found instrument.sign_reversed: yes, which is not applied to straightness and angles; expected "
+        "# positive: -Y, or the direction that holds, in its place");
+  if (may_be_positions && !measured.error && !measured.sense)
+    return fail(
+        "found deviations of an error that nobody names, which may be those of positions; expected "
+        "# error: EYX, --error EYX or the column straightness_um");
+  return {};
+}
+
+bool differ(std::string_view a, std::string_view b) {
+  const std::string_view one = text::trim(a), two = text::trim(b);
+  return !one.empty() && !two.empty() && !text::equal_ignoring_case(one, two);
+}
+
+/// Figures of several files are of one machine.
+Result<void> check_one_machine(const MeasuredMotion& a, const MeasuredMotion& b) {
+  const Machine &one = a.metadata.machine, &two = b.metadata.machine;
+  if (differ(one.name, two.name))
+    return fail(fmt::format("found the machines {} and {}, expected files of one", text::quoted(one.name),
+                            text::quoted(two.name)));
+  if (differ(one.serial_number, two.serial_number))
+    return fail(fmt::format("found the serial numbers {} and {}, expected files of one machine",
+                            text::quoted(one.serial_number), text::quoted(two.serial_number)));
+  return {};
+}
+
 void add_gaps(MeasuredMotion& measured) {
   if (measured.motion.runs == 1)
     measured.remarks.push_back(
@@ -63,6 +117,7 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
   AXIOMETRY_TRY_VOID(put_name(measured, request.error, angle));
   for (const SourceRemark& remark : file.remarks) measured.remarks.push_back(remark.message);
   AXIOMETRY_TRY_VOID(put_sense(measured, request.sense, file));
+  AXIOMETRY_TRY_VOID(check_statements(measured, file.may_be_positions));
   AXIOMETRY_TRY(const MotionSeries series, MotionSeries::make(std::move(file.readings), file.unit, angle ? 2 : 3));
   measured.motion = error_motions::axis_motion(series, request.options);
   measured.instrument = request.options.instrument;
@@ -93,7 +148,8 @@ Result<void> name_by_senses(SquarenessMeasurement& s) {
   const char one = s.first.sense->coordinate, two = s.second.sense->coordinate;
   if (!s.first.error) s.first.error = MotionName{one, two};
   if (!s.second.error) s.second.error = MotionName{two, one};
-  return {};
+  AXIOMETRY_TRY_VOID(in_file(check_axis(s.first), s.first.file));
+  return in_file(check_axis(s.second), s.second.file);
 }
 
 /// ε of each angle at each position, µrad, of the mean of both directions.
@@ -147,6 +203,7 @@ Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& reques
   AXIOMETRY_TRY_VOID(name_by_senses(s));
   if (s.first.error && s.second.error)
     AXIOMETRY_TRY_VOID(error_motions::check_square_pair(*s.first.error, *s.second.error));
+  AXIOMETRY_TRY_VOID(check_one_machine(s.first, s.second));
   s.square = request.square;
   s.square.in_axes = s.first.in_axes() && s.second.in_axes();
   AXIOMETRY_TRY(s.result, error_motions::measured_squareness(s.first.motion, s.second.motion, s.square));
@@ -158,6 +215,7 @@ Result<AnglesMeasurement> measure_angles(const AnglesRequest& request) {
   AnglesMeasurement measurement{.angles = {}, .offset_mm = request.offset_mm, .abbe = {}};
   for (const MotionRequest& file : request.files) {
     AXIOMETRY_TRY(MeasuredMotion angle, measure_angle(file));
+    if (!measurement.angles.empty()) AXIOMETRY_TRY_VOID(check_one_machine(measurement.angles.front(), angle));
     measurement.angles.push_back(std::move(angle));
   }
   if (!request.offset_mm) return measurement;

@@ -45,7 +45,9 @@ struct MeasuredMotion {
 };
 
 /// Fails, with the file's name, as reading and MotionSeries::make() do, on readings of the other kind, on an error or a
-/// sense that contradicts the file's, and on a sense along another coordinate than that of the error.
+/// sense that contradicts the file's, on a sense along another coordinate than that of the error, on a file of another
+/// axis than the error's, on a gain or a reversed sign, which nobody applies here, and on lengths in a column
+/// "deviation" of which neither error nor sense is named: they may be those of positions.
 Result<MeasuredMotion> measure_straightness(const MotionRequest& request);
 Result<MeasuredMotion> measure_angle(const MotionRequest& request);
 
@@ -63,6 +65,7 @@ struct SquarenessMeasurement {
   error_motions::MeasuredSquareness result;
   std::optional<error_motions::LocationError> location;  ///< where both lines are in axes of the machine
 };
+/// Fails also on files of different machines.
 Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& request);
 
 /// Rotations of one axis, and what they do at another point.
@@ -80,8 +83,8 @@ struct AnglesMeasurement {
   std::optional<Vector3> offset_mm;
   std::vector<AbbeComponent> abbe;  ///< three with an offset, none without
 };
-/// Fails with an offset on an angle without a name, one twice, angles of several axes and lists of positions that
-/// differ.
+/// Fails on files of different machines; with an offset on an angle without a name, one twice, angles of several axes
+/// and lists of positions that differ.
 Result<AnglesMeasurement> measure_angles(const AnglesRequest& request);
 
 /// What is made of a result besides its figures in a terminal: each costs memory for every position.

@@ -148,7 +148,7 @@ std::string file_id(std::string_view id, std::size_t number, std::size_t count) 
   return count == 1 ? std::string(id) : fmt::format("{}-{}", id, number + 1);
 }
 
-/// Positions and figures of each file, then the method.
+/// Positions and figures of each file, then the method and what all of it comes from.
 void add_details(report::Document& document, const std::vector<const MeasuredMotion*>& files,
                  const report::Options& options) {
   report::Section figures{"figures", "Figures", true, {}};
@@ -158,6 +158,7 @@ void add_details(report::Document& document, const std::vector<const MeasuredMot
     document.sections.push_back(motion_positions(*files[k], file_id("positions", k, files.size()),
                                                  titled("Positions", name_of(*files[k])), options));
   document.sections.push_back(motion_method(*files.front()));
+  document.sections.push_back(motion_provenance(files, document.edition));
 }
 
 }  // namespace

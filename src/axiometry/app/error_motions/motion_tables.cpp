@@ -2,13 +2,17 @@
 #include "axiometry/app/error_motions/motion_tables.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/version.h"
+#include "axiometry/model/fields.h"
 #include "axiometry/report/figures/axis_motion.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
@@ -28,8 +32,10 @@ using report::verbatim;
 constexpr int digits_alone = 5;  // of a value without U
 constexpr int residual_decimals = 3;
 
-/// Rounding is no uncertainty: below a billionth of the value, or of the unit, there is none to show.
-bool tells_something(const MotionEstimate& e) { return e.U() > 1e-9 * std::abs(e.value) && e.U() > 1e-9; }
+constexpr double rounding = 1e-9;  // of a value, or of its unit: what is smaller is none
+
+/// Rounding is no uncertainty.
+bool tells_something(const MotionEstimate& e) { return e.U() > rounding * std::abs(e.value) && e.U() > rounding; }
 
 std::string unit_per_m(MotionUnit unit) { return fmt::format("{}/m", motion_unit_symbol(unit)); }
 
@@ -44,7 +50,7 @@ std::vector<report::TableCell> value_row(std::string_view quantity, std::string_
                                          std::string_view unit, const report::Options& options) {
   return {word_cell(quantity),
           word_cell(course),
-          {plain(report::shown_short(value, options, digits_alone))},
+          {plain(report::shown_short(std::abs(value) < rounding ? 0.0 : value, options, digits_alone))},
           {plain("–"), report::Tone::quiet},
           word_cell(unit)};
 }
@@ -56,7 +62,7 @@ void add_path(report::Table& table, const AxisMotion& motion, const MotionPath& 
   table.rows.push_back(estimate_row("Slope of the line", course, path.slope_per_m, unit_per_m(motion.unit), options));
   if (!is_angle(motion.unit))
     table.rows.push_back(
-        value_row("Angle of the line, θ", course, error_motions::slope_arcsec(path.slope_per_m.value), "″", options));
+        estimate_row("Angle of the line, θ", course, error_motions::slope_angle(path.slope_per_m), "″", options));
   table.rows.push_back(estimate_row("Line at position 0", course, path.intercept, unit, options));
 }
 
@@ -92,6 +98,28 @@ std::string_view uncertainty_note(const MeasuredMotion& measured) {
   return instrument ? "U for about 95 %, from the instrument alone." : "Nothing tells an uncertainty.";
 }
 
+/// What the files say of the test, where they do.
+constexpr std::pair<std::string_view, std::string_view> identity_fields[] = {{"Machine", "machine.name"},
+                                                                             {"Serial number", "machine.serial_number"},
+                                                                             {"Axis", "axis.name"},
+                                                                             {"Date of test", "test.date"},
+                                                                             {"Inspector", "test.inspector"}};
+
+std::string statement(const MeasuredMotion& measured, std::string_view key) {
+  const Field* field = find_field(key);
+  AXIOMETRY_CONTRACT(field != nullptr);
+  return field_text(*field, field->get(measured.metadata));
+}
+
+/// In all files, each text once: "2026-11-25, 2026-11-26".
+std::string said_in(const std::vector<const MeasuredMotion*>& files, std::string_view key) {
+  std::vector<std::string> said;
+  for (const MeasuredMotion* f : files)
+    if (std::string text = statement(*f, key); !text.empty() && std::ranges::find(said, text) == said.end())
+      said.push_back(std::move(text));
+  return fmt::format("{}", fmt::join(said, ", "));
+}
+
 }  // namespace
 
 std::string name_of(const MeasuredMotion& measured) { return measured.error ? measured.error->text() : ""; }
@@ -112,8 +140,10 @@ report::Document motion_document(std::string_view kind, const std::string& title
     std::erase_if(document.identity, [&](const report::Fact& fact) {
       return report::plain_text(fact.name) == "Reference line" && &fact != &document.identity.back();
     });
-  const Metadata& m = files.front()->metadata;
-  if (!m.machine.name.empty()) document.identity.push_back({plain("Machine"), {verbatim(m.machine.name)}});
+  for (const auto& [name, key] : identity_fields)
+    if (std::string said = said_in(files, key); !said.empty())
+      document.identity.push_back({plain(name), {verbatim(said)}});
+  document.date = said_in(files, "test.date");
   return document;
 }
 
@@ -211,6 +241,22 @@ void add_remarks(report::Document& document, const std::vector<std::string>& rem
   report::Notice notice{report::Tone::caution, plain("To be known with these figures"), {}};
   for (const std::string& remark : remarks) notice.lines.push_back(report::sentence(remark));
   document.status.push_back(std::move(notice));
+}
+
+report::Section motion_provenance(const std::vector<const MeasuredMotion*>& files, std::string_view edition) {
+  report::Table table;
+  table.columns = {{plain("Source"), Align::start, true}, {plain("Value"), Align::start, false, true}};
+  for (const MeasuredMotion* f : files) {
+    table.rows.push_back({word_cell("File"), {verbatim(base_name(f->file))}});
+    table.rows.push_back({word_cell("SHA-256 of the file"), {verbatim(f->sha256)}});
+    if (const std::string date = statement(*f, "test.date"); !date.empty())
+      table.rows.push_back({word_cell("Date of test"), {verbatim(date)}});
+  }
+  table.rows.push_back({word_cell("Program"), {verbatim(fmt::format("Axiometry {}", version))}});
+  table.rows.push_back({word_cell("Edition of the standard"), word_cell(edition)});
+  report::Section section{"provenance", "Provenance", false, {}};
+  section.blocks.emplace_back(std::move(table));
+  return section;
 }
 
 report::Section motion_method(const MeasuredMotion& measured) {

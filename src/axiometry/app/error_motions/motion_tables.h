@@ -10,7 +10,7 @@
 /// What the three kinds of results show in common.
 namespace axiometry::app {
 
-/// A document of a measurement: title, "ISO 230-1", identity of the files.
+/// A document of a measurement: title, "ISO 230-1", identity of the files and of what they say of the test.
 report::Document motion_document(std::string_view kind, const std::string& title,
                                  const std::vector<const MeasuredMotion*>& files, const report::Options& options);
 
@@ -32,6 +32,10 @@ void add_figures(report::Section& section, const MeasuredMotion& measured, const
 /// What stands beside the results: remarks of each file, each once.
 void add_remarks(report::Document& document, const std::vector<std::string>& remarks);
 std::vector<std::string> all_remarks(const std::vector<const MeasuredMotion*>& files);
+
+/// What a result is of: the files with their bytes and days, the program, the standard. A table, so that it stands in
+/// CSV too.
+report::Section motion_provenance(const std::vector<const MeasuredMotion*>& files, std::string_view edition);
 
 report::Section motion_method(const MeasuredMotion& measured);
 

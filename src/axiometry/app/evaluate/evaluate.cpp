@@ -263,10 +263,10 @@ Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso23
     std::ranges::move(iso230_2::uncertainty_findings(test, assessment), std::back_inserter(assessment.findings));
   std::vector<iso230_2::Judgement> judgements;
   if (!demanded.tolerances.empty())
-    judgements =
-        iso230_2::judge(measured, demanded.tolerances, demanded.rule,
-                        {iso230_2::uncertainties_of_record(assessment), iso230_2::comparison_slack(test.series),
-                         assessment.uncorrected, iso230_2::refusals_of_record(assessment)});
+    judgements = iso230_2::judge(
+        measured, demanded.tolerances, demanded.rule,
+        {iso230_2::uncertainties_of_record(assessment), iso230_2::comparison_slack(test.series), assessment.uncorrected,
+         iso230_2::refusals_of_record(assessment), iso230_2::lower_bounds(assessment.evaluation)});
   std::ranges::move(demanded.findings, std::back_inserter(assessment.findings));
   std::ranges::stable_sort(assessment.findings, {}, &iso230_2::Finding::severity);
   return Evaluated{std::move(test),          "",           std::move(assessment),  std::move(judgements),

@@ -172,7 +172,7 @@ using KnownAxis = std::optional<store::Versioned<store::Axis>>;
 
 std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
   if (!axis || axis->value.limits.empty()) return {};
-  return AxisLimits{axis->id, axis->version, axis->value.limits};
+  return AxisLimits{axis->id, axis->version, axis->value.limits, iso_date(axis->change.at)};
 }
 
 }  // namespace
@@ -248,7 +248,8 @@ EvaluateOptions with_archive(EvaluateOptions options, const Changes& changes, co
   if (!taken.axis) return options;
   for (const store::Limit& limit : taken.axis->limits)
     if (const auto* parameter = iso230_2::find_parameter(limit.parameter))
-      options.tolerance.of_axis.push_back({parameter, Deviation::native(limit.value), iso230_2::ToleranceSource::axis});
+      options.tolerance.of_axis.push_back(
+          {parameter, Deviation::native(limit.value), iso230_2::ToleranceSource::axis, taken.axis->set_on});
   return options;
 }
 

@@ -42,6 +42,7 @@ struct AxisLimits {
   store::Id axis = 0;
   int version = 0;
   std::vector<store::Limit> limits;
+  std::string set_on{};  ///< day of that version of the axis; empty in what was kept before days were
 };
 
 struct FromArchive {

@@ -55,6 +55,7 @@ Result<AxisLimits> axis_limits_from(const Value& value) {
   AXIOMETRY_TRY(axis.version, given_version("version", *version));
   AXIOMETRY_TRY(const Value* limits, members.required("limits"));
   AXIOMETRY_TRY(axis.limits, limits_from(*limits));
+  AXIOMETRY_TRY_VOID(members.take("set_on", axis.set_on));
   AXIOMETRY_TRY_VOID(members.finish());
   return axis;
 }
@@ -124,6 +125,7 @@ json::Value to_json(const FromArchive& taken) {
   axis.add("axis", static_cast<double>(taken.axis->axis));
   axis.add("version", taken.axis->version);
   axis.add("limits", limits_to_json(taken.axis->limits));
+  if (!taken.axis->set_on.empty()) axis.add("set_on", taken.axis->set_on);
   return object;
 }
 

@@ -13,8 +13,8 @@ bool same(const store::Limit& a, const store::Limit& b) {
 }
 
 bool same(const AxisLimits& a, const AxisLimits& b) {
-  const auto& [axis, version, limits] = a;
-  return axis == b.axis && version == b.version &&
+  const auto& [axis, version, limits, set_on] = a;
+  return axis == b.axis && version == b.version && set_on == b.set_on &&
          std::ranges::equal(limits, b.limits, [](const auto& x, const auto& y) { return same(x, y); });
 }
 

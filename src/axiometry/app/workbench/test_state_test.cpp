@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/workbench/axis_limits.h"
 
 namespace axiometry::app {
 namespace {
@@ -102,10 +103,26 @@ TEST(FromArchive, ComesBackAsItWasWritten) {
   taken.instruments = {
       {3, 2, "Laser", {{"uncertainty.misalignment_mm", "1"}}, {{"uncertainty.device_calibration", "2"}}}};
   taken.calibrations = {{3, 1, {0, "C-1", "2026-01-13", "2027-01-13"}}};
-  taken.axis = AxisLimits{4, 1, {{"A", 10.0}}};
+  taken.axis = AxisLimits{4, 1, {{"A", 10.0}}, "2026-11-26"};
   const auto back = from_archive_of(to_json(taken));
   ASSERT_TRUE(back) << back.error().to_string();
   EXPECT_EQ(json::dump(to_json(*back)), json::dump(to_json(taken)));
+}
+
+TEST(ChangedLimits, AreToldByParameter) {
+  FromArchive taken;
+  store::Axis now;
+  now.kind = "linear";
+  now.limits = {{"A", 5.0}, {"B", 2.0}};
+  EXPECT_FALSE(changed_limits(taken, now)) << "none were taken";
+  taken.axis = AxisLimits{4, 1, {{"B", 2.0}, {"A", 5.0}}};
+  EXPECT_FALSE(changed_limits(taken, now));
+  EXPECT_FALSE(changed_limits(taken, std::nullopt));
+  taken.axis->limits = {{"A", 12.0}, {"E", 3.5}, {"B", 2.0}};
+  const auto finding = changed_limits(taken, now);
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->id, "axis-limits-changed");
+  EXPECT_TRUE(finding->message.ends_with("of its day: A 12 → 5 µm, E 3.5 → – µm")) << finding->message;
 }
 
 TEST(FromArchive, SaysWhoseEachInputIsAndWhatItLeavesOut) {

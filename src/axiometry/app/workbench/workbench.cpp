@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/workbench/axis_limits.h"
+#include "axiometry/app/workbench/machine_remarks.h"
 #include "axiometry/app/workbench/same_answer.h"
 #include "axiometry/app/workbench/test_of_file.h"
 #include "axiometry/app/workbench/test_state.h"
@@ -124,12 +126,14 @@ Result<Received> keep_all(store::Transaction& archive, Evaluation all, const sto
   for (const Incoming& file : all.files) {
     AXIOMETRY_TRY(const auto there, test_of_file(archive, {file.content.file_name, file.perhaps_kept_as}));
     if (there) {
-      received.tests.push_back({*there, file.tests.front().state.title, {}});
+      received.tests.push_back({*there, file.tests.front().state.title, {}, {}});
       continue;
     }
     AXIOMETRY_TRY(const auto same, ids_with(archive, file.content.sha256));
+    AXIOMETRY_TRY(const auto remarks, machine_remarks(archive, file.tests));
     AXIOMETRY_TRY(const auto ids, archive.receive(file.content, file.tests, by));
-    for (std::size_t k = 0; k < ids.size(); ++k) received.tests.push_back({ids[k], file.tests[k].state.title, same});
+    for (std::size_t k = 0; k < ids.size(); ++k)
+      received.tests.push_back({ids[k], file.tests[k].state.title, same, remarks[k]});
     before.insert(same.begin(), same.end());
     own.insert(ids.begin(), ids.end());
   }
@@ -343,6 +347,7 @@ Result<KeptTest> Workbench::test(store::Id id, std::optional<int> version) const
   AXIOMETRY_TRY(Changes changes, kept_changes(found.record.state));
   Draft draft{std::move(changes), std::move(options.options)};
   AXIOMETRY_TRY(Outcome outcome, kept_outcome(*state_, found.record, draft, std::move(options.from_archive)));
+  outcome.result = with_finding(std::move(outcome.result), changed_limits(outcome.from_archive, found.axis));
   AXIOMETRY_TRY(const auto file, state_->file_of(found.record));
   return KeptTest{.record = std::move(found.record),
                   .size = file->size,

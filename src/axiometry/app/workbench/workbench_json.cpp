@@ -228,6 +228,9 @@ json::Value to_json(const Received& received, const Reader& reader) {
     row.add("version", 1);
     row.add("title", test.title);
     row.add("same_content", ids_to_json(test.same_content));
+    Value& remarks = row.add("remarks", Value::array());
+    for (const std::string& remark : test.remarks)
+      remarks.push(language::translated(remark, reader.language, reader.numbers));
   }
   object.add("same_content", ids_to_json(received.same_content));
   add_outcome(object, received.first, reader);

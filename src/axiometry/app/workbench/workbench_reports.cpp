@@ -10,6 +10,7 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/second_opinion.h"
+#include "axiometry/app/workbench/axis_limits.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench_state.h"
@@ -73,10 +74,12 @@ Result<const report::Writer*> report_writer_of(const std::string& extension) {
                                                 text::to_lower(extension), fmt::join(known, ", .")));
 }
 
-/// The result that a version keeps, as `axiometry evaluate --json` writes it; where it is issued, with what the trail
-/// was before; where its test is withdrawn, that it is.
-Result<std::string> kept_json(const store::TestRecord& record, const std::string& trail_head) {
+/// The result that a version keeps, as `axiometry evaluate --json` writes it, and what has changed since; where it is
+/// issued, with what the trail was before.
+Result<std::string> kept_json(Workbench::State& state, const store::TestRecord& record, const std::string& trail_head) {
+  AXIOMETRY_TRY(const auto changed, state.changed_limits_of(record));
   AXIOMETRY_TRY(json::Value value, kept_result(record));
+  value = with_finding(std::move(value), changed);
   if (record.withdrawn) value.add("withdrawn", true);
   if (!trail_head.empty()) value.add("issue", json::Value::object()).add("trail_head", trail_head);
   return json::dump(value) + "\n";
@@ -92,17 +95,25 @@ Result<report::VerifiedFigures> second_opinion_of(const Evaluated& evaluated, co
   return verified;
 }
 
+/// A copy: what was evaluated is remembered without what changes later.
+std::shared_ptr<const Evaluated> with_finding(Evaluated evaluated, const iso230_2::Finding& finding) {
+  evaluated.assessment.findings.push_back(finding);
+  return std::make_shared<const Evaluated>(std::move(evaluated));
+}
+
 /// Of an issued report, where the audit trail ended before.
 Result<Rendered> render(Workbench::State& state, const store::TestRecord& record, const ReportRequest& request,
                         const std::string& trail_head = {}) {
   const std::string extension = text::to_lower(request.extension);
   Rendered rendered{{}, std::string(media_type_of(extension)), report_file_name(record, extension)};
   if (extension == "json") {
-    AXIOMETRY_TRY(rendered.bytes, kept_json(record, trail_head));
+    AXIOMETRY_TRY(rendered.bytes, kept_json(state, record, trail_head));
     return rendered;
   }
   AXIOMETRY_TRY(const report::Writer* writer, report_writer_of(extension));
-  AXIOMETRY_TRY(const auto evaluated, state.evaluated(record, request.stop));
+  AXIOMETRY_TRY(auto evaluated, state.evaluated(record, request.stop));
+  AXIOMETRY_TRY(const auto changed, state.changed_limits_of(record));
+  if (changed) evaluated = with_finding(*evaluated, *changed);
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));

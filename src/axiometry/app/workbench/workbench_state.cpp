@@ -9,8 +9,10 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/workbench/axis_limits.h"
 #include "axiometry/app/workbench/kept_temperatures.h"
 #include "axiometry/app/workbench/test_state.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/digest/sha256.h"
@@ -204,9 +206,13 @@ std::shared_ptr<const Evaluated> Workbench::State::remembered(const store::TestR
 Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store::TestRecord& record,
                                                                      const std::stop_token& stop) {
   if (auto known = remembered(record)) return known;
-  AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
+  AXIOMETRY_TRY(KeptOptions kept, kept_options(record.state.evaluation));
   AXIOMETRY_TRY(Changes changes, kept_changes(record.state));
   AXIOMETRY_TRY(Test test, measured(record));
+  if (auto& axis = kept.from_archive.axis; axis && axis->set_on.empty()) {
+    AXIOMETRY_TRY(const auto then, store.get<store::Axis>(axis->axis, axis->version));
+    axis->set_on = iso_date(then.change.at);
+  }
   AXIOMETRY_TRY(Found found,
                 evaluate_with(std::move(test), {std::move(changes), kept.options}, kept.from_archive, stop));
   found.evaluated.name = record.name_in_file;
@@ -214,6 +220,13 @@ Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store
   auto shared = std::make_shared<const Evaluated>(std::move(found.evaluated));
   evaluations.remember(version_key(record), shared, weight_of(*shared));
   return shared;
+}
+
+Result<std::optional<iso230_2::Finding>> Workbench::State::changed_limits_of(const store::TestRecord& record) {
+  AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
+  if (!kept.from_archive.axis) return std::nullopt;
+  AXIOMETRY_TRY(auto now, store.get<store::Axis>(kept.from_archive.axis->axis));
+  return changed_limits(kept.from_archive, std::move(now.value));
 }
 
 Result<void> go_on_unless(const std::stop_token& stop) {

@@ -56,6 +56,8 @@ struct Workbench::State {
 
   /// A version evaluated again, with the figures that were kept or not at all.
   Result<std::shared_ptr<const Evaluated>> evaluated(const store::TestRecord& record, const std::stop_token& stop);
+  /// A note where the axis has other limits by now than those that the version was judged with.
+  Result<std::optional<iso230_2::Finding>> changed_limits_of(const store::TestRecord& record);
   /// One that was evaluated again a short while ago; nullptr where there is none.
   std::shared_ptr<const Evaluated> remembered(const store::TestRecord& record);
 };

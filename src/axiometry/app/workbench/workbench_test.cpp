@@ -96,6 +96,23 @@ TEST_F(TheWorkbench, MakesANewTestOfBytesItKnowsAndSaysSo) {
               ElementsAre(first, received->tests.front().id));
 }
 
+TEST_F(TheWorkbench, SaysWhatBecameOfTheMachineThatATestStates) {
+  const std::string readings = "target_mm,direction,run,deviation_um\n0,+,1,1\n0,-,1,1\n100,+,1,2\n100,-,1,2\n";
+  const auto remarks = [&](const std::string& head) {
+    const std::string bytes = head + readings;
+    const Upload upload{"mill.csv", bytes};
+    return workbench.receive(std::span(&upload, 1), me)->tests.front().remarks;
+  };
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n"), IsEmpty());
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 11\n"),
+              ElementsAre("machine 1 had no serial number and takes over '11', which this test states"));
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 22\n"), IsEmpty());
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n# axis.name: Y\n"),
+              ElementsAre("2 machines of the archive are called 'Mill 5', and no serial number in this test tells them "
+                          "apart: it is kept with a machine without a number"));
+  EXPECT_EQ(store.counts()->machines, 3);
+}
+
 TEST_F(TheWorkbench, SaysOfEachFileOfManyWhichTestsHaveItsBytes) {
   const auto known = keep(example_table2);
   const Upload uploads[] = {{"new.csv", two_tests}, {"known.json", example_table2}, {"new again.csv", two_tests}};
@@ -460,6 +477,26 @@ TEST_F(TheWorkbench, AppliesTheLimitsOfTheAxisWhereTheTestStatesNone) {
   EXPECT_EQ(tolerances[0].find("replaced")->items().front().find("limit")->number(), 5.0);
   EXPECT_EQ(tolerances[1].find("parameter")->text(), "B");
   EXPECT_EQ(tolerances[1].find("source")->text(), "axis");
+}
+
+TEST_F(TheWorkbench, SaysThatAVersionWasJudgedWithLimitsThatTheAxisHasNoMore) {
+  const auto id = keep(example_table2);
+  const auto axis = store.get<store::Axis>(*workbench.test(id)->record.axis);
+  store::Axis limited = axis->value;
+  limited.limits = {{"A", 12.0}};
+  ASSERT_TRUE(store.change(axis->id, axis->version, limited, me));
+  const auto judged = workbench.revise(id, {.draft = {}, .base_version = 1, .title = ""}, me);
+  ASSERT_TRUE(judged) << judged.error().to_string();
+  EXPECT_EQ(judged->record.state.evaluation.verdict, "conforms");
+  const auto html = [&] { return workbench.report(id, 2, {.extension = "html"})->bytes; };
+  EXPECT_THAT(html(), HasSubstr("from the limits of the axis as of"));
+  EXPECT_THAT(html(), Not(HasSubstr("have changed since")));
+  limited.limits = {{"A", 5.0}};
+  ASSERT_TRUE(store.change(axis->id, axis->version + 1, limited, me));
+  EXPECT_THAT(html(), HasSubstr("have changed since this version was evaluated"));
+  EXPECT_THAT(workbench.report(id, 2, {.extension = "json"})->bytes, HasSubstr("axis-limits-changed"));
+  EXPECT_THAT(json::dump(workbench.test(id)->outcome.result), HasSubstr("A 12 → 5 µm"));
+  EXPECT_EQ(workbench.test(id)->outcome.result.find("verdict")->text(), "conforms") << "as it was kept";
 }
 
 TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {

@@ -49,7 +49,7 @@ struct Revision {
 
 /// One evaluation.
 struct Outcome {
-  json::Value result;                 ///< docs/results.md; of a version that is kept exactly what was kept
+  json::Value result;                 ///< docs/results.md; of a version what was kept, and what changed since
   Series readings;                    ///< that were evaluated
   std::optional<Series> as_measured;  ///< before corrections, where there were any
   FromArchive from_archive;           ///< inputs of instruments and limits of the axis that took part
@@ -89,7 +89,8 @@ struct ReceivedTest {
   store::Id id = 0;
   std::string title;
   std::vector<store::Id>
-      same_content;  ///< tests of other files with the bytes of its file, of before or of this upload
+      same_content;                    ///< tests of other files with the bytes of its file, of before or of this upload
+  std::vector<std::string> remarks{};  ///< what became of the machine that it states
 };
 
 struct Received {

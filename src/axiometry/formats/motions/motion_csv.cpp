@@ -35,6 +35,7 @@ struct MotionColumns {
   std::size_t line = 0;
   char delimiter = ',';
   std::vector<std::string> passed_over;
+  bool may_be_positions = false;
 };
 
 std::optional<MotionRole> motion_role(std::string_view name) {
@@ -93,6 +94,7 @@ Result<MotionColumns> motion_columns(std::string_view header, std::size_t line, 
     } else if (*role == value_column) {
       AXIOMETRY_TRY(columns.value_unit, value_unit(heads[k], named, line));
       if (const auto error = motion_name(named.name)) columns.error = *error;
+      columns.may_be_positions = named.name == "deviation" && columns.value_unit->kind == AxisKind::linear;
     }
   }
   const auto missing = [&](std::string_view name) {
@@ -325,6 +327,7 @@ Result<MotionFile> read_motion_table(std::string_view bytes, const Plan* plan) {
     if (rows) return rows->row(line, file);
     AXIOMETRY_TRY(MotionColumns columns, motion_columns(line.text, line.number, plan != nullptr));
     file.unit = motion_unit_of(*columns.value_unit);
+    file.may_be_positions = columns.may_be_positions;
     if (columns.error) AXIOMETRY_TRY_VOID(put_error(file, *columns.error, line.number));
     if (!columns.passed_over.empty()) file.remarks.push_back({false, passed_over(columns.passed_over)});
     if (!columns.at[direction_column] && plan == nullptr)

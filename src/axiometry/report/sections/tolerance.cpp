@@ -109,7 +109,7 @@ RichText origin_words(std::string_view origin) {
       {verbatim(origin.substr(0, travel)), plain(origin.substr(travel, file - travel)), verbatim(origin.substr(file))});
 }
 
-/// "Limits: A, E from the tolerance table Grinder, …; B from the command line."
+/// "Limits: A, E from the tolerance table Grinder, …; B from the limits of the axis as of 2026-11-26."
 RichText origins_of_limits(std::span<const Judgement> judgements) {
   using enum iso230_2::ToleranceSource;
   RichText text;
@@ -123,7 +123,10 @@ RichText origins_of_limits(std::span<const Judgement> judgements) {
     }
     if (symbols.empty()) continue;
     text = joined({text, plain(text.empty() ? "Limits: " : "; "), symbols,
-                   plain(fmt::format(" from the {}{}", source_title(source), origin.empty() ? "" : " ")),
+                   plain(fmt::format(" from the {}{}", source_title(source),
+                                     origin.empty()   ? ""
+                                     : source == axis ? " as of "
+                                                      : " ")),
                    origin_words(origin)});
   }
   return joined({text, plain(".")});

@@ -122,7 +122,9 @@ Document compose(const TemperatureSubject& subject, const Options& options) {
   document.sections.push_back({"course", "Course", true, {temperature_figure(subject, options)}});
   document.sections.push_back({"sensors", "Temperature sensors", false, {sensor_table(subject.log, options)}});
   Facts facts;
-  facts.facts = {{plain("File"), verbatim_cell(subject.file)}, {plain("SHA-256"), verbatim_cell(subject.sha256)}};
+  facts.facts = {{plain("File"), verbatim_cell(subject.file)},
+                 {plain("SHA-256"), verbatim_cell(subject.sha256)},
+                 {plain("Program"), verbatim_cell(document.generator)}};
   Section provenance{"provenance", "Provenance", false, {std::move(facts)}};
   if (!subject.log.remarks.empty()) {
     Notice read{Tone::normal, plain("How the log was read"), {}};

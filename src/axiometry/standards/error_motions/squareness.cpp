@@ -8,9 +8,8 @@
 #include "axiometry/base/contract.h"
 
 namespace axiometry::error_motions {
-namespace {
 
-/// θ = atan b: ∂θ/∂b = 1/(1 + b²), with b in 1e-6.
+// ∂θ/∂b = 1/(1 + b²), with b in 1e-6.
 MotionEstimate slope_angle(const MotionEstimate& slope_um_per_m) {
   const double b = 1e-6 * slope_um_per_m.value;
   const double factor = slope_arcsec(1.0) / (1.0 + b * b);
@@ -20,8 +19,6 @@ MotionEstimate slope_angle(const MotionEstimate& slope_um_per_m) {
   if (angle.instrument_u) *angle.instrument_u *= factor;
   return combined(angle);
 }
-
-}  // namespace
 
 Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const AxisMotion& second,
                                                const SquarenessOptions& options) {

@@ -46,6 +46,9 @@ struct MeasuredSquareness {
   MotionEstimate squareness_arcsec;  ///< S
 };
 
+/// θ = atan b, in ″, of a slope in µm/m, with its uncertainty.
+MotionEstimate slope_angle(const MotionEstimate& slope_um_per_m);
+
 /// Fails where the readings are no straightness, or the two lines have different references or none.
 Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const AxisMotion& second,
                                                const SquarenessOptions& options);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/store/kept/stated_assets.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "axiometry/base/text.h"
 #include "axiometry/store/kept/assets.h"
 #include "axiometry/store/kept/folded_text.h"
@@ -11,6 +15,8 @@ namespace {
 std::string key(std::string_view text) { return folded(text::trim(text), text.size()); }
 bool same(std::string_view a, std::string_view b) { return key(a) == key(b); }
 bool given(std::string_view text) { return !text::trim(text).empty(); }
+
+constexpr std::string_view number_taken = "serial number stated by a test";
 
 /// A number or a maker that an earlier version did not say was not another one: it is the one said since.
 template <typename Asset>
@@ -62,23 +68,61 @@ Result<KnownInstrument> known_among(Connection& connection, const std::vector<Ve
   });
 }
 
+/// All that are called so; where none is, those that were.
+Result<std::vector<Versioned<Machine>>> machines_called(Connection& connection,
+                                                        const std::vector<Versioned<Machine>>& machines,
+                                                        std::string_view name) {
+  std::vector<Versioned<Machine>> found;
+  for (const Versioned<Machine>& machine : machines)
+    if (same(machine.value.name, name)) found.push_back(machine);
+  if (!found.empty()) return found;
+  for (const Versioned<Machine>& machine : machines) {
+    if (machine.version == 1) continue;
+    AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection, machine.id));
+    if (std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, name); }))
+      found.push_back(machine);
+  }
+  return found;
+}
+
+/// A number that no machine has: that of the only one so called, if it never had another.
+Result<MachineMeant> first_of_number(Connection& connection, const std::vector<Versioned<Machine>>& so_called) {
+  if (so_called.size() != 1) return MachineMeant{};
+  AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection, so_called.front().id));
+  const bool had_one =
+      std::ranges::any_of(versions, [](const auto& version) { return given(version.value.serial_number); });
+  return had_one ? MachineMeant{} : MachineMeant{.known = so_called.front(), .takes_number = true};
+}
+
+/// Without a number only the name tells: the only one so called, else the one that has no number either.
+MachineMeant without_number(const std::vector<Versioned<Machine>>& so_called) {
+  if (so_called.size() == 1) return {.known = so_called.front()};
+  for (const Versioned<Machine>& machine : so_called)
+    if (!given(machine.value.serial_number)) return {.known = machine, .others = so_called.size() - 1};
+  return {.others = so_called.size()};
+}
+
 }  // namespace
 
-Result<KnownMachine> known_machine(Connection& connection, const Machine& stated) {
+Result<MachineMeant> machine_meant(Connection& connection, const Machine& stated) {
   const bool numbered = given(stated.serial_number);
-  if (!numbered && !given(stated.name)) return std::nullopt;
+  if (!numbered && !given(stated.name)) return MachineMeant{};
   AXIOMETRY_TRY(const auto machines, all_assets<Machine>(connection));
   if (numbered) {
     AXIOMETRY_TRY(auto found, find(connection, machines, [&](const Machine& machine) {
                     return same(machine.serial_number, stated.serial_number) &&
                            same_maker(machine.manufacturer, stated.manufacturer);
                   }));
-    if (found) return found;
+    if (found) return MachineMeant{.known = std::move(found)};
   }
-  if (!given(stated.name)) return std::nullopt;
-  return find(connection, machines, [&](const Machine& machine) {
-    return same(machine.name, stated.name) && (!numbered || !given(machine.serial_number));
-  });
+  if (!given(stated.name)) return MachineMeant{};
+  AXIOMETRY_TRY(const auto so_called, machines_called(connection, machines, stated.name));
+  return numbered ? first_of_number(connection, so_called) : without_number(so_called);
+}
+
+Result<KnownMachine> known_machine(Connection& connection, const Machine& stated) {
+  AXIOMETRY_TRY(MachineMeant meant, machine_meant(connection, stated));
+  return std::move(meant.known);
 }
 
 Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& stated) {
@@ -93,16 +137,41 @@ Result<KnownInstrument> known_instrument(Connection& connection, const Instrumen
   return known_among(connection, instruments, stated);
 }
 
-Result<std::optional<Id>> StatedAssets::machine(const Machine& stated) {
-  if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
-  const Names names{stated.serial_number, stated.manufacturer, stated.name};
-  if (const auto looked_for = machines_.find(names); looked_for != machines_.end()) return looked_for->second;
-  AXIOMETRY_TRY(const KnownMachine known, known_machine(connection_, stated));
-  if (known) return machines_[names] = known->id;
+/// A test that states no number stays with the machine that it was linked with, as long as that is or was called so.
+Result<bool> StatedAssets::stays_linked(const Machine& stated) {
+  if (!linked_ || given(stated.serial_number)) return false;
+  AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection_, *linked_));
+  return std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, stated.name); });
+}
+
+Result<Id> StatedAssets::found_or_added(const Machine& stated) {
+  AXIOMETRY_TRY(const MachineMeant meant, machine_meant(connection_, stated));
+  if (meant.known && !meant.takes_number) return meant.known->id;
+  machines_.clear();  // what a name alone means may be another one now
+  if (meant.known) {
+    Versioned<Machine> numbered = *meant.known;
+    ++numbered.version;
+    numbered.value.serial_number = stated.serial_number;
+    numbered.change = change_;
+    numbered.change.reason =
+        change_.reason.empty() ? std::string(number_taken) : fmt::format("{} ({})", number_taken, change_.reason);
+    AXIOMETRY_TRY(numbered, change_thing(connection_, numbered));
+    return numbered.id;
+  }
   Machine added = stated;
   if (!given(added.name)) added.name = given(added.type) ? added.type : added.serial_number;
   AXIOMETRY_TRY(const Versioned<Machine> machine, add_thing(connection_, added, change_));
-  return machines_[names] = machine.id;
+  return machine.id;
+}
+
+Result<std::optional<Id>> StatedAssets::machine(const Machine& stated) {
+  if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
+  AXIOMETRY_TRY(const bool stays, stays_linked(stated));
+  if (stays) return linked_;
+  const Names names{stated.serial_number, stated.manufacturer, stated.name};
+  if (const auto looked_for = machines_.find(names); looked_for != machines_.end()) return looked_for->second;
+  AXIOMETRY_TRY(const Id id, found_or_added(stated));
+  return machines_[names] = id;
 }
 
 Result<std::optional<Id>> StatedAssets::axis(Id machine, const Axis& stated) {

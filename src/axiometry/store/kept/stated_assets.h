@@ -26,9 +26,11 @@ using KnownMachine = std::optional<Versioned<Machine>>;
 using KnownAxis = std::optional<Versioned<Axis>>;
 using KnownInstrument = std::optional<Versioned<Instrument>>;
 
-/// The machine with the same serial number, unless both say who made it and differ; else that of the same name, unless
-/// serial numbers differ; now, or as it was called before, where a number or a maker first said since counts too.
-/// Letters' case and blanks around do not matter.
+/// The machine with the same serial number, now or before, unless both say who made it and differ. Else by its name,
+/// now, or where none is called so as it was called before: of a test with a number the only one so called, if that
+/// never had one, which it then takes over; of a test without one the only one so called, or the one that has none
+/// either. Letters' case and blanks around do not matter.
+Result<MachineMeant> machine_meant(Connection& connection, const Machine& stated);
 Result<KnownMachine> known_machine(Connection& connection, const Machine& stated);
 
 /// The machine's axis of the same kind and name, now or before.
@@ -39,10 +41,13 @@ Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& sta
 Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated);
 
 /// What the tests of one transaction state, which is mostly the same again and again: looked for once. The known one;
-/// else it is added. Nothing where nothing is stated that it could be known by.
+/// else it is added. Nothing where nothing is stated that it could be known by. A machine that takes over the number of
+/// a test has a new version, which says so.
 class StatedAssets {
  public:
-  StatedAssets(Connection& connection, Change change) : connection_(connection), change_(std::move(change)) {}
+  /// `linked`: the machine that the test to be revised is linked with, and stays with unless it states another one.
+  StatedAssets(Connection& connection, Change change, std::optional<Id> linked = {})
+      : connection_(connection), change_(std::move(change)), linked_(linked) {}
 
   Result<std::optional<Id>> machine(const Machine& stated);
   Result<std::optional<Id>> axis(Id machine, const Axis& stated);
@@ -51,10 +56,13 @@ class StatedAssets {
  private:
   using Names = std::array<std::string, 3>;
 
+  Result<bool> stays_linked(const Machine& stated);
+  Result<Id> found_or_added(const Machine& stated);
   Result<InstrumentUse> found_or_added(const Instrument& stated);
 
   Connection& connection_;
   Change change_;
+  std::optional<Id> linked_;
   std::map<Names, std::optional<Id>> machines_;
   std::map<std::pair<Id, Names>, std::optional<Id>> axes_;
   std::map<Names, InstrumentUse> uses_;

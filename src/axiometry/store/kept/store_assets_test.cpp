@@ -107,12 +107,57 @@ TEST_P(StoreAssetsTest, KnowsAMachineByItsSerialNumberOrItsName) {
   EXPECT_EQ(machine_of("Mill", "2"), 2) << "another number is another machine";
   EXPECT_EQ(machine_of("Lathe", ""), 3);
   EXPECT_EQ(machine_of("lathe", "77"), 3) << "had no number yet";
+  EXPECT_EQ(must(store_->get<Machine>(3)).value.serial_number, "77");
   EXPECT_EQ(machine_of("", "9"), 4);
   EXPECT_EQ(must(store_->get<Machine>(4)).value.name, "9");
   EXPECT_EQ(machine_of("", ""), 0);
-  must(store_->change(3, 1, machine("Lathe in hall 2"), by_anna));
+  must(store_->change(3, 2, machine("Lathe in hall 2"), by_anna));
   EXPECT_EQ(machine_of("Lathe", ""), 3) << "as it was called before";
   EXPECT_EQ(must(store_->counts()).machines, 4);
+}
+
+TEST_P(StoreAssetsTest, GivesAMachineTheFirstNumberThatATestStatesAndNoOther) {
+  EXPECT_EQ(machine_of("Mill 5", ""), 1);
+  EXPECT_EQ(machine_of("Mill 5", "11"), 1);
+  EXPECT_EQ(machine_of("Mill 5", "22"), 2);
+  EXPECT_EQ(machine_of("Mill 5", "11"), 1);
+  const auto versions = must(store_->versions<Machine>(1));
+  ASSERT_EQ(versions.size(), 2u);
+  EXPECT_EQ(versions[0].value.serial_number, "");
+  EXPECT_EQ(versions[1].value.serial_number, "11");
+  EXPECT_THAT(versions[1].change.reason, HasSubstr("serial number stated by a test"));
+  must(store_->change(1, 2, machine("Mill 5"), by_anna));  // undone
+  EXPECT_EQ(machine_of("Mill 5", "33"), 3) << "two are called so";
+  EXPECT_TRUE(must(store_->verify()).problems.empty());
+}
+
+TEST_P(StoreAssetsTest, GuessesNoMachineByANameThatSeveralHave) {
+  EXPECT_EQ(machine_of("Mill 5", "11"), 1);
+  EXPECT_EQ(machine_of("Mill 5", ""), 1) << "the only one";
+  EXPECT_EQ(machine_of("Mill 5", "22"), 2);
+  const auto meant = [&] {
+    return must(store_->read([&](const Transaction& archive) { return archive.meant(machine("Mill 5")); }));
+  };
+  EXPECT_FALSE(meant().known);
+  EXPECT_EQ(meant().others, 2u);
+  EXPECT_EQ(machine_of("Mill 5", ""), 3) << "which of the two cannot be told";
+  EXPECT_EQ(machine_of("Mill 5", ""), 3);
+  EXPECT_EQ(meant().known.value().id, 3);
+  EXPECT_EQ(meant().others, 2u);
+  EXPECT_EQ(machine_of("Mill 5", "33"), 4) << "tests of 11 or 22 may be among those of the third";
+}
+
+TEST_P(StoreAssetsTest, LeavesATestThatIsRevisedWithItsMachine) {
+  EXPECT_EQ(machine_of("Mill 5", "11"), 1);
+  EXPECT_EQ(machine_of("Mill 5", ""), 1);
+  EXPECT_EQ(machine_of("Mill 5", "22"), 2);
+  TestState state = must(store_->test(2)).state;
+  state.machine = machine("Mill 5");
+  must(store_->revise(2, 1, state, by_anna));
+  EXPECT_EQ(must(store_->test(2)).machine, 1);
+  state.machine.serial_number = "22";
+  must(store_->revise(2, 2, state, by_anna));
+  EXPECT_EQ(must(store_->test(2)).machine, 2) << "stated to be another one";
 }
 
 TEST_P(StoreAssetsTest, TakesNoMachineWhoseNumberWasAddedLaterForOneOfAnotherNumber) {

@@ -93,7 +93,7 @@ Result<int> revise_test(Connection& connection, Id test, int base_version, const
                 fmt::format("found version {} of this test, made by {} at {}, expected version {} to be the latest",
                             head.latest, latest.change.actor, latest.change.at, base_version));
   const Change change = change_now(by);
-  StatedAssets stated(connection, change);
+  StatedAssets stated(connection, change, latest.machine);
   AXIOMETRY_TRY(TestVersion version, version_of(connection, state, change, stated));
   version.test = test;
   version.version = ++head.latest;

@@ -3,6 +3,7 @@ import { useState } from 'preact/hooks';
 import { ApiError } from '../../api/client';
 import { why_read_only } from '../../api/session';
 import { FailureNotice } from '../../components/failure';
+import { sentence } from '../../components/findings';
 import { VerdictMark } from '../../components/verdict';
 import { bytes } from '../../numbers';
 import { go } from '../../router';
@@ -96,6 +97,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         : one.state !== 'kept' && preview && preview.same_content.length > 0 && (
             <p class="notice caution">{t('same')} <TestLinks ids={preview.same_content} /></p>
           )}
+      {one.received?.tests.flatMap((test) => test.remarks).map((remark) => <p key={remark} class="notice caution">{sentence(remark)}</p>)}
       {one.error?.receipt?.id && <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: <TestLinks ids={[one.error.receipt.id]} /></p>}
       {preview && preview.tests.length > 0 && one.state !== 'kept' && <Contents preview={preview} />}
     </li>

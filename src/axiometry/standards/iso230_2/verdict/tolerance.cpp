@@ -16,8 +16,6 @@ using uncertainty::Verdict;
 
 constexpr double share_of_limit_negligible = 0.01;
 
-bool is_signed(const ParameterInfo& parameter) { return parameter.member == &AxisParameters::B_mean; }
-
 struct Question {
   const ParameterInfo& parameter;
   double value = 0.0;
@@ -27,7 +25,7 @@ struct Question {
 
 Decision decide_on(const Question& asked, const JudgedWith& with) {
   uncertainty::MeasuredValue measured{.value = asked.value};
-  measured.either_sign = is_signed(asked.parameter);
+  measured.either_sign = is_mean_over_targets(asked.parameter);
   measured.rounding = with.slack.of(asked.parameter, asked.value);
   if (const auto& known = with.uncertainties[index_of(asked.parameter)]) measured.belief = known->belief;
   return decide(measured, asked.limit, asked.rule);
@@ -61,6 +59,18 @@ const UncorrectedEffect* in_the_way(const Decision& decision, const Question& as
   if (together == 0.0) return nullptr;
   const bool negligible = together <= share_of_limit_negligible * asked.limit && !could_turn(decision, asked, together);
   return negligible ? nullptr : largest_effect(asked.parameter, with.uncorrected);
+}
+
+/// Why a value of which terms are missing decides nothing; empty where it does, or none is missing.
+std::string missing_terms(const Decision& decision, const ParameterInfo& parameter, const JudgedWith& with) {
+  const bool decides = decision.verdict == Verdict::does_not_conform && !is_mean_over_targets(parameter);
+  return decides ? "" : with.lower_bounds[index_of(parameter)];
+}
+
+/// Why nothing is decided although there is a value.
+std::string reason_to_withhold(const Decision& decision, const Question& asked, const JudgedWith& with) {
+  if (const UncorrectedEffect* effect = in_the_way(decision, asked, with)) return effect->reason();
+  return missing_terms(decision, asked.parameter, with);
 }
 
 /// Rank of a verdict among several: the largest decides.
@@ -143,8 +153,8 @@ std::vector<Judgement> judge(const AxisParameters& measured, std::span<const Tol
       if (known) judgement.uncertainty = known->stated;
       const Question asked{*tolerance.parameter, value->in_native(), tolerance.limit.in_native(), rule};
       judgement.decision = decide_on(asked, with);
-      if (const UncorrectedEffect* effect = in_the_way(judgement.decision, asked, with)) {
-        judgement.withheld = effect->reason();
+      judgement.withheld = reason_to_withhold(judgement.decision, asked, with);
+      if (!judgement.withheld.empty()) {
         judgement.decision = {};
         judgement.decision.verdict = Verdict::undecided;
       } else if (!known && judgement.decision.verdict == Verdict::undecided) {

@@ -10,6 +10,7 @@
 
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "axiometry/standards/iso230_2/comparison_slack.h"
+#include "axiometry/standards/iso230_2/verdict/lower_bounds.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
 #include "axiometry/uncertainty/conformity.h"
 
@@ -39,7 +40,7 @@ struct Tolerance {
   const ParameterInfo* parameter = nullptr;
   Deviation limit;
   ToleranceSource source = ToleranceSource::user;
-  std::string origin{};                   ///< of a table: which one, for people; else empty
+  std::string origin{};  ///< of a table: which one, for people; of an axis in the archive: since which day; else empty
   std::vector<ReplacedLimit> replaced{};  ///< of the same parameter, in rising precedence
 };
 
@@ -56,9 +57,9 @@ struct Judgement {
   std::optional<Deviation> magnitude;            ///< |value|; absent when the parameter does not exist (6.2)
   std::optional<StatedUncertainty> uncertainty;  ///< absent when none was estimated
   uncertainty::Decision decision;
-  /// Why nothing is decided although there is a value: an effect that it holds, under every rule; or, where the rule
-  /// asks for an uncertainty, that the method of record states none. Empty mostly; else the verdict is `undecided`,
-  /// without probability and zones.
+  /// Why nothing is decided although there is a value: an effect that it holds, or terms that it
+  /// lacks, under every rule; or, where the rule asks for an uncertainty, that the method of record states none. Empty
+  /// mostly; else the verdict is `undecided`, without probability and zones.
   std::string withheld{};
 
   /// T − g: up to here accepted. Absent when nothing could be: no u, g > T, or withheld.
@@ -75,11 +76,13 @@ struct JudgedWith {
   ComparisonSlack slack{};                           ///< how far rounding may have moved a value off its limit
   std::span<const UncorrectedEffect> uncorrected{};  ///< what the values hold and nobody knows the doubt of
   UncertaintyRefusals refusals{};                    ///< why there is no uncertainty of record
+  LowerBounds lower_bounds{};                        ///< what lacks terms, and why
 };
 
 /// A decision on each limit. A parameter that does not exist has no verdict (not_applicable). The limit of B̄ is one of
 /// its magnitude: p_c counts both signs, P(−T ≤ B̄ ≤ T). Withheld where an uncorrected effect is not negligible: where
-/// its size is not known, is more than a hundredth of the limit, or could turn the verdict.
+/// its size is not known, is more than a hundredth of the limit, or could turn the verdict. A lower bound never
+/// conforms; that it exceeds its limit stays so.
 std::vector<Judgement> judge(const AxisParameters& measured, std::span<const Tolerance> tolerances,
                              const uncertainty::DecisionRule& rule, const JudgedWith& with);
 

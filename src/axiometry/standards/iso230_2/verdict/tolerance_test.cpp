@@ -166,6 +166,60 @@ TEST(Judge, WithholdsEveryVerdictOnAValueThatHoldsAnUncorrectedEffect) {
   EXPECT_EQ(verdict("B_mean", 3.5, {Kind::iso_14253_1}, with), Verdict::conforms);  // does not act on it
 }
 
+/// Table 2 of the standard without the readings ↑ at its last target.
+Evaluation without_last_up() {
+  auto up = testing_support::table2::up;
+  for (auto& run : up) run.back() = testing_support::none;
+  return evaluate(testing_support::make_series(testing_support::table2::targets, up, testing_support::table2::down));
+}
+
+TEST(Judge, NeverFindsThatALowerBoundConforms) {
+  const Evaluation part = without_last_up();
+  JudgedWith with;
+  with.lower_bounds = lower_bounds(part);
+  for (const std::string_view key : {"A", "A_up", "E", "E_up", "M", "R", "R_up", "B", "B_mean"}) {
+    for (const Kind kind : {Kind::simple, Kind::iso_14253_1, Kind::guard_band}) {
+      const Tolerance one[] = {limit(key, 1000)};
+      const Judgement judgement = judge(part.parameters, one, {kind}, with).front();
+      EXPECT_EQ(judgement.decision.verdict, Verdict::undecided) << key;
+      EXPECT_FALSE(judgement.decision.probability_range) << key;
+      EXPECT_FALSE(judgement.acceptance_limit()) << key;
+      EXPECT_TRUE(judgement.withheld.starts_with("readings are missing at 1 of 11 targets")) << judgement.withheld;
+    }
+  }
+  for (const std::string_view key : {"A_down", "E_down", "R_down"}) {
+    const Tolerance one[] = {limit(key, 1000)};
+    EXPECT_EQ(judge(part.parameters, one, {}, with).front().decision.verdict, Verdict::conforms) << key;
+  }
+}
+
+TEST(Judge, LetsALowerBoundExceedItsLimitButNotTheMeanOfAPart) {
+  const Evaluation part = without_last_up();
+  JudgedWith with;
+  with.lower_bounds = lower_bounds(part);
+  const Tolerance limits[] = {limit("A", 0.5), limit("E", 0.5), limit("B_mean", 0.5)};
+  const auto judgements = judge(part.parameters, limits, {}, with);
+  EXPECT_EQ(judgements[0].decision.verdict, Verdict::does_not_conform);
+  EXPECT_EQ(judgements[1].decision.verdict, Verdict::does_not_conform);
+  EXPECT_EQ(judgements[2].decision.verdict, Verdict::undecided);
+  EXPECT_EQ(judgements[2].withheld, "readings are missing at 1 of 11 targets, and the others give the mean of a part");
+}
+
+TEST(LowerBounds, AreWhatLacksTheTermsThatItIsTakenFrom) {
+  auto up = testing_support::table2::up;
+  for (std::size_t run = 1; run < up.size(); ++run) up[run][3] = testing_support::none;  // a single reading is left
+  const auto bounds = lower_bounds(
+      evaluate(testing_support::make_series(testing_support::table2::targets, up, testing_support::table2::down)));
+  for (std::size_t k = 0; k < std::size(parameters); ++k) {
+    const std::string_view key = parameters[k].key;
+    const bool is_one = key == "A" || key == "A_up" || key == "R" || key == "R_up";
+    EXPECT_EQ(!bounds[k].empty(), is_one) << key;
+  }
+  for (const std::string& bound : lower_bounds(evaluate(testing_support::table2::series()))) EXPECT_EQ(bound, "");
+  const auto up_only = testing_support::make_series(testing_support::table2::targets, testing_support::table2::up, {});
+  for (const std::string& bound : lower_bounds(evaluate(up_only))) EXPECT_EQ(bound, "");
+}
+
 TEST(Judge, PassesOverAnEffectThatIsSmallAndCouldTurnNothing) {
   const UncorrectedEffect effects[] = {expansion(0.09)};
   JudgedWith with = all_with(0.1);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/error_motions/motion_evaluation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <variant>
+#include <vector>
+
+namespace axiometry::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr std::string_view straight_rows = "position_mm,straightness_um\n0,1\n400,2\n800,3.5\n";
+
+/// Why a file of straightness is refused; empty where it is not.
+std::string straight_fault(const std::string& head, std::string_view rows = straight_rows) {
+  const std::string bytes = head + std::string(rows);
+  const auto measured = measure_straightness({.file = "a.csv", .options = {}, .bytes = bytes});
+  return measured ? "" : measured.error().message;
+}
+
+std::string square_fault(const std::string& first, const std::string& second) {
+  const std::string one = first + std::string(straight_rows), two = second + std::string(straight_rows);
+  SquarenessRequest request;
+  request.first = "a.csv";
+  request.second = "b.csv";
+  request.bytes = {one, two};
+  const auto measured = measure_squareness(request);
+  return measured ? "" : measured.error().message;
+}
+
+TEST(MotionEvaluation, RefusesAFileOfAnotherAxisThanThatOfItsError) {
+  EXPECT_THAT(straight_fault("# error: EYX\n# axis.name: Z\n"),
+              HasSubstr("found readings of EYX in a file of the axis"));
+  EXPECT_THAT(straight_fault("# error: EYX\n# axis.name: z 2\n"), HasSubstr("expected one of X"));
+  for (const char* name : {"X", "x", "X1", "X axis", "Table", "V"})
+    EXPECT_EQ(straight_fault("# error: EYX\n# axis.name: " + std::string(name) + "\n"), "") << name;
+  EXPECT_EQ(straight_fault("# axis.name: Z\n"), "") << "no error is named";
+  EXPECT_THAT(square_fault("# positive: +Y\n# axis.name: Z\n", "# positive: -X\n"), HasSubstr("the axis 'Z'"))
+      << "the senses name the errors";
+}
+
+TEST(MotionEvaluation, RefusesAGainAndASignThatItDoesNotApply) {
+  EXPECT_THAT(straight_fault("# instrument.gain: 2\n"), HasSubstr("instrument.gain: 2"));
+  EXPECT_THAT(straight_fault("# instrument.sign_reversed: yes\n"), HasSubstr("# positive: -Y"));
+  EXPECT_EQ(straight_fault("# instrument.gain: 1\n# instrument.sign_reversed: no\n"), "");
+}
+
+TEST(MotionEvaluation, TakesNoDeviationsOfPositionsForAStraightness) {
+  constexpr std::string_view rows = "target_mm,direction,run,deviation_um\n0,up,1,1\n400,up,1,2\n800,up,1,3.5\n";
+  EXPECT_THAT(straight_fault("", rows), HasSubstr("may be those of positions"));
+  EXPECT_EQ(straight_fault("# error: EYX\n", rows), "");
+  EXPECT_EQ(straight_fault("# positive: +Y\n", rows), "");
+  const std::string bytes(rows);
+  EXPECT_TRUE(measure_straightness({.file = "a.csv", .error = MotionName{'Y', 'X'}, .options = {}, .bytes = bytes}));
+}
+
+TEST(MotionEvaluation, HasFilesOfOneMachine) {
+  EXPECT_THAT(square_fault("# error: EYX\n# machine.name: M5\n", "# error: EXY\n# machine.name: M6\n"),
+              HasSubstr("found the machines 'M5' and 'M6', expected files of one"));
+  EXPECT_THAT(square_fault("# machine.name: M5\n# machine.serial_number: 1\n",
+                           "# machine.name: m5 \n# machine.serial_number: 2\n"),
+              HasSubstr("serial numbers '1' and '2'"));
+  EXPECT_EQ(square_fault("# machine.name: M5\n# machine.serial_number: 1\n", "# machine.name: m5\n"), "");
+  EXPECT_EQ(square_fault("# machine.name: M5\n", ""), "");
+  const std::string one = "# machine.name: M5\nposition_mm,EAX_urad\n0,1\n400,2\n";
+  const std::string two = "# machine.name: M6\nposition_mm,EBX_urad\n0,1\n400,2\n";
+  AnglesRequest request;
+  request.files = {{.file = "a.csv", .options = {}, .bytes = one}, {.file = "b.csv", .options = {}, .bytes = two}};
+  const auto measured = measure_angles(request);
+  ASSERT_FALSE(measured);
+  EXPECT_THAT(measured.error().message, HasSubstr("expected files of one"));
+}
+
+/// Cells of the first row whose first is `name`, in any table; empty without one.
+std::vector<std::string> row_of(const report::Document& document, std::string_view name) {
+  for (const report::Section& section : document.sections)
+    for (const report::Block& block : section.blocks)
+      if (const auto* table = std::get_if<report::Table>(&block))
+        for (const auto& row : table->rows)
+          if (report::plain_text(row.front().text) == name) {
+            std::vector<std::string> cells;
+            for (const report::TableCell& cell : row) cells.push_back(report::plain_text(cell.text));
+            return cells;
+          }
+  return {};
+}
+
+report::Document straight_document(const std::string& bytes) {
+  const auto measured = measure_straightness({.file = "/home/me/a.csv", .options = {}, .bytes = bytes});
+  if (!measured) throw std::logic_error(measured.error().message);
+  return present(*measured, {}, {.report = true, .json = false}).document;
+}
+
+TEST(MotionReport, SaysWhatItIsOf) {
+  const auto document = straight_document(
+      "# machine.name: M5\n# machine.serial_number: 11\n# axis.name: X\n# test.date: 2026-11-26\n"
+      "# test.inspector: A. Tester\n" +
+      std::string(straight_rows));
+  EXPECT_EQ(row_of(document, "File").at(1), "a.csv");
+  EXPECT_EQ(row_of(document, "SHA-256 of the file").at(1).size(), 64u);
+  EXPECT_EQ(row_of(document, "Date of test").at(1), "2026-11-26");
+  EXPECT_THAT(row_of(document, "Program").at(1), HasSubstr("Axiometry "));
+  std::string identity;
+  for (const report::Fact& fact : document.identity)
+    identity += report::plain_text(fact.name) + ": " + report::plain_text(fact.value.text) + "\n";
+  EXPECT_THAT(identity, HasSubstr("Machine: M5\nSerial number: 11\nAxis: X\nDate of test: 2026-11-26\nInspector: A. "
+                                  "Tester\n"));
+  EXPECT_EQ(document.date, "2026-11-26");
+}
+
+TEST(MotionReport, HasAnUncertaintyOfTheAngleOfALineAndNoRoundingForAValue) {
+  const auto level = straight_document("position_mm,straightness_um\n0,1\n4,2\n8,1\n");
+  const std::vector<std::string> angle = row_of(level, "Angle of the line, θ");
+  ASSERT_EQ(angle.size(), 5u);
+  EXPECT_FALSE(angle[2].contains("e")) << angle[2];
+  EXPECT_TRUE(report::is_number(angle[3])) << angle[3];
+  const auto straight = straight_document("position_mm,straightness_um\n0,0.1\n4,0.1\n8,0.1\n");
+  EXPECT_EQ(row_of(straight, "Angle of the line, θ").at(2), "0");
+  EXPECT_EQ(row_of(straight, "Straightness, range of the residuals").at(2), "0");
+}
+
+}  // namespace
+}  // namespace axiometry::app

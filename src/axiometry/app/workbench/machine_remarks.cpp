@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/workbench/machine_remarks.h"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+#include "axiometry/base/text.h"
+
+namespace axiometry::app {
+namespace {
+
+Result<std::vector<std::string>> remarks_on(const store::Transaction& archive, const store::Machine& stated) {
+  AXIOMETRY_TRY(const store::MachineMeant meant, archive.meant(stated));
+  std::vector<std::string> remarks;
+  if (meant.takes_number)
+    remarks.push_back(fmt::format("machine {} had no serial number and takes over {}, which this test states",
+                                  meant.known->id, text::quoted(stated.serial_number)));
+  if (meant.others > 0)
+    remarks.push_back(fmt::format(
+        "{} machines of the archive are called {}, and no serial number in this test tells them apart: it is "
+        "kept with a machine without a number",
+        meant.others + (meant.known ? 1 : 0), text::quoted(stated.name)));
+  return remarks;
+}
+
+}  // namespace
+
+Result<std::vector<std::vector<std::string>>> machine_remarks(const store::Transaction& archive,
+                                                              std::span<const store::NewTest> tests) {
+  std::set<std::pair<std::string, std::string>> told;
+  std::vector<std::vector<std::string>> all;
+  for (const store::NewTest& test : tests) {
+    auto& remarks = all.emplace_back();
+    const store::Machine& machine = test.state.machine;
+    if (!told.emplace(machine.name, machine.serial_number).second) continue;
+    AXIOMETRY_TRY(remarks, remarks_on(archive, machine));
+  }
+  return all;
+}
+
+}  // namespace axiometry::app
