@@ -323,6 +323,7 @@ constexpr Phrase rows[] = {
      "der Grenzwert von {0} aus der Datei der Prüfung, {1}, wurde für diese Prüfung weggenommen"},
     {"the machine sensor", "Sensor der Maschine"},
     {"the machine sensor ({0=})", "Sensor der Maschine ({0})"},
+    {"the readings reach over {0#}", "die Messwerte reichen über {0}"},
     {"the readings were corrected for expansion with {0=} µm/(m·°C), the uncertainty takes {1=} ({2})",
      "die Messwerte sind mit {0} µm/(m·°C) um die Dehnung korrigiert, die Unsicherheit verwendet {1} ({2})"},
     {"the readings were corrected for expansion with {0=} µm/(m·°C), the uncertainty takes {1=} ({2}); of ΔT = {3#} °C "
@@ -375,6 +376,10 @@ constexpr Phrase rows[] = {
     {"{0=} ({1}) cannot act: {2}", "{0} ({1}) kann nicht wirken: {2}"},
     {"{0=} ({1}) does not count: {2=} ({3}) takes its place", "{0} ({1}) zählt nicht: {2} ({3}) tritt an die Stelle"},
     {"{0=} ({1}) does not count: {2}", "{0} ({1}) zählt nicht: {2}"},
+    {"{0=} ({1}) is far above the {2#} that the readings reach over, and uncertainties that grow with the length are "
+     "as large as it makes them",
+     "{0} ({1}) liegt weit über den {2}, über die die Messwerte reichen, und Unsicherheiten, die mit der Länge "
+     "wachsen, sind so groß, wie sie damit werden"},
     {"{0=} takes its place", "{0} tritt an die Stelle"},
     {"{0=} without {1}", "{0} ohne {1}"},
     {"{0} and {1#} more", "{0} und {1} weitere"},
