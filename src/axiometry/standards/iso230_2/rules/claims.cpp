@@ -9,7 +9,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/iso_date.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/says_nothing.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
@@ -113,13 +113,6 @@ void add_temperatures(Against& against, const Case& c, const Assessment& assessm
   add_missing(against, rules::sensors_complete(c));
 }
 
-/// "none", "not used": whoever compensates nothing has no sampling points.
-bool compensates(std::string_view compensation) {
-  const std::string word = text::to_lower(compensation);
-  return std::ranges::none_of(std::initializer_list<std::string_view>{"none", "no", "off", "not used", "keine", "aus"},
-                              [&](std::string_view none) { return word == none; });
-}
-
 /// Formula (1) asks for a random part within ±30 % of the interval or one expected period.
 bool random_part_may_be_large(const Case& c) {
   const auto& period = c.metadata.axis.expected_period;
@@ -132,9 +125,9 @@ void add_targets(Against& against, const Case& c) {
   add_unexplained(against, rules::targets_within_axis_travel(c));
   add_unexplained(against, rules::equally_spaced_targets(c));
   if (!random_part_may_be_large(c)) add_unexplained(against, rules::gap_between_targets(c));
-  const bool unknown_points =
-      !axis.compensation.empty() && compensates(axis.compensation) && axis.compensation_points.empty();
-  if (unknown_points && rules::may_serve_acceptance(c.metadata.conditions.purpose))
+  // "none", "not used": whoever compensates nothing has no sampling points.
+  const bool compensated = !text::says_nothing(axis.compensation) && !text::says_no(axis.compensation);
+  if (compensated && axis.compensation_points.empty() && rules::may_serve_acceptance(c.metadata.conditions.purpose))
     against.push_back(rules::missing("sampling-points-not-stated", "5.2",
                                      "sampling points of the compensation are not stated, so that nobody can tell "
                                      "whether targets lie on them"));
@@ -157,7 +150,7 @@ void add_impossible(Against& against, const Metadata& m) {
   if (of_test.dwell && !(of_test.dwell->in_s() > 0.0))
     against.push_back(
         rules::missing("dwell-of-zero", "5.1", "found a dwell of 0 s, expected the axis at rest while it is read"));
-  if (!compensates(of_test.warm_up) && !of_test.warm_up.empty())
+  if (text::says_no_warm_up(of_test.warm_up))
     against.push_back(rules::missing("warm-up-not-made", "4.3",
                                      "a warm-up is stated not to have been made; whether that was agreed is not"));
 }
@@ -186,7 +179,8 @@ Against against_tested(const Case& c, const Test& test, const Assessment& assess
   for (const auto& [clause, key] : items_of_the_test) add_unless_given(against, clause, key, c.metadata);
   add_impossible(against, c.metadata);
   add_known_errors(against, test, assessment);
-  const bool by_artefact = !c.metadata.artefact.type.empty();
+  const std::string& artefact = c.metadata.artefact.type;
+  const bool by_artefact = !text::says_nothing(artefact) && !text::says_none(artefact);
   if (!by_artefact) add_unless_given(against, "5.3.1", "equipment", c.metadata);
   return against;
 }

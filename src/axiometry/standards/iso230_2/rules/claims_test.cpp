@@ -61,6 +61,15 @@ TEST(Claims, LeaveBareNumbersTheFirstOnly) {
   EXPECT_EQ(against_text(tested), "9 points not stated") << points(bare(), ClaimKind::tested);
 }
 
+TEST(Claims, OfTheTestStandWithoutCompensationWhateverItIsCalled) {
+  for (const char* none : {"none", "nil", "keine", "ohne", "aucune", "off", "0"}) {
+    axiometry::Test test = whole();
+    test.metadata.axis.compensation = none;
+    test.metadata.axis.compensation_points.clear();
+    EXPECT_EQ(points(test, ClaimKind::tested), "") << none;
+  }
+}
+
 using Change = std::function<void(axiometry::Test&)>;
 
 TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
@@ -87,16 +96,26 @@ TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
       // Statements that say nothing, or that no test can be made with.
       {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "n/a"; }},
       {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "-"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "not stated"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "—"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "non indiqué"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "none"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.nde.routine = "k. A."; }},
+      {"5.3.1",
+       [](axiometry::Test& t) {
+         t.metadata.equipment = {{"-", "-", "-", "-"}};
+       }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.environment.sensors.front().location = "–"; }},
       {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "none"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "not made"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "kein Warmlauf"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "0 min"; }},
       {"5.1", [](axiometry::Test& t) { t.metadata.conditions.feed = 0.0; }},
       {"5.1", [](axiometry::Test& t) { t.metadata.conditions.dwell = Duration::s(0.0); }},
       // Errors that are known and not corrected.
       {"4.1", [](axiometry::Test& t) { t.metadata.instrument.sign_reversed = true; }},
       {"4.1", [](axiometry::Test& t) { t.metadata.instrument.gain = 1.01; }},
-      {"5.3.1",
-       [](axiometry::Test& t) {
-         t.provenance.corrections.push_back({"drift", "Drift", {}, {}, {}});
-       }},
+      {"5.3.1", [](axiometry::Test& t) { t.provenance.corrections.push_back({"drift", "Drift", {}, {}, {}}); }},
   };
   for (const auto& [clause, change] : changes) {
     axiometry::Test test = whole();
@@ -230,6 +249,8 @@ TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-13-45"; }},
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.tool_offset_mm.clear(); }},
       {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number.clear(); }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number = "unbekannt"; }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector = "nicht angegeben"; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty = {}; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty.misalignment.reset(); }},
   };

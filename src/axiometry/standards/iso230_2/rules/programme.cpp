@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/base/says_nothing.h"
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
@@ -32,7 +33,7 @@ std::string listed(const std::vector<std::string>& items) {
 
 bool may_serve_acceptance(std::string_view purpose) {
   const std::string word = text::to_lower(purpose);
-  return word.empty() || word.find("accept") != word.npos || word.find("verif") != word.npos;
+  return text::says_nothing(word) || word.find("accept") != word.npos || word.find("verif") != word.npos;
 }
 
 std::optional<Finding> equally_spaced_targets(const Case& c) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "axiometry/base/iso_date.h"
+#include "axiometry/base/says_nothing.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
@@ -67,6 +68,22 @@ std::vector<std::string> contributors_left_out(const Case& c) {
   return absent;
 }
 
+/// Of what a machine or a test need not have "none" is an answer; of a warm-up add_impossible() judges it.
+bool may_be_none(const Field& field) {
+  constexpr std::string_view keys[] = {"axis.scale_type", "axis.compensation", "test.axes_not_under_test",
+                                       "test.warm_up"};
+  return std::ranges::find(keys, field.key) != std::end(keys);
+}
+
+bool names_nothing(std::string_view words) { return text::says_nothing(words) || text::says_none(words); }
+
+bool identifies_anything(const std::vector<Cell>& record) {
+  return std::ranges::any_of(record, [](const Cell& cell) {
+    const auto* words = std::get_if<std::string>(&cell);
+    return words == nullptr ? std::holds_alternative<double>(cell) : !names_nothing(*words);
+  });
+}
+
 }  // namespace
 
 std::string within_sentence(std::string_view title) {
@@ -83,16 +100,11 @@ std::optional<Finding> parameters_not_applicable(const Case& c) {
 }
 
 bool is_stated(const Field& field, const Metadata& metadata) {
-  if (!is_given(field, metadata)) return false;
   const FieldValue value = field.get(metadata);
-  const auto* stated = std::get_if<std::string>(&value);
-  if (stated == nullptr) return true;
-  const std::string word = text::to_lower(*stated);
-  const bool dashes = std::ranges::none_of(
-      word, [](unsigned char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c >= 0x80; });
-  return !dashes &&
-         std::ranges::none_of(std::initializer_list<std::string_view>{"n/a", "na", "unknown", "tbd", "unbekannt"},
-                              [&](std::string_view nothing) { return word == nothing; });
+  if (const auto* words = std::get_if<std::string>(&value))
+    return !text::says_nothing(*words) && (may_be_none(field) || !text::says_none(*words));
+  if (const auto* records = std::get_if<Records>(&value)) return std::ranges::any_of(*records, identifies_anything);
+  return is_given(field, metadata);
 }
 
 std::optional<Finding> items_of_identification(const Case& c) {
@@ -120,11 +132,12 @@ std::optional<Finding> equipment_identified(const Case& c) {
   for (std::size_t k = 0; k < c.metadata.equipment.size(); ++k) {
     const Equipment& e = c.metadata.equipment[k];
     std::vector<std::string_view> lacks;
-    if (e.manufacturer.empty()) lacks.push_back("manufacturer");
-    if (e.type.empty()) lacks.push_back("type");
-    if (e.serial_number.empty()) lacks.push_back("serial number");
+    if (names_nothing(e.manufacturer)) lacks.push_back("manufacturer");
+    if (names_nothing(e.type)) lacks.push_back("type");
+    if (names_nothing(e.serial_number)) lacks.push_back("serial number");
     if (lacks.empty()) continue;
-    incomplete.push_back(fmt::format("{} without {}", e.role.empty() ? fmt::format("component {}", k + 1) : e.role,
+    incomplete.push_back(fmt::format("{} without {}",
+                                     names_nothing(e.role) ? fmt::format("component {}", k + 1) : e.role,
                                      fmt::join(lacks, " and ")));
   }
   if (incomplete.empty()) return std::nullopt;
@@ -160,9 +173,10 @@ std::optional<Finding> sensors_complete(const Case& c) {
   };
   if (!has_role("machine")) lacks.push_back("no sensor with the role machine");
   for (const TemperatureSensor& s : c.metadata.environment.sensors) {
-    std::string name = s.role.empty() ? "a sensor" : "the sensor of the " + s.role;
-    if (!s.location.empty()) name += fmt::format(" ({})", s.location);
-    if (s.location.empty()) lacks.push_back(name + " without location");
+    std::string name = names_nothing(s.role) ? "a sensor" : "the sensor of the " + s.role;
+    const bool located = !names_nothing(s.location);
+    if (located) name += fmt::format(" ({})", s.location);
+    if (!located) lacks.push_back(name + " without location");
     if (!s.start || !s.end)
       lacks.push_back(fmt::format("{} without temperature at the {}", name,
                                   s.start ? "end"

@@ -40,7 +40,7 @@ struct Case {
 Case make_case(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                const std::optional<AnnexA>& uncertainty);
 
-/// Whether an item is given and says something: "-" and "n/a" do not.
+/// Whether an item is given and says something (base/says_nothing.h): "-" and "n/a" do not, nor "none" of what must be.
 bool is_stated(const Field& field, const Metadata& metadata);
 
 using Rule = std::optional<Finding>(const Case&);
