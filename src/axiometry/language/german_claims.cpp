@@ -78,10 +78,14 @@ constexpr Phrase rows[] = {
     {"temperatures at the start and the end of the test are not stated",
      "Temperaturen am Anfang und am Ende der Prüfung sind nicht angegeben"},
     {"the date of the test is given as {0=}, which is no day", "das Prüfdatum ist als {0} angegeben, was kein Tag ist"},
+    {"the method of record, {0}, finds an uncertainty of 0 of {1#}, which is none",
+     "das maßgebliche Verfahren, {0}, findet eine Unsicherheit von 0 für {1}, und das ist keine"},
     {"the smaller of R↑ and R↓, called unidirectional positioning repeatability in lists of export "
      "control; for information only: no parameter of the standard, and not judged",
      "der kleinere Wert von R↑ und R↓, in Listen der Ausfuhrkontrolle einseitige "
      "Positionierwiederholbarkeit genannt; nur zur Information: kein Kennwert der Norm und nicht beurteilt"},
+    {"the uncertainty takes as 0 what nobody knows without doubt: {0}",
+     "die Unsicherheit setzt mit 0 an, was niemand ohne Zweifel kennt: {0}"},
     {"whether differential expansion was corrected is not stated",
      "ob die Differenzdehnung korrigiert wurde, ist nicht angegeben"},
     {"{0#} points not stated", "{0} Punkte nicht angegeben"},

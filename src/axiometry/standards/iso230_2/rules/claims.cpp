@@ -230,6 +230,7 @@ Against against_reported(const Case& c, const Assessment& assessment) {
   add_missing(against, rules::line_in_space(c));
   add_missing(against, parameters_missing(c));
   add_missing(against, rules::uncertainty_stated(c));
+  add_missing(against, rules::uncertainty_of_zero(c));
   add_missing(against, uncertainty_of_record_missing(assessment));
   add_missing(against, rules::station_stated(c));
   return against;

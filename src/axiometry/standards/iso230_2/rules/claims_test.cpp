@@ -242,6 +242,14 @@ TEST(Claims, OfTheComputationFallWhereNoApproachWasMeasuredOrATermIsMissing) {
   EXPECT_EQ(ids_against(step, ClaimKind::computed), std::vector<std::string>{"step-cycle"}) << "as the rule's finding";
 }
 
+TEST(Claims, OfTheReportStandWithAMachineAtTwentyDegreesAndNoMisalignment) {
+  axiometry::Test test = whole();
+  test.metadata.uncertainty.machine_temperature_difference = TemperatureDifference::kelvin(0);
+  test.metadata.uncertainty.misalignment = Length::mm(0);
+  for (auto& sensor : test.metadata.environment.sensors) sensor.start = sensor.end = Temperature::celsius(20);
+  EXPECT_EQ(points(test, ClaimKind::reported), "");
+}
+
 TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {
   const std::pair<const char*, Change> changes[] = {
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector.clear(); }},
@@ -253,6 +261,11 @@ TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector = "nicht angegeben"; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty = {}; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty.misalignment.reset(); }},
+      {"8.2.1",
+       [](axiometry::Test& t) { t.metadata.uncertainty.device_calibration_per_length = RelativeLength::um_per_m(0); }},
+      {"8.2.1",
+       [](axiometry::Test& t) { t.metadata.uncertainty.machine_temperature_range = TemperatureDifference::kelvin(0); }},
+      {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty.environmental_variation = Deviation::native(0); }},
   };
   for (const auto& [clause, change] : changes) {
     axiometry::Test test = whole();

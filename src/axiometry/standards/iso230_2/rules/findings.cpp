@@ -60,6 +60,7 @@ constexpr Row every_rule[] = {
     {equipment_calibrated},
     {line_in_space},
     {uncertainty_stated},
+    {uncertainty_of_zero},
     {station_stated},
     {repeatability_below_variation},
     {step_cycle, may_depart},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/says_nothing.h"
@@ -55,16 +56,29 @@ bool U_known(const AnnexA& annex, std::string_view key) {
   return std::ranges::any_of(annex.budget, [&](const Contributor& row) { return row.key == key && row.U; });
 }
 
+constexpr std::string_view contributor_of_device = "measuring device (A.1 to A.3)";
+constexpr std::string_view contributor_of_thermometer = "temperature measurement of the machine tool (A.5)";
+constexpr std::string_view contributor_of_environment = "environmental variation (A.9)";
+
+/// Whether Annex A takes a contributor as 0, or of the machine's temperature its R(θ), whatever α is.
+bool taken_as_zero(const AnnexA& annex, std::string_view key) {
+  return std::ranges::any_of(annex.budget, [&](const Contributor& row) {
+    const bool no_range = std::ranges::any_of(
+        row.inputs, [](const BudgetInput& input) { return input.symbol == "R(θ)" && input.value == 0.0; });
+    return row.key == key && row.U && (no_range || (key != "m_machine" && row.U->in_native() == 0.0));
+  });
+}
+
 /// The contributors that 8.2.1 asks for at least, as far as Annex A has a formula for this kind of axis.
 std::vector<std::string> contributors_left_out(const Case& c) {
   std::vector<std::string> absent;
   const auto known = [&](std::string_view key) { return c.uncertainty && U_known(*c.uncertainty, key); };
-  if (!known("device")) absent.push_back("measuring device (A.1 to A.3)");
+  if (!known("device")) absent.emplace_back(contributor_of_device);
   // The beam of a tracking interferometer follows: what counts is where it starts.
   if (c.linear() && !known("misalignment") && !known("station")) absent.push_back("misalignment (A.4)");
-  if (c.linear() && !known("m_machine")) absent.push_back("temperature measurement of the machine tool (A.5)");
+  if (c.linear() && !known("m_machine")) absent.emplace_back(contributor_of_thermometer);
   if (c.linear() && !known("e_machine")) absent.push_back("expansion coefficient of the machine tool (A.7)");
-  if (!known("eve")) absent.push_back("environmental variation (A.9)");
+  if (!known("eve")) absent.emplace_back(contributor_of_environment);
   return absent;
 }
 
@@ -196,6 +210,18 @@ std::optional<Finding> uncertainty_stated(const Case& c) {
   return missing(
       "uncertainty-stated", "8.2.1",
       fmt::format("the uncertainty is incomplete and too small: nothing was given of {}", fmt::join(absent, ", ")));
+}
+
+std::optional<Finding> uncertainty_of_zero(const Case& c) {
+  if (!c.uncertainty) return std::nullopt;
+  std::vector<std::string_view> zero;
+  for (const auto& [key, title] :
+       {std::pair("device", contributor_of_device), std::pair("m_machine", contributor_of_thermometer),
+        std::pair("eve", contributor_of_environment)})
+    if (taken_as_zero(*c.uncertainty, key)) zero.push_back(title);
+  if (zero.empty()) return std::nullopt;
+  return missing("uncertainty-of-zero", "8.2.1",
+                 fmt::format("the uncertainty takes as 0 what nobody knows without doubt: {}", fmt::join(zero, ", ")));
 }
 
 std::optional<Finding> repeatability_below_variation(const Case& c) {

@@ -82,6 +82,7 @@ Rule equipment_identified;           // 8.1
 Rule equipment_calibrated;           // 8.2.1
 Rule sensors_complete;               // 8.1
 Rule uncertainty_stated;             // 8.2.1
+Rule uncertainty_of_zero;            // 8.2.1
 Rule repeatability_below_variation;  // A.2.6
 
 // Lines in space and tracking interferometers (iso230_2_rules_lines.cpp).
