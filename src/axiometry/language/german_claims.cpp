@@ -50,6 +50,14 @@ constexpr Phrase rows[] = {
     {"Yes", "Ja"},
     {"contradicted by 1 point", "1 Punkt widerspricht"},
     {"contradicted by {0#} points", "{0} Punkte widersprechen"},
+    {"found a test dated {0=}, which names no day that can be read, and temperatures of {1=}: nobody knows whose these "
+     "are",
+     "eine Prüfung mit dem Datum {0}, das keinen lesbaren Tag nennt, und Temperaturen vom {1}: Niemand weiß, wessen "
+     "Temperaturen dies sind"},
+    {"found dates of calibration that name no day or month, so that nobody can tell whether it held on the day of the "
+     "test: {0=}",
+     "Kalibrierdaten, die keinen Tag oder Monat nennen, sodass niemand sagen kann, ob die Kalibrierung am Tag der "
+     "Prüfung galt: {0}"},
     {"found several axes moving at once, which is no test of a single axis; the text of ISO 230-6 was not "
      "at hand",
      "mehrere Achsen bewegen sich zugleich, was keine Prüfung einer einzelnen Achse ist; der Text von ISO "
@@ -60,6 +68,9 @@ constexpr Phrase rows[] = {
      "Grenzen"},
     {"found the step cycle, whose results may not be published with reference to the standard",
      "der Stufenzyklus, dessen Ergebnisse nicht mit Bezug auf die Norm veröffentlicht werden dürfen"},
+    {"found {0=} for the date of the test, expected a day such as {1=}: nothing that depends on the day could be "
+     "looked at",
+     "{0} als Prüfdatum; erwartet: ein Tag wie {1}. Nichts, was vom Tag abhängt, konnte angesehen werden"},
     {"kept", "eingehalten"},
     {"no value of the listed parameters {0#}", "kein Wert der aufgeführten Kennwerte {0}"},
     {"not all stated", "nicht alles angegeben"},

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/iso_date.h"
 #include "axiometry/base/says_nothing.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
@@ -212,20 +211,13 @@ std::optional<Finding> uncertainty_of_record_missing(const Assessment& assessmen
                         fmt::format("no uncertainty is stated of {}", fmt::join(without, ", ")));
 }
 
-/// A day that the calendar does not have, written as ISO 8601 has it; other spellings are not judged.
-std::optional<Finding> impossible_date(const Case& c) {
-  const std::string& date = c.metadata.conditions.date;
-  const bool as_iso = date.size() >= 10 && date[4] == '-' && date[7] == '-';
-  if (!as_iso || !iso_date(date).empty()) return std::nullopt;
-  return rules::missing("impossible-date", "8.1",
-                        fmt::format("the date of the test is given as {}, which is no day", date));
-}
-
 Against against_reported(const Case& c, const Assessment& assessment) {
   Against against;
-  add_missing(against, impossible_date(c));
+  add_missing(against, rules::impossible_date(c));
+  add_missing(against, rules::date_not_read(c));
   add_missing(against, rules::items_of_identification(c));
   add_missing(against, rules::equipment_identified(c));
+  add_missing(against, rules::calibration_date_not_read(c));
   add_missing(against, rules::sensors_complete(c));
   add_missing(against, rules::line_in_space(c));
   add_missing(against, parameters_missing(c));

@@ -91,6 +91,16 @@ bool may_be_none(const Field& field) {
 
 bool names_nothing(std::string_view words) { return text::says_nothing(words) || text::says_none(words); }
 
+/// Whether a date is written as ISO 8601 has it, day or no day.
+bool written_as_iso(std::string_view date) { return date.size() >= 10 && date[4] == '-' && date[7] == '-'; }
+
+/// A component by its role, else by what identifies it.
+std::string name_of(const Equipment& e) {
+  for (const std::string* name : {&e.role, &e.type, &e.manufacturer, &e.serial_number})
+    if (!name->empty()) return *name;
+  return "";
+}
+
 bool identifies_anything(const std::vector<Cell>& record) {
   return std::ranges::any_of(record, [](const Cell& cell) {
     const auto* words = std::get_if<std::string>(&cell);
@@ -159,23 +169,48 @@ std::optional<Finding> equipment_identified(const Case& c) {
                  fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));
 }
 
+std::optional<Finding> impossible_date(const Case& c) {
+  const std::string& date = c.metadata.conditions.date;
+  if (!written_as_iso(date) || !iso_date(date).empty()) return std::nullopt;
+  return missing("impossible-date", "8.1", fmt::format("the date of the test is given as {}, which is no day", date));
+}
+
+std::optional<Finding> date_not_read(const Case& c) {
+  const std::string& date = c.metadata.conditions.date;
+  if (names_nothing(date) || written_as_iso(date) || !iso_date(date).empty()) return std::nullopt;
+  return missing("date-not-read", "8.1",
+                 fmt::format("found {} for the date of the test, expected a day such as 2014-05-15: nothing that "
+                             "depends on the day could be looked at",
+                             date));
+}
+
 std::optional<Finding> equipment_calibrated(const Case& c) {
   const std::string day = iso_date(c.metadata.conditions.date);
   if (day.empty()) return std::nullopt;
   std::vector<std::string> outside;
   for (const Equipment& e : c.metadata.equipment) {
-    const std::string from = iso_date(e.calibrated_on);
-    const std::string due = iso_date(e.calibration_due);
+    const std::string from = named_days(e.calibrated_on).first;
+    const std::string due = named_days(e.calibration_due).last;
     if (from <= day && (due.empty() || due >= day)) continue;
-    std::string name = e.role;
-    for (const std::string* other : {&e.type, &e.manufacturer, &e.serial_number})
-      if (name.empty()) name = *other;
-    outside.push_back(fmt::format("{} ({} – {})", name, from.empty() ? "…" : from, due.empty() ? "…" : due));
+    outside.push_back(fmt::format("{} ({} – {})", name_of(e), from.empty() ? "…" : from, due.empty() ? "…" : due));
   }
   if (outside.empty()) return std::nullopt;
   return note(
       "equipment-calibrated", "8.2.1",
       fmt::format("found a test on {}, when its equipment was out of calibration: {}", day, fmt::join(outside, "; ")));
+}
+
+std::optional<Finding> calibration_date_not_read(const Case& c) {
+  std::vector<std::string> unread;
+  for (const Equipment& e : c.metadata.equipment)
+    for (const std::string* date : {&e.calibrated_on, &e.calibration_due})
+      if (!names_nothing(*date) && named_days(*date).first.empty())
+        unread.push_back(fmt::format("{} ({})", name_of(e), *date));
+  if (unread.empty()) return std::nullopt;
+  return missing("calibration-date-not-read", "8.2.1",
+                 fmt::format("found dates of calibration that name no day or month, so that nobody can tell whether it "
+                             "held on the day of the test: {}",
+                             fmt::join(unread, "; ")));
 }
 
 std::optional<Finding> sensors_complete(const Case& c) {

@@ -79,7 +79,10 @@ Rule step_cycle;                // Annex B
 Rule parameters_not_applicable;      // 6.2
 Rule items_of_identification;        // 8.1
 Rule equipment_identified;           // 8.1
+Rule impossible_date;                // 8.1
+Rule date_not_read;                  // 8.1
 Rule equipment_calibrated;           // 8.2.1
+Rule calibration_date_not_read;      // 8.2.1
 Rule sensors_complete;               // 8.1
 Rule uncertainty_stated;             // 8.2.1
 Rule uncertainty_of_zero;            // 8.2.1
