@@ -71,6 +71,8 @@ constexpr Phrase rows[] = {
     {"found {0=} for the date of the test, expected a day such as {1=}: nothing that depends on the day could be "
      "looked at",
      "{0} als Prüfdatum; erwartet: ein Tag wie {1}. Nichts, was vom Tag abhängt, konnte angesehen werden"},
+    {"found {0} outside the axis travel, expected all targets within it",
+     "{0} außerhalb des Verfahrwegs; erwartet: alle Zielpositionen innerhalb"},
     {"kept", "eingehalten"},
     {"no value of the listed parameters {0#}", "kein Wert der aufgeführten Kennwerte {0}"},
     {"not all stated", "nicht alles angegeben"},

@@ -2,6 +2,7 @@
 #include "axiometry/model/axis.h"
 
 #include <cmath>
+#include <utility>
 
 namespace axiometry {
 namespace {
@@ -37,6 +38,16 @@ std::size_t moving_axes(const SpatialLine& line) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) count += std::abs(line.direction[k]) > moves_above;
   return count;
+}
+
+std::optional<double> AxisEnds::length_native() const {
+  return lower && upper ? std::optional(upper->in_native() - lower->in_native()) : std::nullopt;
+}
+
+AxisEnds axis_ends(const Axis& axis) {
+  AxisEnds ends{axis.travel_begin, axis.travel_end};
+  if (ends.lower && ends.upper && *ends.lower > *ends.upper) std::swap(ends.lower, ends.upper);
+  return ends;
 }
 
 bool is_diagonal(const Axis& axis) {

@@ -34,7 +34,7 @@ constexpr bool may_depart = true;
 // In the order of the clauses.
 constexpr Row every_rule[] = {
     {both_ends_from_both_sides, may_depart},
-    {targets_within_axis_travel},
+    {targets_within_axis_travel, may_depart},
     {part_of_axis_travel},
     {same_reversal_everywhere},
     {readings_repeat_exactly},

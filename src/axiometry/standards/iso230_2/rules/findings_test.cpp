@@ -147,10 +147,26 @@ TEST(Findings, WantRoomBeyondTheEndTargets) {
               HasSubstr("500 mm measured of an axis travel of 1810 mm"));
 }
 
+TEST(Findings, DepartWhereTargetsLieOutsideTheAxisTravel) {
+  Metadata m;
+  m.axis.travel_begin = Position::native(100);
+  m.axis.travel_end = Position::native(400);
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"),
+            "departure: found the first target at 0 mm and the last target at 500 mm outside the axis travel, expected "
+            "all targets within it");
+  m.axis.travel_begin = Position::native(520);
+  m.axis.travel_end = Position::native(-20);
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"), "") << "ends are ends, whichever was stated first";
+  m.axis.travel_begin = m.axis.travel_end = Position::native(100);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "3.2"), HasSubstr("departure: found the first target at 0 mm"));
+}
+
 TEST(Findings, RememberTheTestOverTheWholeTravel) {
   Metadata m;
   m.axis.travel_begin = Position::native(-10);
   m.axis.travel_end = Position::native(3000);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.3"), HasSubstr("the axis travels 3010 mm"));
+  std::swap(m.axis.travel_begin, m.axis.travel_end);
   EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.3"), HasSubstr("the axis travels 3010 mm"));
 }
 

@@ -200,15 +200,13 @@ std::optional<Finding> additional_test(const Case& c) {
   if (c.programme == Programme::many_turns)
     return note("additional-test", "5.3.5",
                 "the test with five approaches over 360° of the normal working area is also needed (6.2)");
-  const Axis& axis = c.metadata.axis;
-  if (!axis.travel_begin || !axis.travel_end) return std::nullopt;
-  const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
-  if (c.linear() ? whole <= 2000.0 : whole <= 360.0) return std::nullopt;
+  const auto whole = axis_ends(c.metadata.axis).length_native();
+  if (!whole || (c.linear() ? *whole <= 2000.0 : *whole <= 360.0)) return std::nullopt;
   return note(
       "additional-test", c.linear() ? "5.3.3" : "5.3.5",
       fmt::format(
           "the axis travels {}: the test over its whole travel with one approach from each direction is also needed",
-          position_text(c, whole)));
+          position_text(c, *whole)));
 }
 
 std::optional<Finding> step_cycle(const Case& c) {
