@@ -21,14 +21,6 @@ namespace {
 using rules::Case;
 using Against = std::vector<Finding>;
 
-/// A note of what the standard forbids but where something allows it that no item states: that the targets could not be
-/// chosen, that another test was made as well.
-void add_unexplained(Against& against, std::optional<Finding> finding) {
-  if (!finding || finding->severity == Severity::departure) return;  // those stand among the departures
-  finding->severity = Severity::missing;
-  against.push_back(*std::move(finding));
-}
-
 /// Where a rule finds what was not stated; its notes and departures are looked for elsewhere.
 void add_missing(Against& against, std::optional<Finding> finding) {
   if (finding && finding->severity == Severity::missing) against.push_back(*std::move(finding));
@@ -112,25 +104,15 @@ void add_temperatures(Against& against, const Case& c, const Assessment& assessm
   add_missing(against, rules::sensors_complete(c));
 }
 
-/// Formula (1) asks for a random part within ±30 % of the interval or one expected period.
-bool random_part_may_be_large(const Case& c) {
-  const auto& period = c.metadata.axis.expected_period;
-  const double interval = c.travel() / static_cast<double>(c.series.target_count() - 1);
-  return period && period->in_native() > 0.5 * interval;
-}
-
 void add_targets(Against& against, const Case& c) {
   const Axis& axis = c.metadata.axis;
-  add_unexplained(against, rules::targets_within_axis_travel(c));
-  add_unexplained(against, rules::equally_spaced_targets(c));
-  if (!random_part_may_be_large(c)) add_unexplained(against, rules::gap_between_targets(c));
+  std::ranges::move(rules::unexplained(c), std::back_inserter(against));
   // "none", "not used": whoever compensates nothing has no sampling points.
   const bool compensated = !text::says_nothing(axis.compensation) && !text::says_no(axis.compensation);
   if (compensated && axis.compensation_points.empty() && rules::may_serve_acceptance(c.metadata.conditions.purpose))
     against.push_back(rules::missing("sampling-points-not-stated", "5.2",
                                      "sampling points of the compensation are not stated, so that nobody can tell "
                                      "whether targets lie on them"));
-  add_unexplained(against, rules::additional_test(c));
 }
 
 constexpr std::pair<const char*, std::string_view> items_of_the_test[] = {{"4.2", "test.axes_not_under_test"},

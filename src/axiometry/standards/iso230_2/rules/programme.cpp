@@ -29,6 +29,12 @@ std::string listed(const std::vector<std::string>& items) {
   return list;
 }
 
+/// Formula (1) asks for a random part within ±30 % of the interval or one expected period.
+bool random_part_may_be_large(const Case& c) {
+  const auto& period = c.metadata.axis.expected_period;
+  return period && period->in_native() > 0.5 * mean_interval(c);
+}
+
 }  // namespace
 
 bool may_serve_acceptance(std::string_view purpose) {
@@ -207,6 +213,18 @@ std::optional<Finding> additional_test(const Case& c) {
       fmt::format(
           "the axis travels {}: the test over its whole travel with one approach from each direction is also needed",
           position_text(c, *whole)));
+}
+
+std::vector<Finding> unexplained(const Case& c) {
+  std::vector<Finding> all;
+  for (Rule* rule : {targets_within_axis_travel, equally_spaced_targets, gap_between_targets, additional_test}) {
+    if (rule == gap_between_targets && random_part_may_be_large(c)) continue;
+    auto finding = rule(c);
+    if (!finding || finding->severity == Severity::departure) continue;  // those stand among the departures
+    finding->severity = Severity::missing;
+    all.push_back(*std::move(finding));
+  }
+  return all;
 }
 
 std::optional<Finding> step_cycle(const Case& c) {

@@ -58,6 +58,10 @@ Rule ordered_progression;             // 4.3
 
 inline constexpr const char* progression_clause = "4.3";  ///< of an ordered progression of deviations
 
+/// Notes of what the standard forbids but where something allows it that no item states: that the targets could not be
+/// chosen, that another test was made as well. As missing: they speak against a test, and against a plan of one.
+std::vector<Finding> unexplained(const Case& c);
+
 /// Clauses 3.18 and 4.3: outliers, uneven scatter, shifts and drifts of the runs (iso230_2_rules_scatter.cpp).
 std::vector<Finding> scatter_findings(const Case& c);
 
