@@ -242,6 +242,14 @@ TEST(Claims, OfTheComputationFallWhereNoApproachWasMeasuredOrATermIsMissing) {
   EXPECT_EQ(ids_against(step, ClaimKind::computed), std::vector<std::string>{"step-cycle"}) << "as the rule's finding";
 }
 
+TEST(Claims, OfTheReportAskForNoDayOfASimulation) {
+  axiometry::Test test = whole();
+  test.metadata.conditions.date = "None: simulated";
+  EXPECT_EQ(points(test, ClaimKind::reported), "");
+  test.metadata.equipment.front().calibration_due = "2024-12-31";
+  EXPECT_EQ(ids_against(test, ClaimKind::reported), std::vector<std::string>{"date-not-read"});
+}
+
 TEST(Claims, OfTheReportStandWithAMachineAtTwentyDegreesAndNoMisalignment) {
   axiometry::Test test = whole();
   test.metadata.uncertainty.machine_temperature_difference = TemperatureDifference::kelvin(0);

@@ -101,6 +101,10 @@ std::string name_of(const Equipment& e) {
   return "";
 }
 
+bool dates_calibration(const Equipment& e) {
+  return !names_nothing(e.calibrated_on) || !names_nothing(e.calibration_due);
+}
+
 bool identifies_anything(const std::vector<Cell>& record) {
   return std::ranges::any_of(record, [](const Cell& cell) {
     const auto* words = std::get_if<std::string>(&cell);
@@ -178,6 +182,9 @@ std::optional<Finding> impossible_date(const Case& c) {
 std::optional<Finding> date_not_read(const Case& c) {
   const std::string& date = c.metadata.conditions.date;
   if (names_nothing(date) || written_as_iso(date) || !iso_date(date).empty()) return std::nullopt;
+  // "None: simulated" says that there is none, and why; only dates of calibrations would ask for one.
+  const bool none = text::says_none(std::string_view(date).substr(0, date.find(':')));
+  if (none && std::ranges::none_of(c.metadata.equipment, dates_calibration)) return std::nullopt;
   return missing("date-not-read", "8.1",
                  fmt::format("found {} for the date of the test, expected a day such as 2014-05-15: nothing that "
                              "depends on the day could be looked at",
