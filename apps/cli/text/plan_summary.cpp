@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "axiometry/base/counted.h"
 #include "axiometry/report/documents/plan_sheet.h"
@@ -71,6 +73,15 @@ std::string target_table(const Plan& plan, const report::Options& options, const
   return text + "\n";
 }
 
+/// "4.3, 5.1": each clause of which something is missing, once.
+std::string clauses_missing(const std::vector<iso230_2::Finding>& findings) {
+  std::vector<std::string> clauses;
+  for (const iso230_2::Finding& finding : findings)
+    if (finding.severity == iso230_2::Severity::missing && std::ranges::find(clauses, finding.clause) == clauses.end())
+      clauses.push_back(finding.clause);
+  return fmt::format("{}", fmt::join(clauses, ", "));
+}
+
 std::string conclusion(const app::PlannedTest& planned, const report::Options& options, const Terminal& terminal) {
   const auto said = [&](const std::string& english) { return report::translated(english, options); };
   const auto departures =
@@ -79,10 +90,15 @@ std::string conclusion(const app::PlannedTest& planned, const report::Options& o
   if (!planned.plan.further.empty())
     text += fmt::format(", {} of it over the whole travel", report::duration_text(planned.duration));
   text = said(text + ".") + " ";
-  text += planned.conforming()
-              ? terminal.green(said(fmt::format("Plan after {}.", edition_of(planned.plan.axis))))
-              : terminal.red(said(fmt::format("Not a plan after {}: {}.", edition_of(planned.plan.axis),
-                                              counted(static_cast<std::size_t>(departures), "departure"))));
+  const std::string edition = edition_of(planned.plan.axis);
+  if (planned.in_accordance())
+    text += terminal.green(said(fmt::format("Plan after {}.", edition)));
+  else if (planned.conforming())
+    text += terminal.bold(
+        said(fmt::format("As planned not yet in accordance with {}: {}.", edition, clauses_missing(planned.findings))));
+  else
+    text += terminal.red(said(
+        fmt::format("Not a plan after {}: {}.", edition, counted(static_cast<std::size_t>(departures), "departure"))));
   const std::string_view label = cycle_label(planned.plan.cycle);
   if (!label.empty()) text += " " + terminal.bold(said(fmt::format("{}.", label)));
   return text + "\n";

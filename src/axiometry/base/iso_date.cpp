@@ -12,16 +12,43 @@
 namespace axiometry {
 namespace {
 
-std::optional<std::string> date_text(std::string_view year, std::string_view month, std::string_view day) {
+using std::chrono::year_month;
+using std::chrono::year_month_day;
+
+struct DateParts {
+  std::string_view year, month, day;
+};
+
+std::optional<year_month> month_of(std::string_view year, std::string_view month) {
   const auto y = parse_count(year);
   const auto m = parse_count(month);
-  const auto d = parse_count(day);
-  if (!y || !m || !d || year.size() != 4 || month.size() > 2 || day.size() > 2) return {};
-  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(*y)),
-                                         std::chrono::month(static_cast<unsigned>(*m)),
-                                         std::chrono::day(static_cast<unsigned>(*d))};
-  if (!date.ok()) return {};
-  return fmt::format("{:04}-{:02}-{:02}", *y, *m, *d);
+  if (!y || !m || year.size() != 4 || month.size() > 2) return {};
+  const auto named = std::chrono::year(static_cast<int>(*y)) / std::chrono::month(static_cast<unsigned>(*m));
+  return named.ok() ? std::optional(named) : std::nullopt;
+}
+
+std::string date_text(const year_month_day& date) {
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                     static_cast<unsigned>(date.day()));
+}
+
+/// Empty of a day that does not exist.
+std::string date_of(const DateParts& parts) {
+  const auto month = month_of(parts.year, parts.month);
+  const auto d = parse_count(parts.day);
+  if (!month || !d || parts.day.size() > 2) return {};
+  const year_month_day date = *month / std::chrono::day(static_cast<unsigned>(*d));
+  return date.ok() ? date_text(date) : "";
+}
+
+std::optional<year_month> named_month(std::string_view text) {
+  for (const char mark : {'-', '/'})
+    if (const auto parts = text::split(text, mark); parts.size() == 2)
+      if (const auto month = month_of(parts[0], parts[1])) return month;
+  for (const char mark : {'/', '.'})
+    if (const auto parts = text::split(text, mark); parts.size() == 2)
+      if (const auto month = month_of(parts[1], parts[0])) return month;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -29,12 +56,21 @@ std::optional<std::string> date_text(std::string_view year, std::string_view mon
 std::string iso_date(std::string_view raw) {
   const std::string_view text = text::trim(raw);
   const std::string_view day = text.substr(0, text.find_first_of("T ,;"));
+  std::string date;
   for (const char mark : {'-', '/'})
-    if (const auto parts = text::split(day, mark); parts.size() == 3)
-      if (const auto date = date_text(parts[0], parts[1], parts[2])) return *date;
-  if (const auto parts = text::split(day, '.'); parts.size() == 3)
-    if (const auto date = date_text(parts[2], parts[1], parts[0])) return *date;
-  return {};
+    if (const auto parts = text::split(day, mark); parts.size() == 3 && date.empty())
+      date = date_of({parts[0], parts[1], parts[2]});
+  if (const auto parts = text::split(day, '.'); parts.size() == 3) date = date_of({parts[2], parts[1], parts[0]});
+  // Who wrote the year last would have 19 or 20 for a month.
+  if (day.size() == 8 && date.empty()) date = date_of({day.substr(0, 4), day.substr(4, 2), day.substr(6)});
+  return date;
+}
+
+NamedDays named_days(std::string_view raw) {
+  if (const std::string day = iso_date(raw); !day.empty()) return {day, day};
+  const auto month = named_month(text::trim(raw));
+  if (!month) return {};
+  return {date_text(*month / std::chrono::day(1)), date_text(*month / std::chrono::last)};
 }
 
 }  // namespace axiometry

@@ -50,6 +50,14 @@ constexpr Phrase rows[] = {
     {"Yes", "Ja"},
     {"contradicted by 1 point", "1 Punkt widerspricht"},
     {"contradicted by {0#} points", "{0} Punkte widersprechen"},
+    {"found a test dated {0=}, which names no day that can be read, and temperatures of {1=}: nobody knows whose these "
+     "are",
+     "eine Prüfung mit dem Datum {0}, das keinen lesbaren Tag nennt, und Temperaturen vom {1}: Niemand weiß, wessen "
+     "Temperaturen dies sind"},
+    {"found dates of calibration that name no day or month, so that nobody can tell whether it held on the day of the "
+     "test: {0=}",
+     "Kalibrierdaten, die keinen Tag oder Monat nennen, sodass niemand sagen kann, ob die Kalibrierung am Tag der "
+     "Prüfung galt: {0}"},
     {"found several axes moving at once, which is no test of a single axis; the text of ISO 230-6 was not "
      "at hand",
      "mehrere Achsen bewegen sich zugleich, was keine Prüfung einer einzelnen Achse ist; der Text von ISO "
@@ -60,6 +68,11 @@ constexpr Phrase rows[] = {
      "Grenzen"},
     {"found the step cycle, whose results may not be published with reference to the standard",
      "der Stufenzyklus, dessen Ergebnisse nicht mit Bezug auf die Norm veröffentlicht werden dürfen"},
+    {"found {0=} for the date of the test, expected a day such as {1=}: nothing that depends on the day could be "
+     "looked at",
+     "{0} als Prüfdatum; erwartet: ein Tag wie {1}. Nichts, was vom Tag abhängt, konnte angesehen werden"},
+    {"found {0} outside the axis travel, expected all targets within it",
+     "{0} außerhalb des Verfahrwegs; erwartet: alle Zielpositionen innerhalb"},
     {"kept", "eingehalten"},
     {"no value of the listed parameters {0#}", "kein Wert der aufgeführten Kennwerte {0}"},
     {"not all stated", "nicht alles angegeben"},
@@ -78,10 +91,14 @@ constexpr Phrase rows[] = {
     {"temperatures at the start and the end of the test are not stated",
      "Temperaturen am Anfang und am Ende der Prüfung sind nicht angegeben"},
     {"the date of the test is given as {0=}, which is no day", "das Prüfdatum ist als {0} angegeben, was kein Tag ist"},
+    {"the method of record, {0}, finds an uncertainty of 0 of {1#}, which is none",
+     "das maßgebliche Verfahren, {0}, findet eine Unsicherheit von 0 für {1}, und das ist keine"},
     {"the smaller of R↑ and R↓, called unidirectional positioning repeatability in lists of export "
      "control; for information only: no parameter of the standard, and not judged",
      "der kleinere Wert von R↑ und R↓, in Listen der Ausfuhrkontrolle einseitige "
      "Positionierwiederholbarkeit genannt; nur zur Information: kein Kennwert der Norm und nicht beurteilt"},
+    {"the uncertainty takes as 0 what nobody knows without doubt: {0}",
+     "die Unsicherheit setzt mit 0 an, was niemand ohne Zweifel kennt: {0}"},
     {"whether differential expansion was corrected is not stated",
      "ob die Differenzdehnung korrigiert wurde, ist nicht angegeben"},
     {"{0#} points not stated", "{0} Punkte nicht angegeben"},

@@ -327,6 +327,7 @@ constexpr Phrase rows[] = {
      "beruhen auf denen jenes Tages: {0}"},
     {"the machine sensor", "Sensor der Maschine"},
     {"the machine sensor ({0=})", "Sensor der Maschine ({0})"},
+    {"the readings reach over {0#}", "die Messwerte reichen über {0}"},
     {"the readings were corrected for expansion with {0=} µm/(m·°C), the uncertainty takes {1=} ({2})",
      "die Messwerte sind mit {0} µm/(m·°C) um die Dehnung korrigiert, die Unsicherheit verwendet {1} ({2})"},
     {"the readings were corrected for expansion with {0=} µm/(m·°C), the uncertainty takes {1=} ({2}); of ΔT = {3#} °C "
@@ -379,10 +380,6 @@ constexpr Phrase rows[] = {
     {"{0=} ({1}) cannot act: {2}", "{0} ({1}) kann nicht wirken: {2}"},
     {"{0=} ({1}) does not count: {2=} ({3}) takes its place", "{0} ({1}) zählt nicht: {2} ({3}) tritt an die Stelle"},
     {"{0=} ({1}) does not count: {2}", "{0} ({1}) zählt nicht: {2}"},
-    {"{0=} = {1#} ({2}) cannot act: {3}", "{0} = {1} ({2}) kann nicht wirken: {3}"},
-    {"{0=} = {1#} ({2}) does not count: {3=} = {4#} ({5}) takes its place",
-     "{0} = {1} ({2}) zählt nicht: {3} = {4} ({5}) tritt an die Stelle"},
-    {"{0=} = {1#} ({2}) does not count: {3}", "{0} = {1} ({2}) zählt nicht: {3}"},
     {"{0=} takes its place", "{0} tritt an die Stelle"},
     {"{0=} without {1}", "{0} ohne {1}"},
     {"{0} and {1#} more", "{0} und {1} weitere"},

@@ -55,6 +55,8 @@ constexpr Phrase rows[] = {
      "Keine Umgebungsschwankung wurde angegeben, und keine zählt"},
     {"No environmental variation was stated, and none counts.",
      "Keine Umgebungsschwankung wurde angegeben, und keine zählt."},
+    {"No interval is stated, since no input of the uncertainty acts on any parameter",
+     "Kein Intervall wird angegeben, da keine Eingangsgröße der Unsicherheit auf einen Kennwert wirkt"},
     {"No interval is stated, since no normal scatter explains a reading: {0}",
      "Kein Intervall wird angegeben, da keine normale Streuung einen Messwert erklärt: {0}"},
     {"No limits were agreed", "Es wurden keine Grenzwerte vereinbart"},
@@ -116,8 +118,8 @@ constexpr Phrase rows[] = {
      "verschiebt benachbarte Messwerte gleich, siehe Monte-Carlo-Methode"},
     {"The factors of the annex take the environmental variation for noise from reading to reading, which nobody has "
      "said it is.",
-     "Die Faktoren des Anhangs nehmen die Umgebungsschwankung für Rauschen von Messwert zu Messwert, was sie niemand "
-     "genannt hat."},
+     "Die Faktoren des Anhangs nehmen die Umgebungsschwankung für Rauschen von Messwert zu Messwert, obwohl niemand "
+     "gesagt hat, dass sie das ist."},
     {"The factors of the annex take the environmental variation for noise from reading to reading.",
      "Die Faktoren des Anhangs nehmen die Umgebungsschwankung für Rauschen von Messwert zu Messwert."},
     {"The interval holds for: {0}", "Das Intervall gilt für: {0}"},
@@ -325,6 +327,7 @@ constexpr Phrase rows[] = {
      "Standardabweichung einer solchen Abweichung; solche Messwerte: {7}"},
     {"{0#} readings of temperature sensors, from {1#} to {2#} °C.",
      "{0} Messwerte von Temperatursensoren, von {1} bis {2} °C."},
+    {"{0#} trials, of which none states an interval", "{0} Versuche, von denen keiner ein Intervall angibt"},
     {"{0#} values over {1#} s; over {2#} s, as long as is looked at for a test, they range over {3#} {4#} at most.",
      "{0} Werte über {1} s; über {2} s, so lange, wie für eine Prüfung betrachtet wird, liegen sie höchstens {3} {4} "
      "auseinander."},

@@ -7,6 +7,9 @@ namespace {
 
 constexpr Phrase rows[] = {
     {"Approaches", "Anfahrten"},
+    {"As planned not yet in accordance with {0#}, see Findings",
+     "Wie geplant noch nicht in Übereinstimmung mit {0}, siehe Feststellungen"},
+    {"As planned not yet in accordance with {0}: {1=}.", "Wie geplant noch nicht in Übereinstimmung mit {0}: {1}."},
     {"Axis travel", "Verfahrweg"},
     {"Choice of the targets (5.2)", "Wahl der Zielpositionen (5.2)"},
     {"Date of plan", "Datum des Plans"},
@@ -95,6 +98,9 @@ constexpr Phrase rows[] = {
     {"found targets over {0#}, expected at least two periods of {1#}",
      "Zielpositionen über {0}; erwartet: mindestens zwei Perioden von {1}"},
     {"found the acceleration {0#}, expected {1#} to {2#}", "Beschleunigung {0}; erwartet: {1} bis {2}"},
+    {"found the clause {0=}, expected one of {1=}", "Abschnitt {0}; erwartet: einer von {1}"},
+    {"found the date of the plan {0=}, expected a day such as {1=}", "Datum des Plans {0}; erwartet: ein Tag wie {1}"},
+    {"found the standard {0=}, expected one of {1=}", "Norm {0}; erwartet: eine von {1}"},
     {"found the {0} {1} that with overruns of {2#} reaches from {3}, expected room within {4}",
      "{0} {1}, reicht mit Überläufen von {2} von {3}; erwartet: Raum innerhalb {4}"},
     {"found the {0} {1}, expected its lower end and then its higher one, within ±{2#}",

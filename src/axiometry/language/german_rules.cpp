@@ -173,6 +173,14 @@ constexpr Phrase rows[] = {
     {"without the signs", "ohne die Vorzeichen"},
     {"{0#} and other rules", "{0} und andere Regeln"},
     {"{0#} and other rules · {1}", "{0} und andere Regeln · {1}"},
+    {"{0=} ({1}) is far above the {2#} that the readings reach over, and uncertainties that grow with the length are "
+     "as large as it makes them",
+     "{0} ({1}) liegt weit über den {2}, über die die Messwerte reichen, und Unsicherheiten, die mit der Länge "
+     "wachsen, sind so groß, wie sie damit werden"},
+    {"{0=} = {1#} ({2}) cannot act: {3}", "{0} = {1} ({2}) kann nicht wirken: {3}"},
+    {"{0=} = {1#} ({2}) does not count: {3=} = {4#} ({5}) takes its place",
+     "{0} = {1} ({2}) zählt nicht: {3} = {4} ({5}) tritt an die Stelle"},
+    {"{0=} = {1#} ({2}) does not count: {3}", "{0} = {1} ({2}) zählt nicht: {3}"},
     {"{0} (no interval: {1})", "{0} (kein Intervall: {1})"},
     {"{0} (no value: {1})", "{0} (kein Wert: {1})"},
 };

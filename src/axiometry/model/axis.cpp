@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/says_nothing.h"
 
 namespace axiometry {
 namespace {
@@ -21,36 +22,11 @@ std::optional<Vector3> vector_of(const std::vector<double>& numbers) {
   return is_finite(v) && norm(v) <= farthest ? std::optional(v) : std::nullopt;
 }
 
-/// What is written where there was no compensation, or where nobody says whether there was one.
-constexpr std::string_view no_compensation[] = {"none",         "no",
-                                                "off",          "not used",
-                                                "not active",   "inactive",
-                                                "disabled",     "switched off",
-                                                "without",      "n/a",
-                                                "na",           "unknown",
-                                                "not known",    "not stated",
-                                                "tbd",          "keine",
-                                                "kein",         "nein",
-                                                "aus",          "inaktiv",
-                                                "nicht aktiv",  "ausgeschaltet",
-                                                "abgeschaltet", "ohne",
-                                                "unbekannt",    "nicht angegeben",
-                                                "aucune",       "aucun",
-                                                "non",          "sans",
-                                                "désactivée",   "inconnue",
-                                                "non indiqué"};
-
-bool has_letter_or_digit(std::string_view text) {
-  return std::ranges::any_of(
-      text, [](unsigned char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
-}
-
 }  // namespace
 
 bool may_be_compensated(const Axis& axis) {
   if (!axis.compensation_points.empty()) return true;
-  const std::string_view word = text::trim(axis.compensation);
-  return has_letter_or_digit(word) && !text::is_one_of(word, no_compensation);
+  return !text::says_nothing(axis.compensation) && !text::says_no(axis.compensation);
 }
 
 std::optional<SpatialLine> spatial_line(const Axis& axis) {
@@ -70,6 +46,16 @@ std::size_t moving_axes(const SpatialLine& line) {
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) count += std::abs(line.direction[k]) > moves_above;
   return count;
+}
+
+std::optional<double> AxisEnds::length_native() const {
+  return lower && upper ? std::optional(upper->in_native() - lower->in_native()) : std::nullopt;
+}
+
+AxisEnds axis_ends(const Axis& axis) {
+  AxisEnds ends{axis.travel_begin, axis.travel_end};
+  if (ends.lower && ends.upper && *ends.lower > *ends.upper) std::swap(ends.lower, ends.upper);
+  return ends;
 }
 
 bool is_diagonal(const Axis& axis) {

@@ -92,6 +92,15 @@ std::optional<SpatialLine> spatial_line(const Axis& axis);
 /// Gives the axis this line.
 void set_spatial_line(Axis& axis, const SpatialLine& line);
 
+/// The ends of the axis travel (3.1), in whichever order they were stated: a machine may count from 0 down to −500.
+struct AxisEnds {
+  std::optional<Position> lower;
+  std::optional<Position> upper;
+
+  std::optional<double> length_native() const;  ///< absent where an end is
+};
+AxisEnds axis_ends(const Axis& axis);
+
 /// How many of the axes X, Y, Z move along the line: components of the direction above 1e-9.
 std::size_t moving_axes(const SpatialLine& line);
 

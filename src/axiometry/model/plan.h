@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/base/quantity.h"
@@ -26,10 +27,15 @@ struct Approach {
   friend bool operator==(const Approach&, const Approach&) = default;
 };
 
+/// The standards and clauses whose terms a plan may use: ISO 230-2, along a diagonal ISO 230-6; no clause where none
+/// describes the test.
+inline constexpr std::string_view plan_standards[] = {"ISO 230-2:2014", "ISO 230-6:2002"};
+inline constexpr std::string_view plan_clauses[] = {"5.3.2", "5.3.3", "5.3.4", "5.3.5", "Annex B", "Annex C", ""};
+
 /// A test programme of one axis, or of one line in space that several axes drive (axis.line_origin_mm, line_direction).
 /// A plain value that people may edit; check_sound() says whether it can be walked.
 struct Plan {
-  std::string standard = "ISO 230-2:2014";
+  std::string standard{plan_standards[0]};
   std::string clause;   ///< "5.3.2", "Annex B"; empty when no clause describes the test
   std::string title;    ///< of one among several: "2 000 mm of the normal working area"
   std::string machine;  ///< name, for comments in programs and the printed sheet; may be empty

@@ -130,7 +130,17 @@ std::string hypothesis_statement(const iso230_2::Assessment& assessment) {
          "largest u; the interval holds for all of them, and for noise of any size up to what they say";
 }
 
+namespace {
+
+bool states_an_interval(const iso230_2::MonteCarlo& monte_carlo) {
+  return std::ranges::any_of(monte_carlo.distributions, [](const auto& d) { return d && d->refusal.empty(); });
+}
+
+}  // namespace
+
 std::string trials_statement(const iso230_2::MonteCarlo& monte_carlo) {
+  if (!states_an_interval(monte_carlo))
+    return fmt::format("{} trials, of which none states an interval", shown_count(monte_carlo.trials));
   std::string text = shown_count(monte_carlo.trials) + " trials, ";
   if (!monte_carlo.adaptive) text += "as asked for";
   if (monte_carlo.adaptive)
@@ -147,7 +157,8 @@ std::string trials_statement(const iso230_2::MonteCarlo& monte_carlo) {
 std::string refusal_statement(const iso230_2::MonteCarlo& monte_carlo) {
   for (const auto& d : monte_carlo.distributions)
     if (d && !d->refusal.empty()) return std::string(iso230_2::refusal_sentence) + d->refusal;
-  return "";
+  if (states_an_interval(monte_carlo)) return "";
+  return "No interval is stated, since no input of the uncertainty acts on any parameter";
 }
 
 std::string type_a_statement(const iso230_2::MonteCarlo& monte_carlo) {

@@ -112,6 +112,14 @@ TEST(MethodValues, TellWhatIsNotStable) {
   EXPECT_THAT(trials_statement(run), ::testing::EndsWith("not stable within the numerical tolerance: R↓"));
 }
 
+TEST(MethodValues, SayWhyNothingIsStatedWhereNothingActs) {
+  Reported table2 = with_monte_carlo();
+  auto& run = *table2.assessment.monte_carlo;
+  for (auto& distribution : run.distributions) distribution.reset();
+  EXPECT_EQ(refusal_statement(run), "No interval is stated, since no input of the uncertainty acts on any parameter");
+  EXPECT_THAT(trials_statement(run), ::testing::EndsWith(" trials, of which none states an interval"));
+}
+
 TEST(MethodValues, GroupTheDigitsOfLargeCounts) {
   EXPECT_EQ(shown_count(999), "999");
   EXPECT_EQ(shown_count(1000), "1\u2009000");

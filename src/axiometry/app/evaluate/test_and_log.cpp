@@ -9,6 +9,7 @@
 
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/moment.h"
+#include "axiometry/base/says_nothing.h"
 #include "axiometry/base/text.h"
 #include "axiometry/standards/environment/ambient_course.h"
 
@@ -16,8 +17,14 @@ namespace axiometry::app {
 
 std::optional<iso230_2::Finding> other_day(const Test& test, const EvaluatedTemperatures& found) {
   constexpr std::int64_t hour_ns = 3'600'000'000'000, day_ns = 24 * hour_ns, zones_ns = 14 * hour_ns;
-  const std::string day = iso_date(test.metadata.conditions.date);
+  const std::string& stated = test.metadata.conditions.date;
+  const std::string day = iso_date(stated);
   const auto midnight = moment_of(day + "T00:00"), began = moment_of(found.began);
+  if (day.empty() && !text::says_nothing(stated) && !text::says_none(stated))
+    return iso230_2::Finding{"environment-other-day", "4.1", iso230_2::Severity::missing,
+                             fmt::format("found a test dated {}, which names no day that can be read, and temperatures "
+                                         "of {}: nobody knows whose these are",
+                                         stated, found.began)};
   if (day.empty() || !midnight || !began) return std::nullopt;
   const auto ended = moment_of(found.ended.empty() ? found.ended_by_readings : found.ended);
   const std::int64_t last = ended ? ended->ns : began->ns, either_way = began->zoned ? zones_ns : 0;

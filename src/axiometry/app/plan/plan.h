@@ -26,6 +26,7 @@ struct PlannedTest {
   Duration duration_in_all;   ///< with its further plans
 
   bool conforming() const { return iso230_2::conforming(findings); }
+  bool in_accordance() const { return iso230_2::in_accordance(findings); }
 };
 
 /// Needs a sound plan. The usual acceleration when none is given. Fails as iso230_2::check_acceleration() does.

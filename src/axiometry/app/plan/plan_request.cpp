@@ -9,6 +9,7 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/plan_text.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
@@ -244,6 +245,9 @@ Result<PlanRequest> completed(const PlanRequestDraft& wish) {
   }
   if (request.periodic) request.periodic->at = wish.periodic_at;
   request.seed = wish.seed ? *wish.seed : drawn_seed();
+  if (!request.date.empty() && iso_date(request.date).empty())
+    return fail(
+        fmt::format("found the date of the plan {}, expected a day such as 2026-11-21", text::quoted(request.date)));
   if (request.date.empty()) request.date = today();
   return request;
 }

@@ -56,6 +56,12 @@ TEST(PlanRequest, MakesThePlanThatTheCommandLineMakes) {
   EXPECT_TRUE(plan->planned.conforming());
 }
 
+TEST(PlanRequest, RefusesADateThatIsNoDay) {
+  const auto plan = asked(with("\"period\": \"10\"", "\"period\": \"10\", \"date\": \"2026-13-45\""));
+  ASSERT_FALSE(plan);
+  EXPECT_THAT(plan.error().message, testing::HasSubstr("found the date of the plan \"2026-13-45\""));
+}
+
 TEST(PlanRequest, WithoutASeedSaysTheOneThatWasDrawnSoThatThePlanCanBeMadeAgain) {
   const auto first = asked(with("\"seed\": 7", "\"seed\": null"));
   ASSERT_TRUE(first);

@@ -125,6 +125,9 @@ TEST(LogWithTest, OfAnotherDayIsTold) {
   EXPECT_FALSE(told("2026-03-02"));
   EXPECT_TRUE(told("2026-03-01"));
   EXPECT_TRUE(told("2026-03-03"));
+  EXPECT_FALSE(told("20260302"));
+  EXPECT_TRUE(told("15 May 2014")) << "no day that can be read";
+  EXPECT_FALSE(told("unknown"));
   EXPECT_FALSE(told("")) << "not stated, which is told elsewhere";
 }
 

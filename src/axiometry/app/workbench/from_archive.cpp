@@ -97,19 +97,20 @@ KnownInstruments calibrations_in(const KnownInstruments& versions) {
 }
 
 /// The newest calibration that is not later than this day, "2014-05-15". Where it did not hold any more, or where there
-/// is none, one of an unknown day; the last of all where the day of the test is not known.
+/// is none, one of an unknown day. Where the day of the test is not known, the only one there is: of several nobody can
+/// tell which held.
 const store::Versioned<store::Instrument>* calibration_on(const std::string& day,
                                                           const KnownInstruments& calibrations) {
   const store::Versioned<store::Instrument>* newest = nullptr;
   const store::Versioned<store::Instrument>* undated = nullptr;
   for (const auto& one : calibrations) {
-    const std::string since = iso_date(one.value.calibrated_on);
+    const std::string since = named_days(one.value.calibrated_on).first;
     if (since.empty()) undated = &one;
     if (since.empty() || since > day) continue;
-    if (newest == nullptr || iso_date(newest->value.calibrated_on) <= since) newest = &one;
+    if (newest == nullptr || named_days(newest->value.calibrated_on).first <= since) newest = &one;
   }
-  if (day.empty()) return calibrations.empty() ? nullptr : &calibrations.back();
-  const std::string due = newest == nullptr ? "" : iso_date(newest->value.calibration_due);
+  if (day.empty()) return calibrations.size() == 1 ? &calibrations.front() : nullptr;
+  const std::string due = newest == nullptr ? "" : named_days(newest->value.calibration_due).last;
   const bool holds = newest != nullptr && (due.empty() || due >= day);
   return holds || undated == nullptr ? newest : undated;
 }

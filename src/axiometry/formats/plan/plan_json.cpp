@@ -42,6 +42,15 @@ Result<std::string> text_from(std::string_view name, const Value& value) {
   return value.text();
 }
 
+/// Under the name of another standard or clause a plan would be judged and walked as one after it.
+template <const auto& known>
+Result<std::string> known_text(std::string_view name, const Value& value) {
+  AXIOMETRY_TRY(std::string text, text_from(name, value));
+  if (std::ranges::find(known, text) != std::end(known)) return text;
+  return fail(fmt::format("found the {} {}, expected one of {}", name, text::quoted(text), fmt::join(known, ", ")),
+              value.at());
+}
+
 Result<double> number_from(std::string_view name, const Value& value) {
   if (!value.is(Kind::number)) return wrong_kind(name, value, "a number");
   return value.number();
@@ -252,8 +261,8 @@ Result<void> check_format(const Value& value) {
 
 constexpr Member members[] = {
     {"format", nullptr},
-    {"standard", take<&Plan::standard, text_from>},
-    {"clause", take<&Plan::clause, text_from>},
+    {"standard", take<&Plan::standard, known_text<plan_standards>>},
+    {"clause", take<&Plan::clause, known_text<plan_clauses>>},
     {"title", take<&Plan::title, text_from>},
     {"machine", take<&Plan::machine, text_from>},
     {"date", take<&Plan::date, text_from>},

@@ -46,8 +46,8 @@ class AnyPlan {
 
   Plan make(bool with_further) {
     Plan plan;
-    plan.standard = text();
-    plan.clause = text();
+    plan.standard = plan_standards[random_() % std::size(plan_standards)];
+    plan.clause = plan_clauses[random_() % std::size(plan_clauses)];
     plan.title = text();
     plan.machine = text();
     plan.date = text();
@@ -177,6 +177,10 @@ TEST(PlanJson, RefusesWithTheRightPlace) {
   EXPECT_EQ(reason(with("[0, 10, 20]", "[]")), "line 1:62: found a plan without targets, expected at least one");
   EXPECT_EQ(reason(with("[0, 10, 20]", "[0, \"a\"]")),
             "line 1:66: found \"targets\" that is of the kind string, expected a number");
+  EXPECT_EQ(reason(with("{\"axis\"", "{\"standard\": \"ISO 230-2:2006\", \"axis\"")),
+            "line 1:14: found the standard \"ISO 230-2:2006\", expected one of ISO 230-2:2014, ISO 230-6:2002");
+  EXPECT_TRUE(reason(with("{\"axis\"", "{\"clause\": \"5.3.9\", \"axis\""))
+                  .starts_with("line 1:12: found the clause \"5.3.9\", expected one of 5.3.2, 5.3.3"));
   EXPECT_EQ(reason(with("\"standard\"", "\"user-defined\"")),
             "line 1:39: found a user-defined cycle without a sequence, expected the approaches in their order");
   EXPECT_EQ(reason("[1]"), "line 1:1: found JSON that is no object, expected a plan");

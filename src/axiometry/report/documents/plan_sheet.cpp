@@ -167,11 +167,16 @@ void append_programme(Document& document, const Plan& plan, Duration duration, d
 }
 
 Notice status(const PlanSubject& subject) {
-  if (iso230_2::conforming(subject.findings))
+  if (iso230_2::in_accordance(subject.findings))
     return {Tone::good, plain(fmt::format("Plan according to {}", subject.plan.standard)), {}};
+  const bool departs = !iso230_2::conforming(subject.findings);
   Notice notice{Tone::bad, plain(fmt::format("Not a plan according to {}, see Findings", subject.plan.standard)), {}};
+  if (!departs)
+    notice = {Tone::caution,
+              plain(fmt::format("As planned not yet in accordance with {}, see Findings", subject.plan.standard)),
+              {}};
   for (const iso230_2::Finding& finding : subject.findings)
-    if (finding.severity == Severity::departure && notice.lines.size() < 3)
+    if (finding.severity == (departs ? Severity::departure : Severity::missing) && notice.lines.size() < 3)
       notice.lines.push_back(finding_line(finding));
   return notice;
 }
@@ -184,7 +189,8 @@ Document title_page(const PlanSubject& subject, const Options& options) {
                                plan.axis.name.empty()
                                    ? fmt::format("{} {}", is_diagonal(plan.axis) ? "a" : "an NC", word_for(plan.axis))
                                    : fmt::format("{} {}", word_for(plan.axis), plan.axis.name));
-  document.edition = iso230_2::conforming(subject.findings) ? plan.standard : fmt::format("Terms of {}", plan.standard);
+  document.edition =
+      iso230_2::in_accordance(subject.findings) ? plan.standard : fmt::format("Terms of {}", plan.standard);
   document.identity = {{plain(is_diagonal(plan.axis) ? "Diagonal" : "Axis"), text_cell(description_of(plan.axis))},
                        {plain("Machine"), verbatim_or_quiet(plan.machine)},
                        {plain("Date of plan"), verbatim_or_quiet(plan.date)},

@@ -92,6 +92,14 @@ TEST(PlanSheet, ASheetOfAnotherCycleCarriesItsLabelAndIsNoPlanOfTheStandard) {
   EXPECT_THAT(texts(figures_of(document).at(0)), Contains("step cycle (Annex B), not for acceptance"));
 }
 
+TEST(PlanSheet, IsNoPlanOfTheStandardWhereItsTestWouldNotBeInAccordance) {
+  Plan plan = iso230_2::make_plan(request(0, 500)).value();
+  plan.warm_up_runs = 0;
+  const Document document = sheet(plan);
+  EXPECT_EQ(document.status.front().tone, Tone::caution);
+  EXPECT_EQ(document.edition, "Terms of ISO 230-2:2014");
+}
+
 TEST(PlanSheet, AsksOnlyForWhatThePlanDoesNotKnow) {
   Plan plan = iso230_2::make_plan(request(0, 500)).value();
   const auto asked = fact_names(section(sheet(plan), "conditions"));

@@ -32,6 +32,8 @@ Fact slope_fact(const Subject& subject, const Options& options) {
 
 Fact drift_fact(const Subject& subject, const Options& options) {
   const auto drift = drift_of(subject.test);
+  if (!course_of(subject.test).order_known)
+    return {plain("Drift"), quiet_cell("not known: neither times nor the cycle tell the order of the readings")};
   if (!drift) return {plain("Drift"), quiet_cell("not applicable: one approach from each direction")};
   const auto& corrections = subject.test.provenance.corrections;
   const bool removed = std::ranges::find(corrections, "drift", &AppliedCorrection::id) != corrections.end();

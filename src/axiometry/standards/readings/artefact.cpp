@@ -166,16 +166,15 @@ class Rules {
   }
 
   std::optional<Finding> shorter_than_axis() const {
-    const Axis& axis = test_.metadata.axis;
-    if (!axis.travel_begin || !axis.travel_end) return std::nullopt;
-    const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
+    const auto whole = axis_ends(test_.metadata.axis).length_native();
+    if (!whole) return std::nullopt;
     const double spans = targets_.back().in_native() - targets_.front().in_native();
     const double intervals = static_cast<double>(targets_.size() - 1);
-    if (spans + 2.0 * spans / intervals >= whole) return std::nullopt;  // less than an interval at each end
+    if (spans + 2.0 * spans / intervals >= *whole) return std::nullopt;  // less than an interval at each end
     return note("artefact-shorter-than-axis",
                 fmt::format("found an artefact that spans {} of an axis travel of {}, expected it to be set up again "
                             "with an overlap where the whole travel counts; the results hold for that part only",
-                            mm(spans), mm(whole)));
+                            mm(spans), mm(*whole)));
   }
 
   /// A gauge has the steps it has. When they hold whole periods of the scale each reading has the same periodic error.

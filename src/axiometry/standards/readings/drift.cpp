@@ -56,6 +56,7 @@ double Drift::per_reading(Deviation over_whole_test) const {
 
 std::optional<Drift> drift_of(const Test& test) {
   Drift drift{{}, std::nullopt, 0, course_of(test)};
+  if (!drift.course.order_known) return std::nullopt;
   Sums sums;
   for (Direction direction : {Direction::up, Direction::down})
     for (std::size_t i = 0; i < test.series.target_count(); ++i) add_cell(sums, test, drift.course, i, direction);

@@ -25,7 +25,8 @@ struct Drift {
 /// Least squares of x_ij = c_i + b τ_ij with a constant c_i per target and direction and the share τ of the course of
 /// the test: b = Σ (τ − τ̄_i)(x − x̄_i)/Σ (τ − τ̄_i)², u²(b) = s²/Σ (τ − τ̄_i)² with the variance s² of the residuals.
 /// The constants keep what the machine does at its targets out of b; a machine that warms up is not told from an
-/// instrument that drifts. Absent where no target has two readings from one direction (n = 1).
+/// instrument that drifts. Absent where no target has two readings from one direction (n = 1), and where nobody knows
+/// their order (TestCourse::order_known).
 std::optional<Drift> drift_of(const Test& test);
 
 }  // namespace axiometry

@@ -50,6 +50,15 @@ TEST(Drift, IsARatePerHourWhereTimesAreKnown) {
   EXPECT_NEAR(drift_of(test)->per_hour(drift_of(test)->over_test).value(), 12.0, 1e-5);
 }
 
+TEST(Drift, IsUnknownWhereNobodyKnowsTheOrder) {
+  Measured test = drifting();
+  const TestCourse course = course_of(test);
+  test.metadata.conditions.cycle = TestCycle::user_defined;
+  EXPECT_FALSE(drift_of(test));
+  for (const double share : course.share) test.times_s.push_back(1e9 + 1800.0 * share);
+  EXPECT_TRUE(drift_of(test)) << "times tell it";
+}
+
 // Golden: numpy.linalg.lstsq of ISO 230-2, Table 2 with 22 constants.
 TEST(Drift, HasTheLeastSquaresEstimateAndItsUncertainty) {
   const auto drift = drift_of({{}, testing_support::table2::series(), {}});

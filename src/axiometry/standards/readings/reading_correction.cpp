@@ -131,6 +131,10 @@ Result<Test> correct_dead_path(Test test, AirEquation equation) {
 
 Result<Test> correct_drift(Test test) {
   const auto drift = drift_of(test);
+  if (!course_of(test).order_known)
+    return fail(
+        "found neither the times of the readings nor a cycle that tells their order, expected one of them to "
+        "estimate a drift");
   if (!drift)
     return fail("found no target with two readings from one direction, expected n of 2 or more to estimate a drift");
   const std::string_view unit = deviation_unit(test.metadata.axis.kind);

@@ -46,12 +46,11 @@ std::optional<TestCourse> measured_course(const Test& test) {
   return course;
 }
 
-/// The cycle whose order the readings are taken in, as far as it can be told.
-TestCycle ordered_cycle(const Test& test) {
+/// Whether the cycle tells the order of the readings.
+bool tells_order(const Test& test) {
   const TestCycle cycle = test.metadata.conditions.cycle;
   const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
-  if (cycle == TestCycle::user_defined || (cycle == TestCycle::unidirectional && both)) return TestCycle::standard;
-  return cycle;
+  return cycle != TestCycle::user_defined && !(cycle == TestCycle::unidirectional && both);
 }
 
 std::vector<Approach> sequence_of(const Series& series, TestCycle cycle) {
@@ -71,10 +70,13 @@ std::vector<Approach> sequence_of(const Series& series, TestCycle cycle) {
 
 TestCourse course_of(const Test& test) {
   if (auto course = measured_course(test)) return *std::move(course);
-  const TestCycle cycle = ordered_cycle(test);
+  const bool known = tells_order(test);
+  const TestCycle cycle = known ? test.metadata.conditions.cycle : TestCycle::standard;
   const auto sequence = sequence_of(test.series, cycle);
   TestCourse course{std::vector<double>(dense_size(test.series), unknown), std::nullopt, sequence.size() - 1,
-                    fmt::format("readings equally far apart in the order of the {} cycle", cycle_name(cycle))};
+                    fmt::format("readings equally far apart in the order of the {} cycle{}", cycle_name(cycle),
+                                known ? "" : ", their own not being known"),
+                    known};
   for (std::size_t k = 0; k < sequence.size(); ++k)  // m ≥ 2, so that there are two steps at least
     course.share[dense_place(test.series, sequence[k])] = static_cast<double>(k) / static_cast<double>(course.steps);
   return course;

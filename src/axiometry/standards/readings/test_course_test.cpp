@@ -52,9 +52,18 @@ TEST(TestCourse, LeavesOutADirectionWithoutReadings) {
   EXPECT_EQ(course_of(down).basis, "readings equally far apart in the order of the unidirectional cycle");
 }
 
-TEST(TestCourse, TakesTheStandardOrderWhereTheReadingsTellNoOther) {
-  EXPECT_THAT(course_of(made(TestCycle::user_defined, true, true)).basis, HasSubstr("standard cycle"));
-  EXPECT_THAT(course_of(made(TestCycle::unidirectional, true, true)).basis, HasSubstr("standard cycle"));
+TEST(TestCourse, SaysWhereTheOrderIsKnownToNobody) {
+  for (const TestCycle cycle : {TestCycle::user_defined, TestCycle::unidirectional}) {
+    const TestCourse course = course_of(made(cycle, true, true));
+    EXPECT_FALSE(course.order_known);
+    EXPECT_THAT(course.basis, HasSubstr("in the order of the standard cycle, their own not being known"));
+  }
+  for (const TestCycle cycle : {TestCycle::standard, TestCycle::step, TestCycle::pilgrim})
+    EXPECT_TRUE(course_of(made(cycle, true, true)).order_known);
+  EXPECT_TRUE(course_of(made(TestCycle::unidirectional, true, false)).order_known);
+  Measured timed = made(TestCycle::user_defined, true, false);
+  timed.times_s = {100, 190, 110, none, 120, 300, none, none, none, none, none, none};
+  EXPECT_TRUE(course_of(timed).order_known);
 }
 
 TEST(TestCourse, TakesTheTimesOfTheReadings) {

@@ -123,8 +123,8 @@ bool equally_spaced(const Series& series) {
 
 /// Of T, which hysteresis and linearity are divided by.
 void find_ends(const RuleCase& c, std::vector<iso230_2::Finding>& all) {
-  const Axis& axis = c.metadata.axis;
-  if (!axis.travel_begin || !axis.travel_end) {
+  const AxisEnds ends = axis_ends(c.metadata.axis);
+  if (!ends.lower || !ends.upper) {
     all.push_back({"gb-t-38614-2020-travel-not-stated", "", iso230_2::Severity::missing,
                    "the travel of the axis is not stated, expected targets at both of its ends: T is the measured "
                    "travel"});
@@ -132,8 +132,7 @@ void find_ends(const RuleCase& c, std::vector<iso230_2::Finding>& all) {
   }
   const double near = iso230_2::same_position.in_native();
   const auto targets = c.series.targets();
-  const double from = std::min(axis.travel_begin->in_native(), axis.travel_end->in_native());
-  const double to = std::max(axis.travel_begin->in_native(), axis.travel_end->in_native());
+  const double from = ends.lower->in_native(), to = ends.upper->in_native();
   if (std::abs(targets.front().in_native() - from) > near || std::abs(targets.back().in_native() - to) > near)
     all.push_back({"gb-t-38614-2020-ends-of-travel", "", iso230_2::Severity::departure,
                    "found no target at one end of the axis travel or at both, expected one at each: T is the measured "

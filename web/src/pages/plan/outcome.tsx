@@ -14,6 +14,7 @@ export function Outcome({ draft, figure_on_paper, unit, part, choose, children }
   const chosen = draft.plan;
   const targets = part?.targets ?? draft.targets;
   const runs = part?.runs ?? chosen.runs;
+  const accords = draft.conforming && !draft.findings.some((finding) => finding.severity === 'missing');
   const alt = t('figure_of', { n: targets.length, runs });
   return (
     <section class="panel outcome" aria-label={t('programme')}>
@@ -26,11 +27,11 @@ export function Outcome({ draft, figure_on_paper, unit, part, choose, children }
           <Figure name={t('feed')} value={shortest(chosen.feed)} unit={`${unit}/min`} />
           <Figure name={t('overrun')} value={shortest(chosen.overrun)} unit={unit} />
         </dl>
-        <p class={`mark ${draft.conforming ? 'good' : 'bad'}`}>
+        <p class={`mark ${accords ? 'good' : 'bad'}`}>
           <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">
-            <path d={draft.conforming ? 'M2.5 7.5l3 3 6-7' : 'M3 3l8 8M11 3l-8 8'} fill="none" stroke="currentColor" stroke-width="2" />
+            <path d={accords ? 'M2.5 7.5l3 3 6-7' : 'M3 3l8 8M11 3l-8 8'} fill="none" stroke="currentColor" stroke-width="2" />
           </svg>
-          {t(draft.conforming ? 'conforming' : 'departing')}
+          {t(accords ? 'conforming' : draft.conforming ? 'not_yet' : 'departing')}
         </p>
       </div>
       {draft.findings.length > 0 && <FindingList findings={draft.findings} />}

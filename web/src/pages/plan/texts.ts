@@ -63,6 +63,7 @@ export const t = texts({
   hours: ['{h} h {m} min', '{h} h {m} min'],
   seconds: ['{n} s', '{n} s'],
   conforming: ['in accordance with ISO 230-2:2014', 'nach ISO 230-2:2014'],
+  not_yet: ['as planned not yet in accordance with ISO 230-2:2014', 'wie geplant noch nicht nach ISO 230-2:2014'],
   departing: ['departs from ISO 230-2:2014', 'weicht von ISO 230-2:2014 ab'],
   findings: ['Findings', 'Feststellungen'],
   no_findings: ['Nothing to say against it.', 'Nichts einzuwenden.'],

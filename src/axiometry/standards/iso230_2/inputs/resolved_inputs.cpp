@@ -23,6 +23,8 @@ namespace {
 
 constexpr double mm_in_m = 1000.0;
 constexpr double degrees_in_radian = 180.0 / std::numbers::pi;
+constexpr double length_as_rounded = 0.999;  // of the travel: 1744 mm is said of 1744.209, and no uncertainty shows it
+constexpr double length_far_above = 1.25;    // of the travel: who measures four fifths of an axis may state all of it
 
 std::string_view kind_word(EnvironmentKind kind) {
   switch (kind) {
@@ -70,12 +72,24 @@ class Resolver {
   }
 
  private:
+  /// L is never shorter than what was measured: whatever grows with it would be stated smaller than it is.
   void length() {
     const auto given = list_.take(length_key, "L", stated_number(in_.length), "mm");
-    result_.length_m = given.value_or(ResolvedValue{travel_mm_, InputOrigin::measured_travel});
-    if (!given && linear_) list_.follow(length_key, "L", travel_mm_, "mm", InputOrigin::measured_travel);
+    const bool too_short = linear_ && given && !(given->value >= length_as_rounded * travel_mm_);
+    const bool stands = given && !too_short;
+    result_.length_m = stands ? *given : ResolvedValue{travel_mm_, InputOrigin::measured_travel};
+    if (too_short) list_.set_aside(length_key, fmt::format("the readings reach over {} mm", travel_text()));
+    if (stands && linear_ && given->value > length_far_above * travel_mm_)
+      list_.note(
+          fmt::format("{} is far above the {} mm that the readings reach over, and uncertainties that grow with "
+                      "the length are as large as it makes them",
+                      statement_text(*list_.find(length_key)), travel_text()));
+    if (!stands && linear_) list_.follow(length_key, "L", travel_mm_, "mm", InputOrigin::measured_travel);
     result_.length_m.value /= mm_in_m;
   }
+
+  /// To a micrometre, without what subtracting targets leaves.
+  std::string travel_text() const { return format_exact(std::round(1000.0 * travel_mm_) / 1000.0); }
 
   ResolvedCalibration calibration(const CalibrationKeys& keys, std::optional<double> constant,
                                   std::optional<double> per_length, const std::optional<CalibrationSum>& sum,
@@ -86,8 +100,7 @@ class Resolver {
     all.sum = sum.value_or(CalibrationSum::linear);
     if (sum || all.both()) {
       const auto origin = sum ? static_cast<InputOrigin>(list_.by(keys.sum)) : InputOrigin::assumed;
-      list_.rows.push_back(
-          {std::string(keys.sum), "", {}, std::string(sum_word(all.sum)), "", origin, "", InputUse::all, ""});
+      list_.take_word(keys.sum, sum_word(all.sum), origin);
     }
     if (!all.both()) list_.cannot_act(keys.sum, "it takes a constant part and one per metre to have a sum");
     if (all.both() && all.constant->origin != all.per_length->origin)
@@ -211,15 +224,7 @@ class Resolver {
       list_.remarks.push_back(
           {true, fmt::format("{} cannot act: there is no recording at standstill", recording_interval_key)});
     if (!gum_.environment_kind) return;
-    list_.rows.push_back({std::string(kind_key),
-                          "",
-                          {},
-                          std::string(kind_word(*gum_.environment_kind)),
-                          "",
-                          static_cast<InputOrigin>(list_.by(kind_key)),
-                          "",
-                          InputUse::all,
-                          ""});
+    list_.take_word(kind_key, kind_word(*gum_.environment_kind), static_cast<InputOrigin>(list_.by(kind_key)));
     if (recorded) list_.cannot_act(kind_key, "the recording at standstill tells it");
     if (!in_.environmental_variation) list_.cannot_act(kind_key, "no environmental variation is stated");
   }
@@ -240,8 +245,7 @@ class Resolver {
       if (all[k].input.empty() && all[k].distribution.empty()) continue;
       const StatedBy by = by_of(k);
       const std::string key = fmt::format("{} ({})", distributions_key, all[k].input);
-      list_.rows.push_back(
-          {key, "", {}, all[k].distribution, "", static_cast<InputOrigin>(by), "", InputUse::propagation, ""});
+      list_.take_word(key, all[k].distribution, static_cast<InputOrigin>(by), InputUse::propagation);
       const auto again = std::ranges::find_if(all.begin() + static_cast<std::ptrdiff_t>(k) + 1, all.end(),
                                               [&](const InputDistribution& d) { return d.input == all[k].input; });
       if (again != all.end() && by_of(static_cast<std::size_t>(again - all.begin())) > by) {

@@ -280,6 +280,34 @@ TEST(ResolvedInputs, NoItemOfTheUncertaintyIsEverSilent) {
   }
 }
 
+/// Metres for millimetres made U a thousandth of itself.
+TEST(ResolvedInputs, TakeNoLengthShorterThanWhatWasMeasured) {
+  axiometry::Test test = example();
+  test.metadata.uncertainty.length.reset();
+  const double U = annex_U(test, "E");
+  test.metadata.uncertainty.length = Length::mm(1.751);
+  const ResolvedInputs inputs = resolved(test);
+  EXPECT_EQ(inputs.length_m.origin, InputOrigin::measured_travel);
+  EXPECT_NEAR(inputs.length_m.value, 1.744209, 1e-9);
+  EXPECT_EQ(row_of(inputs, "uncertainty.length_mm").use, InputUse::none);
+  EXPECT_THAT(remarks_of(inputs), testing::ElementsAre("uncertainty.length_mm = 1.751 mm (file) does not count: the "
+                                                       "readings reach over 1744.209 mm"));
+  EXPECT_EQ(annex_U(test, "E"), U);
+  test.metadata.uncertainty.length = Length::mm(1744);
+  EXPECT_EQ(resolved(test).length_m.value, 1.744) << "rounded";
+  EXPECT_THAT(remarks_of(resolved(test)), IsEmpty());
+}
+
+TEST(ResolvedInputs, TellOfALengthFarAboveWhatWasMeasured) {
+  axiometry::Test test = example();
+  test.metadata.uncertainty.length = Length::mm(2100);
+  EXPECT_THAT(remarks_of(resolved(test)), IsEmpty());
+  test.metadata.uncertainty.length = Length::mm(17510);
+  EXPECT_EQ(resolved(test).length_m.value, 17.51);
+  EXPECT_THAT(remarks_of(resolved(test)),
+              testing::ElementsAre(HasSubstr("uncertainty.length_mm = 17510 mm (file) is far above the 1744.209 mm")));
+}
+
 TEST(ResolvedInputs, OnARotaryAxisNameWhatMeansNothingThere) {
   axiometry::Test test = example();
   test.metadata.axis.kind = AxisKind::rotary;

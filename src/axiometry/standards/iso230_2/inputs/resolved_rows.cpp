@@ -59,6 +59,10 @@ MaybeResolved StatementList::take(std::string_view key, std::string_view symbol,
   return ResolvedValue{*value, origin};
 }
 
+void StatementList::take_word(std::string_view key, std::string_view word, InputOrigin origin, InputUse use) {
+  rows.push_back({std::string(key), "", {}, std::string(word), "", origin, "", use, ""});
+}
+
 ResolvedValue StatementList::follow(std::string_view key, std::string_view symbol, double value, std::string_view unit,
                                     InputOrigin origin, InputUse use) {
   rows.push_back({std::string(key), std::string(symbol), value, "", std::string(unit), origin, "", use, ""});

@@ -37,6 +37,8 @@ class StatementList {
   /// A statement, if made, with its row.
   MaybeResolved take(std::string_view key, std::string_view symbol, std::optional<double> value, std::string_view unit,
                      InputUse use = InputUse::all);
+  /// The row of a statement in words: "linear", "uniform 10 12".
+  void take_word(std::string_view key, std::string_view word, InputOrigin origin, InputUse use = InputUse::all);
   /// What follows, with its row.
   ResolvedValue follow(std::string_view key, std::string_view symbol, double value, std::string_view unit,
                        InputOrigin origin, InputUse use = InputUse::all);

@@ -107,6 +107,10 @@ std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> accel
 /// No finding is a departure.
 bool conforming(std::span<const Finding> findings);
 
+/// Nor is anything missing with which evaluating the test would find it not to be in accordance with the standard: a
+/// warm-up, a rest at the targets, a random part of them. Only then may a plan be called one after the standard.
+bool in_accordance(std::span<const Finding> findings);
+
 /// Fails on an acceleration outside 0.001 to 1e6 mm/s² or °/s², on which no duration can be told.
 Result<void> check_acceleration(double acceleration);
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "axiometry/standards/iso230_2/programme.h"
+#include "axiometry/standards/iso230_6.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -92,6 +93,22 @@ TEST(Plan230, EveryPlanOfItsOwnMakingConformsOnEveryTravel) {
       ASSERT_TRUE(plan) << plan.error().message;
       EXPECT_TRUE(conforming(plan_findings(*plan))) << travel << " " << messages(*plan).front();
     }
+}
+
+TEST(Plan230, IsInAccordanceOnlyWhereItsTestWouldBe) {
+  EXPECT_TRUE(in_accordance(plan_findings(make_plan(request(0, 500)).value())));
+  PlanRequest even = request(0, 500);
+  even.targets = {at(20), at(130), at(240), at(350), at(460)};
+  const auto findings = plan_findings(make_plan(even).value());
+  EXPECT_TRUE(conforming(findings));
+  EXPECT_FALSE(in_accordance(findings));
+  EXPECT_THAT(kinds(make_plan(even).value()), Contains("5.2 missing"));
+}
+
+TEST(Plan230, StatesAStandardAndAClauseThatAPlanMayHave) {
+  EXPECT_THAT(plan_standards, ::testing::ElementsAre(edition, iso230_6::edition));
+  for (const PlanRequest& r : {request(0, 500), request(0, 6000), rotary(0, 360), rotary(0, 1800)})
+    EXPECT_THAT(plan_clauses, Contains(make_plan(r)->clause));
 }
 
 TEST(Plan230, TargetsFollowTheFormula) {
@@ -364,10 +381,12 @@ TEST(Plan230, FindsWhatPeopleEditedAwayFromTheStandard) {
   plan = make_plan(request(0, 500)).value();
   plan.warm_up_runs = 0;
   plan.dwell = Duration::s(0);
-  EXPECT_THAT(kinds(plan), ::testing::ElementsAre("4.3 note", "5.1 note"));
+  EXPECT_THAT(kinds(plan), ::testing::ElementsAre("4.3 missing", "5.1 missing"));
+  EXPECT_TRUE(conforming(plan_findings(plan)));
+  EXPECT_FALSE(in_accordance(plan_findings(plan)));
   plan = make_plan(request(0, 6000)).value();
   plan.further.clear();
-  EXPECT_THAT(kinds(plan), Contains("5.3.3 note"));
+  EXPECT_THAT(kinds(plan), Contains("5.3.3 missing"));
   plan = make_plan(request(0, 6000)).value();
   plan.further[0].runs = 4;
   EXPECT_THAT(messages(plan), Contains(HasSubstr("Normal working area, 2000 to 4000 mm: found 4 approaches")));

@@ -77,14 +77,14 @@ std::optional<Finding> beyond_one_turn(const Plan& plan) {
 
 std::optional<Finding> warm_up_planned(const Plan& plan) {
   if (plan.warm_up_runs > 0) return std::nullopt;
-  return rules::note("plan-warm-up-planned", "4.3",
-                     "found no warm-up run, expected the warm-up that was specified or agreed before the test");
+  return rules::missing("plan-warm-up-planned", "4.3",
+                        "found no warm-up run, expected the warm-up that was specified or agreed before the test");
 }
 
 std::optional<Finding> rests_at_targets(const Plan& plan) {
   if (plan.dwell.in_s() > 0.0) return std::nullopt;
-  return rules::note("plan-rests-at-targets", "5.1",
-                     "found no dwell at the targets, expected a rest long enough to reach and record each");
+  return rules::missing("plan-rests-at-targets", "5.1",
+                        "found no dwell at the targets, expected a rest long enough to reach and record each");
 }
 
 std::optional<Finding> period_below_interval(const Plan& plan) {
@@ -214,6 +214,9 @@ class PlanFindings {
       add(rule(c));
     }
     if (!further && plan.further.empty()) add(rules::additional_test(c));
+    for (const Finding& unexplained : rules::unexplained(c))
+      for (Finding& found : list_)
+        if (found.id == unexplained.id) found.severity = unexplained.severity;
   }
 
   std::vector<Finding> sorted() && {
@@ -252,6 +255,10 @@ std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> accel
     }
   std::ranges::stable_sort(all, {}, &Finding::severity);
   return all;
+}
+
+bool in_accordance(std::span<const Finding> findings) {
+  return conforming(findings) && std::ranges::find(findings, Severity::missing, &Finding::severity) == findings.end();
 }
 
 bool conforming(std::span<const Finding> findings) {

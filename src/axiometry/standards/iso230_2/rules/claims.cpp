@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/says_nothing.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
@@ -22,14 +21,6 @@ namespace {
 
 using rules::Case;
 using Against = std::vector<Finding>;
-
-/// A note of what the standard forbids but where something allows it that no item states: that the targets could not be
-/// chosen, that another test was made as well.
-void add_unexplained(Against& against, std::optional<Finding> finding) {
-  if (!finding || finding->severity == Severity::departure) return;  // those stand among the departures
-  finding->severity = Severity::missing;
-  against.push_back(*std::move(finding));
-}
 
 /// Where a rule finds what was not stated; its notes and departures are looked for elsewhere.
 void add_missing(Against& against, std::optional<Finding> finding) {
@@ -114,31 +105,14 @@ void add_temperatures(Against& against, const Case& c, const Assessment& assessm
   add_missing(against, rules::sensors_complete(c));
 }
 
-/// "none", "not used": whoever compensates nothing has no sampling points.
-bool compensates(std::string_view compensation) {
-  const std::string word = text::to_lower(compensation);
-  return std::ranges::none_of(std::initializer_list<std::string_view>{"none", "no", "off", "not used", "keine", "aus"},
-                              [&](std::string_view none) { return word == none; });
-}
-
-/// Formula (1) asks for a random part within ±30 % of the interval or one expected period.
-bool random_part_may_be_large(const Case& c) {
-  const auto& period = c.metadata.axis.expected_period;
-  const double interval = c.travel() / static_cast<double>(c.series.target_count() - 1);
-  return period && period->in_native() > 0.5 * interval;
-}
-
 void add_targets(Against& against, const Case& c) {
   const Axis& axis = c.metadata.axis;
-  add_unexplained(against, rules::targets_within_axis_travel(c));
-  add_unexplained(against, rules::equally_spaced_targets(c));
-  if (!random_part_may_be_large(c)) add_unexplained(against, rules::gap_between_targets(c));
-  const bool unknown_points = may_be_compensated(axis) && axis.compensation_points.empty();
-  if (unknown_points && rules::may_serve_acceptance(c.metadata.conditions.purpose))
+  std::ranges::move(rules::unexplained(c), std::back_inserter(against));
+  if (may_be_compensated(axis) && axis.compensation_points.empty() &&
+      rules::may_serve_acceptance(c.metadata.conditions.purpose))
     against.push_back(rules::missing("sampling-points-not-stated", "5.2",
                                      "sampling points of the compensation are not stated, so that nobody can tell "
                                      "whether targets lie on them"));
-  add_unexplained(against, rules::additional_test(c));
 }
 
 constexpr std::pair<const char*, std::string_view> items_of_the_test[] = {{"4.2", "test.axes_not_under_test"},
@@ -157,7 +131,7 @@ void add_impossible(Against& against, const Metadata& m) {
   if (of_test.dwell && !(of_test.dwell->in_s() > 0.0))
     against.push_back(
         rules::missing("dwell-of-zero", "5.1", "found a dwell of 0 s, expected the axis at rest while it is read"));
-  if (!compensates(of_test.warm_up) && !of_test.warm_up.empty())
+  if (text::says_no_warm_up(of_test.warm_up))
     against.push_back(rules::missing("warm-up-not-made", "4.3",
                                      "a warm-up is stated not to have been made; whether that was agreed is not"));
 }
@@ -189,7 +163,8 @@ Against against_tested(const Case& c, const Test& test, const Assessment& assess
   for (const auto& [clause, key] : items_of_the_test) add_unless_given(against, clause, key, c.metadata);
   add_impossible(against, c.metadata);
   add_known_errors(against, test, assessment);
-  const bool by_artefact = !c.metadata.artefact.type.empty();
+  const std::string& artefact = c.metadata.artefact.type;
+  const bool by_artefact = !text::says_nothing(artefact) && !text::says_none(artefact);
   if (!by_artefact) add_unless_given(against, "5.3.1", "equipment", c.metadata);
   return against;
 }
@@ -221,24 +196,18 @@ std::optional<Finding> uncertainty_of_record_missing(const Assessment& assessmen
                         fmt::format("no uncertainty is stated of {}", fmt::join(without, ", ")));
 }
 
-/// A day that the calendar does not have, written as ISO 8601 has it; other spellings are not judged.
-std::optional<Finding> impossible_date(const Case& c) {
-  const std::string& date = c.metadata.conditions.date;
-  const bool as_iso = date.size() >= 10 && date[4] == '-' && date[7] == '-';
-  if (!as_iso || !iso_date(date).empty()) return std::nullopt;
-  return rules::missing("impossible-date", "8.1",
-                        fmt::format("the date of the test is given as {}, which is no day", date));
-}
-
 Against against_reported(const Case& c, const Assessment& assessment) {
   Against against;
-  add_missing(against, impossible_date(c));
+  add_missing(against, rules::impossible_date(c));
+  add_missing(against, rules::date_not_read(c));
   add_missing(against, rules::items_of_identification(c));
   add_missing(against, rules::equipment_identified(c));
+  add_missing(against, rules::calibration_date_not_read(c));
   add_missing(against, rules::sensors_complete(c));
   add_missing(against, rules::line_in_space(c));
   add_missing(against, parameters_missing(c));
   add_missing(against, rules::uncertainty_stated(c));
+  add_missing(against, rules::uncertainty_of_zero(c));
   add_missing(against, uncertainty_of_record_missing(assessment));
   add_missing(against, rules::station_stated(c));
   return against;

@@ -61,6 +61,15 @@ TEST(Claims, LeaveBareNumbersTheFirstOnly) {
   EXPECT_EQ(against_text(tested), "9 points not stated") << points(bare(), ClaimKind::tested);
 }
 
+TEST(Claims, OfTheTestStandWithoutCompensationWhateverItIsCalled) {
+  for (const char* none : {"none", "nil", "keine", "ohne", "aucune", "off", "0"}) {
+    axiometry::Test test = whole();
+    test.metadata.axis.compensation = none;
+    test.metadata.axis.compensation_points.clear();
+    EXPECT_EQ(points(test, ClaimKind::tested), "") << none;
+  }
+}
+
 using Change = std::function<void(axiometry::Test&)>;
 
 TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
@@ -87,17 +96,27 @@ TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
       // Statements that say nothing, or that no test can be made with.
       {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "n/a"; }},
       {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "-"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "not stated"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "—"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "non indiqué"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.axis.measurement_line = "none"; }},
+      {"5.3.1", [](axiometry::Test& t) { t.metadata.nde.routine = "k. A."; }},
+      {"5.3.1",
+       [](axiometry::Test& t) {
+         t.metadata.equipment = {{"-", "-", "-", "-"}};
+       }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.environment.sensors.front().location = "–"; }},
       {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "none"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "not made"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "kein Warmlauf"; }},
+      {"4.3", [](axiometry::Test& t) { t.metadata.conditions.warm_up = "0 min"; }},
       {"5.1", [](axiometry::Test& t) { t.metadata.conditions.feed = 0.0; }},
       {"5.1", [](axiometry::Test& t) { t.metadata.conditions.dwell = Duration::s(0.0); }},
       {"1", [](axiometry::Test& t) { t.metadata.conditions.purpose = "Simulation"; }},
       // Errors that are known and not corrected.
       {"4.1", [](axiometry::Test& t) { t.metadata.instrument.sign_reversed = true; }},
       {"4.1", [](axiometry::Test& t) { t.metadata.instrument.gain = 1.01; }},
-      {"5.3.1",
-       [](axiometry::Test& t) {
-         t.provenance.corrections.push_back({"drift", "Drift", {}, {}, {}});
-       }},
+      {"5.3.1", [](axiometry::Test& t) { t.provenance.corrections.push_back({"drift", "Drift", {}, {}, {}}); }},
   };
   for (const auto& [clause, change] : changes) {
     axiometry::Test test = whole();
@@ -224,15 +243,40 @@ TEST(Claims, OfTheComputationFallWhereNoApproachWasMeasuredOrATermIsMissing) {
   EXPECT_EQ(ids_against(step, ClaimKind::computed), std::vector<std::string>{"step-cycle"}) << "as the rule's finding";
 }
 
+TEST(Claims, OfTheReportAskForNoDayOfASimulation) {
+  axiometry::Test test = whole();
+  test.metadata.conditions.date = "None: simulated";
+  EXPECT_EQ(points(test, ClaimKind::reported), "");
+  test.metadata.equipment.front().calibration_due = "2024-12-31";
+  EXPECT_EQ(ids_against(test, ClaimKind::reported), std::vector<std::string>{"date-not-read"});
+}
+
+TEST(Claims, OfTheReportStandWithAMachineAtTwentyDegreesAndNoMisalignment) {
+  axiometry::Test test = whole();
+  test.metadata.uncertainty.machine_temperature_difference = TemperatureDifference::kelvin(0);
+  test.metadata.uncertainty.misalignment = Length::mm(0);
+  for (auto& sensor : test.metadata.environment.sensors) sensor.start = sensor.end = Temperature::celsius(20);
+  EXPECT_EQ(points(test, ClaimKind::reported), "");
+}
+
 TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {
   const std::pair<const char*, Change> changes[] = {
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector.clear(); }},
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector = "-"; }},
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-13-45"; }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.conditions.date = "15 May 2014"; }},
+      {"8.2.1", [](axiometry::Test& t) { t.metadata.equipment.front().calibration_due = "expired"; }},
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.tool_offset_mm.clear(); }},
       {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number.clear(); }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number = "unbekannt"; }},
+      {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector = "nicht angegeben"; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty = {}; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty.misalignment.reset(); }},
+      {"8.2.1",
+       [](axiometry::Test& t) { t.metadata.uncertainty.device_calibration_per_length = RelativeLength::um_per_m(0); }},
+      {"8.2.1",
+       [](axiometry::Test& t) { t.metadata.uncertainty.machine_temperature_range = TemperatureDifference::kelvin(0); }},
+      {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty.environmental_variation = Deviation::native(0); }},
   };
   for (const auto& [clause, change] : changes) {
     axiometry::Test test = whole();

@@ -101,28 +101,39 @@ std::optional<Finding> both_ends_from_both_sides(const Case& c) {
 }
 
 std::optional<Finding> targets_within_axis_travel(const Case& c) {
-  const Axis& axis = c.metadata.axis;
-  const double first = c.target(0);
-  const double last = c.target(c.series.target_count() - 1);
-  std::string ends;
-  if (axis.travel_begin && first <= axis.travel_begin->in_native())
-    ends = fmt::format("the first target at {}", position_text(c, first));
-  if (axis.travel_end && last >= axis.travel_end->in_native())
-    ends += fmt::format("{}the last target at {}", ends.empty() ? "" : " and ", position_text(c, last));
-  if (ends.empty()) return std::nullopt;
+  const AxisEnds ends = axis_ends(c.metadata.axis);
+  const double first = c.target(0), last = c.target(c.series.target_count() - 1);
+  const double room = same_position.in_native();
+  // 365° is a place of an axis that turns from 0° to 360°, and beyond no end of it.
+  const bool turns_on = !c.linear() && ends.length_native().value_or(360.0) >= 360.0 - room;
+  std::vector<std::string> outside, at_end;
+  const auto look = [&](std::string_view which, double target, double beyond) {
+    if (beyond > room && turns_on) return;
+    if (beyond > room)
+      outside.push_back(fmt::format("the {} target at {}", which, position_text(c, target)));
+    else if (beyond >= 0.0)
+      at_end.push_back(fmt::format("the {} target at {}", which, position_text(c, target)));
+  };
+  if (ends.lower) look("first", first, ends.lower->in_native() - first);
+  if (ends.upper) look("last", last, last - ends.upper->in_native());
+  if (!outside.empty())
+    return departure(
+        "targets-within-axis-travel", "3.2",
+        fmt::format("found {} outside the axis travel, expected all targets within it", fmt::join(outside, " and ")));
+  if (at_end.empty()) return std::nullopt;
   return note("targets-within-axis-travel", "3.2",
-              fmt::format("found {} at the end of the axis travel, expected room to approach it from beyond", ends));
+              fmt::format("found {} at the end of the axis travel, expected room to approach it from beyond",
+                          fmt::join(at_end, " and ")));
 }
 
 std::optional<Finding> part_of_axis_travel(const Case& c) {
-  const Axis& axis = c.metadata.axis;
-  if (!axis.travel_begin || !axis.travel_end || c.programme == Programme::many_turns) return std::nullopt;
-  const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
-  const double stretch = c.linear() ? std::min(whole, 2000.0) : std::min(whole, 360.0);
-  if (whole <= 0.0 || c.travel() >= 0.8 * stretch) return std::nullopt;
+  const auto whole = axis_ends(c.metadata.axis).length_native();
+  if (!whole || c.programme == Programme::many_turns) return std::nullopt;
+  const double stretch = c.linear() ? std::min(*whole, 2000.0) : std::min(*whole, 360.0);
+  if (*whole <= 0.0 || c.travel() >= 0.8 * stretch) return std::nullopt;
   return note("part-of-axis-travel", "3.2",
               fmt::format("found {} measured of an axis travel of {}; the results hold for that part only",
-                          position_text(c, c.travel()), position_text(c, whole)));
+                          position_text(c, c.travel()), position_text(c, *whole)));
 }
 
 std::optional<Finding> readings_repeat_exactly(const Case& c) {

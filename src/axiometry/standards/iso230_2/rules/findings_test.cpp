@@ -147,10 +147,26 @@ TEST(Findings, WantRoomBeyondTheEndTargets) {
               HasSubstr("500 mm measured of an axis travel of 1810 mm"));
 }
 
+TEST(Findings, DepartWhereTargetsLieOutsideTheAxisTravel) {
+  Metadata m;
+  m.axis.travel_begin = Position::native(100);
+  m.axis.travel_end = Position::native(400);
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"),
+            "departure: found the first target at 0 mm and the last target at 500 mm outside the axis travel, expected "
+            "all targets within it");
+  m.axis.travel_begin = Position::native(520);
+  m.axis.travel_end = Position::native(-20);
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"), "") << "ends are ends, whichever was stated first";
+  m.axis.travel_begin = m.axis.travel_end = Position::native(100);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "3.2"), HasSubstr("departure: found the first target at 0 mm"));
+}
+
 TEST(Findings, RememberTheTestOverTheWholeTravel) {
   Metadata m;
   m.axis.travel_begin = Position::native(-10);
   m.axis.travel_end = Position::native(3000);
+  EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.3"), HasSubstr("the axis travels 3010 mm"));
+  std::swap(m.axis.travel_begin, m.axis.travel_end);
   EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.3"), HasSubstr("the axis travels 3010 mm"));
 }
 
@@ -306,8 +322,34 @@ TEST(Findings, TellEquipmentWhoseCalibrationDidNotHoldOnTheDayOfTheTest) {
   EXPECT_THAT(finding(assess(test), "8.2.1", "out of calibration"), HasSubstr("laser (2025-03-05 – 2026-03-04)"));
   test.metadata.equipment.front() = {"laser", "Maker", "L", "1", "C-2", "2026-03-06", "2027-03-06"};
   EXPECT_THAT(finding(assess(test), "8.2.1", "out of calibration"), HasSubstr("laser (2026-03-06 – 2027-03-06)"));
+  test.metadata.equipment.front().calibration_due = "06/2013";
+  test.metadata.equipment.front().calibrated_on = "";
+  test.metadata.conditions.date = "2013-06-30";
+  EXPECT_EQ(finding(assess(test), "8.2.1", "out of calibration"), "") << "the last day of the month counts";
+  test.metadata.conditions.date = "20130701";
+  EXPECT_THAT(finding(assess(test), "8.2.1", "out of calibration"), HasSubstr("2013-07-01"));
   test.metadata.conditions.date = "spring";
   EXPECT_EQ(finding(assess(test), "8.2.1", "out of calibration"), "") << "a day that nobody knows";
+  EXPECT_THAT(finding(assess(test), "8.1", "date of the test"), HasSubstr("missing: found spring for the date"));
+}
+
+TEST(Findings, TellDatesThatCannotBeReadWhereTheyAreStated) {
+  axiometry::Test test = table2::complete_test();
+  for (const char* date : {"15 May 2014", "May 15, 2014", "2014-05", "15.5.14", "yesterday"}) {
+    test.metadata.conditions.date = date;
+    EXPECT_THAT(finding(assess(test), "8.1", "date of the test"), HasSubstr(date));
+  }
+  for (const char* date : {"", "-", "unknown"}) {
+    test.metadata.conditions.date = date;
+    EXPECT_EQ(finding(assess(test), "8.1", "for the date of the test"), "") << "told as not given";
+  }
+  test = table2::complete_test();
+  for (const char* due : {"2013-06-31", "June 2013", "expired"}) {
+    test.metadata.equipment = {{"laser", "Maker", "L", "1", "C-1", "2024-03", due}};
+    EXPECT_THAT(finding(assess(test), "8.2.1", "name no day"), HasSubstr(std::string("laser (") + due + ")"));
+  }
+  test.metadata.equipment = {{"laser", "Maker", "L", "1", "C-1", "2024-03", "–"}};
+  EXPECT_EQ(finding(assess(test), "8.2.1", "name no day"), "");
 }
 
 TEST(Findings, TellCyclesThatAreNotTheStandardOne) {

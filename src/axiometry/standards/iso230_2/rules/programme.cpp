@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/base/says_nothing.h"
 #include "axiometry/base/text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
@@ -28,11 +29,17 @@ std::string listed(const std::vector<std::string>& items) {
   return list;
 }
 
+/// Formula (1) asks for a random part within ±30 % of the interval or one expected period.
+bool random_part_may_be_large(const Case& c) {
+  const auto& period = c.metadata.axis.expected_period;
+  return period && period->in_native() > 0.5 * mean_interval(c);
+}
+
 }  // namespace
 
 bool may_serve_acceptance(std::string_view purpose) {
   const std::string word = text::to_lower(purpose);
-  return word.empty() || word.find("accept") != word.npos || word.find("verif") != word.npos;
+  return text::says_nothing(word) || word.find("accept") != word.npos || word.find("verif") != word.npos;
 }
 
 std::optional<Finding> equally_spaced_targets(const Case& c) {
@@ -199,15 +206,25 @@ std::optional<Finding> additional_test(const Case& c) {
   if (c.programme == Programme::many_turns)
     return note("additional-test", "5.3.5",
                 "the test with five approaches over 360° of the normal working area is also needed (6.2)");
-  const Axis& axis = c.metadata.axis;
-  if (!axis.travel_begin || !axis.travel_end) return std::nullopt;
-  const double whole = axis.travel_end->in_native() - axis.travel_begin->in_native();
-  if (c.linear() ? whole <= 2000.0 : whole <= 360.0) return std::nullopt;
+  const auto whole = axis_ends(c.metadata.axis).length_native();
+  if (!whole || (c.linear() ? *whole <= 2000.0 : *whole <= 360.0)) return std::nullopt;
   return note(
       "additional-test", c.linear() ? "5.3.3" : "5.3.5",
       fmt::format(
           "the axis travels {}: the test over its whole travel with one approach from each direction is also needed",
-          position_text(c, whole)));
+          position_text(c, *whole)));
+}
+
+std::vector<Finding> unexplained(const Case& c) {
+  std::vector<Finding> all;
+  for (Rule* rule : {targets_within_axis_travel, equally_spaced_targets, gap_between_targets, additional_test}) {
+    if (rule == gap_between_targets && random_part_may_be_large(c)) continue;
+    auto finding = rule(c);
+    if (!finding || finding->severity == Severity::departure) continue;  // those stand among the departures
+    finding->severity = Severity::missing;
+    all.push_back(*std::move(finding));
+  }
+  return all;
 }
 
 std::optional<Finding> step_cycle(const Case& c) {

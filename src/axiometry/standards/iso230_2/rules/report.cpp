@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "axiometry/base/iso_date.h"
+#include "axiometry/base/says_nothing.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
@@ -54,17 +56,60 @@ bool U_known(const AnnexA& annex, std::string_view key) {
   return std::ranges::any_of(annex.budget, [&](const Contributor& row) { return row.key == key && row.U; });
 }
 
+constexpr std::string_view contributor_of_device = "measuring device (A.1 to A.3)";
+constexpr std::string_view contributor_of_thermometer = "temperature measurement of the machine tool (A.5)";
+constexpr std::string_view contributor_of_environment = "environmental variation (A.9)";
+
+/// Whether Annex A takes a contributor as 0, or of the machine's temperature its R(θ), whatever α is.
+bool taken_as_zero(const AnnexA& annex, std::string_view key) {
+  return std::ranges::any_of(annex.budget, [&](const Contributor& row) {
+    const bool no_range = std::ranges::any_of(
+        row.inputs, [](const BudgetInput& input) { return input.symbol == "R(θ)" && input.value == 0.0; });
+    return row.key == key && row.U && (no_range || (key != "m_machine" && row.U->in_native() == 0.0));
+  });
+}
+
 /// The contributors that 8.2.1 asks for at least, as far as Annex A has a formula for this kind of axis.
 std::vector<std::string> contributors_left_out(const Case& c) {
   std::vector<std::string> absent;
   const auto known = [&](std::string_view key) { return c.uncertainty && U_known(*c.uncertainty, key); };
-  if (!known("device")) absent.push_back("measuring device (A.1 to A.3)");
+  if (!known("device")) absent.emplace_back(contributor_of_device);
   // The beam of a tracking interferometer follows: what counts is where it starts.
   if (c.linear() && !known("misalignment") && !known("station")) absent.push_back("misalignment (A.4)");
-  if (c.linear() && !known("m_machine")) absent.push_back("temperature measurement of the machine tool (A.5)");
+  if (c.linear() && !known("m_machine")) absent.emplace_back(contributor_of_thermometer);
   if (c.linear() && !known("e_machine")) absent.push_back("expansion coefficient of the machine tool (A.7)");
-  if (!known("eve")) absent.push_back("environmental variation (A.9)");
+  if (!known("eve")) absent.emplace_back(contributor_of_environment);
   return absent;
+}
+
+/// Of what a machine or a test need not have "none" is an answer; of a warm-up add_impossible() judges it.
+bool may_be_none(const Field& field) {
+  constexpr std::string_view keys[] = {"axis.scale_type", "axis.compensation", "test.axes_not_under_test",
+                                       "test.warm_up"};
+  return std::ranges::find(keys, field.key) != std::end(keys);
+}
+
+bool names_nothing(std::string_view words) { return text::says_nothing(words) || text::says_none(words); }
+
+/// Whether a date is written as ISO 8601 has it, day or no day.
+bool written_as_iso(std::string_view date) { return date.size() >= 10 && date[4] == '-' && date[7] == '-'; }
+
+/// A component by its role, else by what identifies it.
+std::string name_of(const Equipment& e) {
+  for (const std::string* name : {&e.role, &e.type, &e.manufacturer, &e.serial_number})
+    if (!name->empty()) return *name;
+  return "";
+}
+
+bool dates_calibration(const Equipment& e) {
+  return !names_nothing(e.calibrated_on) || !names_nothing(e.calibration_due);
+}
+
+bool identifies_anything(const std::vector<Cell>& record) {
+  return std::ranges::any_of(record, [](const Cell& cell) {
+    const auto* words = std::get_if<std::string>(&cell);
+    return words == nullptr ? std::holds_alternative<double>(cell) : !names_nothing(*words);
+  });
 }
 
 }  // namespace
@@ -83,16 +128,11 @@ std::optional<Finding> parameters_not_applicable(const Case& c) {
 }
 
 bool is_stated(const Field& field, const Metadata& metadata) {
-  if (!is_given(field, metadata)) return false;
   const FieldValue value = field.get(metadata);
-  const auto* stated = std::get_if<std::string>(&value);
-  if (stated == nullptr) return true;
-  const std::string word = text::to_lower(*stated);
-  const bool dashes = std::ranges::none_of(
-      word, [](unsigned char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || c >= 0x80; });
-  return !dashes &&
-         std::ranges::none_of(std::initializer_list<std::string_view>{"n/a", "na", "unknown", "tbd", "unbekannt"},
-                              [&](std::string_view nothing) { return word == nothing; });
+  if (const auto* words = std::get_if<std::string>(&value))
+    return !text::says_nothing(*words) && (may_be_none(field) || !text::says_none(*words));
+  if (const auto* records = std::get_if<Records>(&value)) return std::ranges::any_of(*records, identifies_anything);
+  return is_given(field, metadata);
 }
 
 std::optional<Finding> items_of_identification(const Case& c) {
@@ -120,11 +160,12 @@ std::optional<Finding> equipment_identified(const Case& c) {
   for (std::size_t k = 0; k < c.metadata.equipment.size(); ++k) {
     const Equipment& e = c.metadata.equipment[k];
     std::vector<std::string_view> lacks;
-    if (e.manufacturer.empty()) lacks.push_back("manufacturer");
-    if (e.type.empty()) lacks.push_back("type");
-    if (e.serial_number.empty()) lacks.push_back("serial number");
+    if (names_nothing(e.manufacturer)) lacks.push_back("manufacturer");
+    if (names_nothing(e.type)) lacks.push_back("type");
+    if (names_nothing(e.serial_number)) lacks.push_back("serial number");
     if (lacks.empty()) continue;
-    incomplete.push_back(fmt::format("{} without {}", e.role.empty() ? fmt::format("component {}", k + 1) : e.role,
+    incomplete.push_back(fmt::format("{} without {}",
+                                     names_nothing(e.role) ? fmt::format("component {}", k + 1) : e.role,
                                      fmt::join(lacks, " and ")));
   }
   if (incomplete.empty()) return std::nullopt;
@@ -132,23 +173,51 @@ std::optional<Finding> equipment_identified(const Case& c) {
                  fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));
 }
 
+std::optional<Finding> impossible_date(const Case& c) {
+  const std::string& date = c.metadata.conditions.date;
+  if (!written_as_iso(date) || !iso_date(date).empty()) return std::nullopt;
+  return missing("impossible-date", "8.1", fmt::format("the date of the test is given as {}, which is no day", date));
+}
+
+std::optional<Finding> date_not_read(const Case& c) {
+  const std::string& date = c.metadata.conditions.date;
+  if (names_nothing(date) || written_as_iso(date) || !iso_date(date).empty()) return std::nullopt;
+  // "None: simulated" says that there is none, and why; only dates of calibrations would ask for one.
+  const bool none = text::says_none(std::string_view(date).substr(0, date.find(':')));
+  if (none && std::ranges::none_of(c.metadata.equipment, dates_calibration)) return std::nullopt;
+  return missing("date-not-read", "8.1",
+                 fmt::format("found {} for the date of the test, expected a day such as 2014-05-15: nothing that "
+                             "depends on the day could be looked at",
+                             date));
+}
+
 std::optional<Finding> equipment_calibrated(const Case& c) {
   const std::string day = iso_date(c.metadata.conditions.date);
   if (day.empty()) return std::nullopt;
   std::vector<std::string> outside;
   for (const Equipment& e : c.metadata.equipment) {
-    const std::string from = iso_date(e.calibrated_on);
-    const std::string due = iso_date(e.calibration_due);
+    const std::string from = named_days(e.calibrated_on).first;
+    const std::string due = named_days(e.calibration_due).last;
     if (from <= day && (due.empty() || due >= day)) continue;
-    std::string name = e.role;
-    for (const std::string* other : {&e.type, &e.manufacturer, &e.serial_number})
-      if (name.empty()) name = *other;
-    outside.push_back(fmt::format("{} ({} – {})", name, from.empty() ? "…" : from, due.empty() ? "…" : due));
+    outside.push_back(fmt::format("{} ({} – {})", name_of(e), from.empty() ? "…" : from, due.empty() ? "…" : due));
   }
   if (outside.empty()) return std::nullopt;
   return note(
       "equipment-calibrated", "8.2.1",
       fmt::format("found a test on {}, when its equipment was out of calibration: {}", day, fmt::join(outside, "; ")));
+}
+
+std::optional<Finding> calibration_date_not_read(const Case& c) {
+  std::vector<std::string> unread;
+  for (const Equipment& e : c.metadata.equipment)
+    for (const std::string* date : {&e.calibrated_on, &e.calibration_due})
+      if (!names_nothing(*date) && named_days(*date).first.empty())
+        unread.push_back(fmt::format("{} ({})", name_of(e), *date));
+  if (unread.empty()) return std::nullopt;
+  return missing("calibration-date-not-read", "8.2.1",
+                 fmt::format("found dates of calibration that name no day or month, so that nobody can tell whether it "
+                             "held on the day of the test: {}",
+                             fmt::join(unread, "; ")));
 }
 
 std::optional<Finding> sensors_complete(const Case& c) {
@@ -160,9 +229,10 @@ std::optional<Finding> sensors_complete(const Case& c) {
   };
   if (!has_role("machine")) lacks.push_back("no sensor with the role machine");
   for (const TemperatureSensor& s : c.metadata.environment.sensors) {
-    std::string name = s.role.empty() ? "a sensor" : "the sensor of the " + s.role;
-    if (!s.location.empty()) name += fmt::format(" ({})", s.location);
-    if (s.location.empty()) lacks.push_back(name + " without location");
+    std::string name = names_nothing(s.role) ? "a sensor" : "the sensor of the " + s.role;
+    const bool located = !names_nothing(s.location);
+    if (located) name += fmt::format(" ({})", s.location);
+    if (!located) lacks.push_back(name + " without location");
     if (!s.start || !s.end)
       lacks.push_back(fmt::format("{} without temperature at the {}", name,
                                   s.start ? "end"
@@ -182,6 +252,18 @@ std::optional<Finding> uncertainty_stated(const Case& c) {
   return missing(
       "uncertainty-stated", "8.2.1",
       fmt::format("the uncertainty is incomplete and too small: nothing was given of {}", fmt::join(absent, ", ")));
+}
+
+std::optional<Finding> uncertainty_of_zero(const Case& c) {
+  if (!c.uncertainty) return std::nullopt;
+  std::vector<std::string_view> zero;
+  for (const auto& [key, title] :
+       {std::pair("device", contributor_of_device), std::pair("m_machine", contributor_of_thermometer),
+        std::pair("eve", contributor_of_environment)})
+    if (taken_as_zero(*c.uncertainty, key)) zero.push_back(title);
+  if (zero.empty()) return std::nullopt;
+  return missing("uncertainty-of-zero", "8.2.1",
+                 fmt::format("the uncertainty takes as 0 what nobody knows without doubt: {}", fmt::join(zero, ", ")));
 }
 
 std::optional<Finding> repeatability_below_variation(const Case& c) {

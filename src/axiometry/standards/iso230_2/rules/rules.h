@@ -40,7 +40,7 @@ struct Case {
 Case make_case(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                const std::optional<AnnexA>& uncertainty);
 
-/// Whether an item is given and says something: "-" and "n/a" do not.
+/// Whether an item is given and says something (base/says_nothing.h): "-" and "n/a" do not, nor "none" of what must be.
 bool is_stated(const Field& field, const Metadata& metadata);
 
 using Rule = std::optional<Finding>(const Case&);
@@ -57,6 +57,10 @@ Rule temperature_change;              // 4.1
 Rule ordered_progression;             // 4.3
 
 inline constexpr const char* progression_clause = "4.3";  ///< of an ordered progression of deviations
+
+/// Notes of what the standard forbids but where something allows it that no item states: that the targets could not be
+/// chosen, that another test was made as well. As missing: they speak against a test, and against a plan of one.
+std::vector<Finding> unexplained(const Case& c);
 
 /// Clauses 3.18 and 4.3: outliers, uneven scatter, shifts and drifts of the runs (iso230_2_rules_scatter.cpp).
 std::vector<Finding> scatter_findings(const Case& c);
@@ -79,9 +83,13 @@ Rule step_cycle;                // Annex B
 Rule parameters_not_applicable;      // 6.2
 Rule items_of_identification;        // 8.1
 Rule equipment_identified;           // 8.1
+Rule impossible_date;                // 8.1
+Rule date_not_read;                  // 8.1
 Rule equipment_calibrated;           // 8.2.1
+Rule calibration_date_not_read;      // 8.2.1
 Rule sensors_complete;               // 8.1
 Rule uncertainty_stated;             // 8.2.1
+Rule uncertainty_of_zero;            // 8.2.1
 Rule repeatability_below_variation;  // A.2.6
 
 // Lines in space and tracking interferometers (iso230_2_rules_lines.cpp).

@@ -107,8 +107,10 @@ TEST(AnnexA, TakesTheMeasuredTravelForALengthNotGiven) {
   m.uncertainty.device_calibration_per_length = RelativeLength::um_per_m(2);
   EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), 2.0);
   EXPECT_EQ(row(*annex_of(m, metre(5)), "device").inputs[1].note, "measured travel");
+  m.uncertainty.length = Length::mm(1200);
+  EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), 2.4);
   m.uncertainty.length = Length::mm(500);
-  EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), 1.0);
+  EXPECT_DOUBLE_EQ(U(*annex_of(m, metre(5)), "device"), 2.0) << "half of what was measured is not L";
 }
 
 TEST(AnnexA, FindsTheExpansionCoefficientWhereItWasGiven) {

@@ -52,8 +52,8 @@ std::optional<ParameterUncertainty> of_monte_carlo(const MonteCarlo& run, const 
       distributions.empty() ? Belief::normal(value, summary.sd) : Belief::sampled(value, std::move(distributions))};
 }
 
-std::optional<ParameterUncertainty> parameter_uncertainty(const Assessment& assessment,
-                                                          const ParameterInfo& parameter) {
+/// As the method has it, be it 0.
+std::optional<ParameterUncertainty> found_by_method(const Assessment& assessment, const ParameterInfo& parameter) {
   const auto& value = assessment.evaluation.parameters.*parameter.member;
   const auto method = method_of_record(assessment);
   if (!value || !method) return std::nullopt;
@@ -68,6 +68,14 @@ std::optional<ParameterUncertainty> parameter_uncertainty(const Assessment& asse
   return std::nullopt;
 }
 
+/// Nothing is known without doubt: an uncertainty of 0 is none, and decides nothing.
+std::optional<ParameterUncertainty> parameter_uncertainty(const Assessment& assessment,
+                                                          const ParameterInfo& parameter) {
+  auto found = found_by_method(assessment, parameter);
+  if (found && !(found->stated.u.in_native() > 0.0)) found.reset();
+  return found;
+}
+
 std::string refusal_of_record(const Assessment& assessment, const ParameterInfo& parameter) {
   const auto method = method_of_record(assessment);
   if (!method || !(assessment.evaluation.parameters.*parameter.member) || parameter_uncertainty(assessment, parameter))
@@ -76,6 +84,9 @@ std::string refusal_of_record(const Assessment& assessment, const ParameterInfo&
     const auto& found = assessment.monte_carlo->distributions[index_of(parameter)];
     if (found && !found->refusal.empty()) return fmt::format("no interval is stated: {}", found->refusal);
   }
+  if (found_by_method(assessment, parameter))
+    return fmt::format("the method of record, {}, finds an uncertainty of 0 of {}, which is none",
+                       method_title(*method), parameter.symbol);
   return fmt::format("the method of record, {}, states no uncertainty of {}", method_title(*method), parameter.symbol);
 }
 

@@ -55,7 +55,7 @@ const MonteCarlo* run_with_intervals(const Assessment& assessment);
 /// that moved by ParameterDistribution::shift_of(). They live as long as the run.
 std::vector<uncertainty::Possible> held_possible(const MonteCarlo& run, const ParameterInfo& parameter);
 
-/// By that one method; never filled up from another.
+/// By that one method; never filled up from another. One of 0 is none: what acts was stated as 0 or not at all.
 ParameterUncertainties uncertainties_of_record(const Assessment& assessment);
 
 /// Why the method of record states nothing of a parameter that has a value; empty where it does, or none was chosen.

@@ -51,6 +51,19 @@ TEST(UncertaintyOfRecord, IsNeverFilledUpFromAnotherMethod) {
   for (const auto& known : uncertainties_of_record(assessment)) EXPECT_FALSE(known);
 }
 
+TEST(UncertaintyOfRecord, OfZeroIsNone) {
+  axiometry::Test test = testing_support::table2::complete_test();
+  test.metadata.uncertainty.environmental_variation = Deviation::native(0);
+  const Assessment assessment = assess(test);
+  ASSERT_EQ((assessment.annex_a->U.*find_parameter("R")->member)->in_native(), 0.0);
+  const auto all = uncertainties_of_record(assessment);
+  const std::size_t R = index_of(*find_parameter("R"));
+  EXPECT_FALSE(all[R]);
+  EXPECT_TRUE(all[index_of(*find_parameter("A"))]) << "the device acts on it";
+  EXPECT_EQ(refusals_of_record(assessment)[R],
+            "the method of record, Annex A, finds an uncertainty of 0 of R, which is none");
+}
+
 TEST(UncertaintyOfRecord, OfAnnexAIsTheValueAndItsExpandedUncertainty) {
   const Assessment assessment = assess(testing_support::table2::complete_test());
   for (const ParameterInfo& parameter : parameters) {
