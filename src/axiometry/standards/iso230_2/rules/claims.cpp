@@ -9,6 +9,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/says_nothing.h"
+#include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
