@@ -1524,8 +1524,9 @@ export interface components {
                 /** @enum {string} */
                 role: "machine" | "equipment" | "air";
                 readings: number;
-                lowest_C: number;
-                highest_C: number;
+                /** @description null of a sensor without a reading. */
+                lowest_C: number | null;
+                highest_C: number | null;
             }[];
             /** @description How the log was read. */
             remarks: string[];
