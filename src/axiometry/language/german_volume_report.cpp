@@ -52,6 +52,8 @@ constexpr Phrase rows[] = {
     {"Errors of a machine measured singly", "Einzeln gemessene Abweichungen einer Maschine"},
     {"From X; Y; Z / mm", "Von X; Y; Z / mm"},
     {"From the 21 errors of a machine", "Aus den 21 Abweichungen einer Maschine"},
+    {"Functional points of the axes", "Funktionspunkte der Achsen"},
+    {"Functional points of the axes, x; y; z in mm", "Funktionspunkte der Achsen, x; y; z in mm"},
     {"ISO 230-1, names of errors", "ISO 230-1, Namen der Abweichungen"},
     {"ISO 230-1:2012, names of errors", "ISO 230-1:2012, Namen der Abweichungen"},
     {"In the axes of the machine, without constants and without the slope of straightness, rotations taken out of "
@@ -213,6 +215,7 @@ constexpr Phrase rows[] = {
      "test have in common, as its temperature or wavelength: that would appear as a slope",
      "der Vergleich enthält die Unsicherheit der Abweichungen und die Streuung der Prüfung, aber nicht, was alle "
      "Messwerte der Prüfung gemeinsam haben, wie Temperatur oder Wellenlänge: Das würde als Steigung erscheinen"},
+    {"the machine's zero", "der Nullpunkt der Maschine"},
     {"the measured test agrees with the prediction: χ² = {0#} with ν = {1#}; the largest difference is {2#} µm at {3#} "
      "mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung stimmt mit der Vorhersage überein: χ² = {0} mit ν = {1}; die größte Differenz ist {2} µm "

@@ -39,6 +39,13 @@ Result<const Compensation*> compensation_named(std::string_view id);
 /// Fails, naming them, where errors are unseen.
 Result<void> check_all_told(const volumetric::ErrorModel& model);
 
+/// What tables of all errors hold: at_machine_zero() of the model, from where a control levers. Fails as
+/// check_all_told().
+Result<volumetric::ErrorModel> errors_for_a_control(const volumetric::ErrorModel& model);
+
+/// Lines behind `mark`, in tables of all errors, that say so of a result.
+std::string functional_points_text(const volumetric::MachineModel& of_result, std::string_view mark);
+
 /// mm to the nanometre, without idle zeros.
 std::string position_text(double position_mm);
 

@@ -30,15 +30,15 @@ lines between the rows.
 )";
 
 Result<std::string> write_general(const CompensationRequest& request) {
-  const volumetric::ErrorModel& model = request.model;
-  AXIOMETRY_TRY_VOID(check_all_told(model));
-  std::string text =
-      "# All 21 errors after ISO 230-1, um and urad\n" + compensation_head(model, "#", TableDirections::each);
+  AXIOMETRY_TRY(const volumetric::ErrorModel model, errors_for_a_control(request.model));
+  std::string text = "# All 21 errors after ISO 230-1, um and urad\n" +
+                     compensation_head(model, "#", TableDirections::each) +
+                     functional_points_text(request.model.machine(), "#");
   text +=
       "# A positive number: the tool, relative to the workpiece, stands too far along (is turned too far about) the\n"
       "# positive axis, actual less commanded. A control that adds what stands here would double the error.\n"
       "# Means of all motions are 0 and straightness is level: constants are a place of the whole machine.\n";
-  text += effects_of_all_errors(request, "#", TableDirections::each);
+  text += effects_of_all_errors({model, request.tool, request.nodes}, "#", TableDirections::each);
   const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
   if (has_directions) text += "direction,";
   std::array<std::vector<CurveNode>, axis_count * motion_count> curves;
