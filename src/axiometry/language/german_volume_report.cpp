@@ -230,6 +230,10 @@ constexpr Phrase rows[] = {
      "{2#}, where {3#} is predicted for the mean of both directions",
      "die Richtungen der gemessenen Prüfung unterscheiden sich um bis zu {0} bei {1}, was die Abweichungen nicht "
      "enthalten: E der Prüfung ist {2}, wo {3} für den Mittelwert beider Richtungen vorhergesagt ist"},
+    {"the file of the table has no comments: it does not say itself that the result it was made from should not be "
+     "used",
+     "die Datei der Tabelle hat keine Kommentare: Sie sagt nicht selbst, dass das Ergebnis, aus dem sie gemacht ist, "
+     "nicht verwendet werden sollte"},
     {"the machine's zero", "der Nullpunkt der Maschine"},
     {"the measured test agrees with the prediction but for what its directions differ by: χ² = {0#} with ν = {1#}; the "
      "largest difference is {2#} µm at {3#} mm, {4#} of its standard uncertainties",

@@ -67,6 +67,16 @@ std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_resul
   return against;
 }
 
+std::string warning_of(std::span<const NamedFinding> against) {
+  std::vector<std::string> names;
+  for (const NamedFinding& finding : against)
+    if (finding.serious && std::ranges::find(names, finding.id) == names.end()) names.push_back(finding.id);
+  if (names.empty()) return {};
+  std::string text = "DO NOT USE AS IT IS: serious findings speak against the result this was made from:";
+  for (const std::string& name : names) text += (name == names.front() ? " " : ", ") + name;
+  return text;
+}
+
 void put_first(std::span<const NamedFinding> against, std::vector<NamedFinding>& findings) {
   findings.insert(findings.begin(), against.begin(), against.end());
 }

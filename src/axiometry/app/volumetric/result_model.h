@@ -30,6 +30,10 @@ std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_resul
 /// made of them holds. Names of errors with the same remark stand together. Nothing of other results.
 std::vector<NamedFinding> remarks_of_singles(const json::Value& result);
 
+/// For the head of a file that goes to a control: one sentence in ASCII that names what speaks seriously against the
+/// result, by the findings' names. Empty where nothing does.
+std::string warning_of(std::span<const NamedFinding> against);
+
 /// Before the others.
 void put_first(std::span<const NamedFinding> against, std::vector<NamedFinding>& findings);
 

@@ -206,7 +206,7 @@ Result<PredictRequest> line_request_from(const Value& body) {
 Result<ExportRequest> table_request_from(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
   ExportRequest request;
-  members.pass_over("model");
+  for (const std::string_view known : {"model", "findings"}) members.pass_over(known);
   AXIOMETRY_TRY_VOID(members.take("table", request.table));
   AXIOMETRY_TRY_VOID(members.take("tool", request.tool));
   AXIOMETRY_TRY(const auto nodes, whole_member(members, "nodes", {2, most_table_nodes}));

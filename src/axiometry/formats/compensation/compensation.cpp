@@ -31,6 +31,13 @@ Result<const Compensation*> compensation_named(std::string_view id) {
   return fail(fmt::format("found the table {}, expected one of {}", text::quoted(id), known));
 }
 
+Result<std::string> written_table(const Compensation& compensation, const CompensationRequest& request,
+                                  std::string_view warning) {
+  AXIOMETRY_TRY(std::string text, compensation.write(request));
+  if (warning.empty()) return text;
+  return fmt::format("{} {}\n{}", compensation.comment, warning, text);
+}
+
 Result<void> check_all_told(const volumetric::ErrorModel& model) {
   const auto unseen = model.unseen_errors();
   if (unseen.empty()) return {};

@@ -24,11 +24,16 @@ struct Compensation {
   std::string_view title;    ///< in lists
   std::string_view takes;    ///< "all 21 errors", "positioning"
   bool of_one_tool = false;  ///< whether it needs one
+  std::string_view comment;  ///< what a line of comment begins with
   std::string_view manual;   ///< Markdown: what it assumes, what is verified and what inferred
   /// The file says what a positive number does, and what error the table leaves. Fails where the lengths do not tell an
   /// error that it needs.
   Result<std::string> (*write)(const CompensationRequest& request);
 };
+
+/// The file, and before all else in it, as comment, what warns of it; nothing of an empty warning.
+Result<std::string> written_table(const Compensation& compensation, const CompensationRequest& request,
+                                  std::string_view warning);
 
 /// In alphabetical order of the source files (generated).
 std::span<const Compensation* const> compensation_table();

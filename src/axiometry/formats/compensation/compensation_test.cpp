@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/formats/compensation/compensation.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,18 @@ TEST(Compensation, OfEveryTableSaysWhatAPositiveNumberDoes) {
     EXPECT_THAT(text, HasSubstr("with these tables, predicted, largest ")) << table->id;
   }
   EXPECT_THAT(compensation_named("fanuc").error().message, HasSubstr("expected one of axis-csv, general-csv"));
+}
+
+TEST(Compensation, SaysBeforeAllElseWhatSpeaksAgainstIt) {
+  const ErrorModel model = scale_and_squareness();
+  for (const Compensation* table : compensation_table()) {
+    const auto plain = written_table(*table, {model, 0, 3}, ""), warned = written_table(*table, {model, 0, 3}, "NO");
+    ASSERT_TRUE(plain && warned);
+    EXPECT_EQ(*plain, *table->write({model, 0, 3}));
+    EXPECT_EQ(*warned, fmt::format("{} NO\n{}", table->comment, *plain));
+    EXPECT_TRUE(plain->starts_with(fmt::format("{} ", table->comment))) << table->id;
+  }
+  EXPECT_TRUE(recognise(*written_table(**compensation_named("twincat-cnc"), {model, 0, 3}, "NO")));
 }
 
 TEST(Compensation, GeneralTableHoldsAll21Errors) {

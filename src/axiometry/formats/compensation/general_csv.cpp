@@ -81,6 +81,7 @@ const Compensation general_csv_compensation = {
     .id = "general-csv",
     .title = "All 21 errors over the positions of X, Y and Z",
     .takes = "all 21 errors",
+    .comment = "#",
     .manual = general_manual,
     .write = write_general,
 };

@@ -92,6 +92,7 @@ const Compensation twincat_cnc_compensation = {
     .id = "twincat-cnc",
     .title = "Beckhoff TwinCAT CNC TF5280 and ISG kernels",
     .takes = "all 21 errors",
+    .comment = "//",
     .manual = twincat_manual,
     .write = write_twincat,
 };
