@@ -128,12 +128,21 @@ Result<void> check_named(const PredictRequest& request, const TargetsOfFile& tar
   constexpr std::string_view axes = "XYZxyz";
   const std::string& name = targets.axis_name;
   if (request.axis.empty() && request.diagonal.empty()) return {};
+  if (!request.diagonal.empty() && targets.line) return {};  // the line says more
   if (name.empty() || axes.find(name.front()) == std::string_view::npos) return {};
   if (!std::ranges::all_of(std::string_view(name).substr(1), [](char c) { return c >= '0' && c <= '9'; })) return {};
   const char letter = "XYZ"[axes.find(name.front()) % axis_count];
   if (request.axis == std::string_view(&letter, 1)) return {};
   return fail(fmt::format("found the axis {} in the plan or test, expected {}", text::quoted(name),
                           request.axis.empty() ? request.diagonal : request.axis));
+}
+
+/// "X" where that axis moves alone, which is a test after ISO 230-2.
+std::string stated_name(const SpatialLine& line) {
+  if (moving_axes(line) > 1) return "as stated";
+  std::size_t axis = 0;
+  while (axis + 1 < axis_count && std::abs(line.direction[axis]) < 0.5) ++axis;
+  return std::string(1, "XYZ"[axis]);
 }
 
 /// An axis with a place is that very line. A diagonal goes through what was observed, and a plan of it through the
@@ -183,7 +192,7 @@ Result<TestedLine> line_of(const PredictRequest& request, const ErrorModel& mode
           "found no line in space in plan or test, expected an axis and where the others stand, or a "
           "diagonal");
     if (targets->line) {  // which says where the targets lie: what was asked for must be the same line
-      const TestedLine stated{.name = line ? line->name : "as stated",
+      const TestedLine stated{.name = line ? line->name : stated_name(*targets->line),
                               .from_mm = targets->line->at(Position::native(first)),
                               .to_mm = targets->line->at(Position::native(last)),
                               .tool_mm = tool_mm};

@@ -112,6 +112,10 @@ TEST(PredictTest, LooksAtWhatTheTestSaysOfItself) {
   const auto told = predict_test(both);
   ASSERT_TRUE(told);
   EXPECT_NE(finding_of(*told, "volumetric-prediction-tool"), nullptr);
+  PredictRequest stated{.result = result, .tool = "T1", .measured = measured_file(folder, 0.0, line)};
+  const auto by_line = predict_test(stated);
+  ASSERT_TRUE(by_line) << by_line.error().to_string();
+  EXPECT_EQ(by_line->predicted.line.name, "X");
   both.plan = both.measured;
   const auto refused = predict_test(both);
   ASSERT_FALSE(refused);

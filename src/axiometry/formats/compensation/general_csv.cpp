@@ -26,7 +26,8 @@ squareness in µrad, names after ISO 230-1. A positive number: the tool, seen fr
 
 Where errors differ by direction, the rows come twice, behind the word `up` or `down`: an axis came to rest moving to
 larger positions, or to smaller ones. The head says what error of the tool point is left where a program draws straight
-lines between the rows.
+lines between the rows. Rotations act from the machine's zero (functional points 0, 0, 0), whatever points the result
+states its straightness at.
 )";
 
 Result<std::string> write_general(const CompensationRequest& request) {
