@@ -61,8 +61,7 @@ std::vector<std::string> unseen_reasons(const SetupShape& setup) {
   if (reasons.empty())
     reasons.emplace_back(
         "the number of stations and tools and the lines they stand on do not show why; coarser curves ask for less, "
-        "and "
-        "more points, approached from other directions, tell more");
+        "and more points, approached from other directions, tell more");
   return reasons;
 }
 
