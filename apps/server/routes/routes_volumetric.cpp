@@ -173,9 +173,9 @@ Result<Response> table(const Request& request) {
   AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const app::ExportRequest wish, app::table_request_from(body));
-  AXIOMETRY_TRY(const volumetric::ErrorModel model, app::given_model(body));
-  AXIOMETRY_TRY(std::string text, app::exported_table(model, wish));
-  return made_text_response(std::move(text), to_keep, wish.table + ".csv");
+  AXIOMETRY_TRY(app::KeptModel kept, app::given_kept_model(body));
+  AXIOMETRY_TRY(app::ExportedTable made, app::exported_table(std::move(kept), wish));
+  return made_text_response(std::move(made.text), to_keep, wish.table + ".csv");
 }
 
 Result<Response> volume_table(const Request& request) {

@@ -6,6 +6,10 @@ namespace axiometry::language {
 namespace {
 
 constexpr Phrase rows[] = {
+    {"displacements differ by direction, by up to {0#} of {1=}: the errors hold their mean, and what is made of them "
+     "has no reversal",
+     "Verschiebungen hängen von der Richtung ab, um bis zu {0} bei {1}: Die Abweichungen enthalten ihren Mittelwert, "
+     "und was aus ihnen entsteht, hat keine Umkehrspanne"},
     {"found a line without its error or without the way its readings are positive, expected both",
      "eine Gerade ohne ihre Abweichung oder ohne die Richtung, in der ihre Messwerte positiv sind; erwartet: beides"},
     {"found a plan of a rotary axis or of a line in space, expected one of a linear axis",
@@ -164,6 +168,10 @@ constexpr Phrase rows[] = {
      "Rechte-Hand-Regel um sie: {0}"},
     {"reference: found {0=}, expected least-squares, end-points or none",
      "reference: {0}; erwartet: least-squares, end-points oder none"},
+    {"rotations differ by direction, by up to {0#} of {1=}: the errors hold their mean, and what is made of them has "
+     "no reversal",
+     "Drehungen hängen von der Richtung ab, um bis zu {0} bei {1}: Die Abweichungen enthalten ihren Mittelwert, und "
+     "was aus ihnen entsteht, hat keine Umkehrspanne"},
     {"the table that was made", "die erzeugte Tabelle"},
     {"{0=}: found a number that is not finite in value {1#}", "{0}: eine Zahl in Wert {1}, die nicht endlich ist"},
     {"{0=}: found the position {1#} behind {2#}, expected them to rise",

@@ -9,6 +9,8 @@ constexpr Phrase rows[] = {
     {"Added to the commanded position: a positive value moves the axis in the positive direction.",
      "Zur befohlenen Position addiert: Ein positiver Wert bewegt die Achse in positiver Richtung."},
     {"At / mm", "Bei / mm"},
+    {"B of the measured test, which the errors do not hold",
+     "B der gemessenen Prüfung, in den Abweichungen nicht enthalten"},
     {"B, reversal value", "B, Umkehrspanne"},
     {"Breaks of the beam found", "Gefundene Strahlunterbrechungen"},
     {"Compensation of the volume", "Kompensation des Volumens"},
@@ -32,6 +34,7 @@ constexpr Phrase rows[] = {
      "Verlagerung auf der Linie von {0} auf {1} µm, wie aus den 21 Abweichungen vorhergesagt"},
     {"Displacement on the line without and with the table", "Verlagerung auf der Linie ohne und mit Tabelle"},
     {"Displacement on the line, range", "Verlagerung auf der Linie, Spannweite"},
+    {"E of the mean of both directions, without reversal", "E des Mittelwerts beider Richtungen, ohne Umkehrspanne"},
     {"E, bidirectional systematic deviation", "E, beidseitige systematische Abweichung"},
     {"Each station has a place of its own with each tool, so that a wrong offset of a tool enters as a lever alone.",
      "Jeder Standort hat mit jedem Werkzeug einen eigenen Ort, sodass ein falscher Versatz eines Werkzeugs nur als "
@@ -52,6 +55,8 @@ constexpr Phrase rows[] = {
     {"Errors of a machine measured singly", "Einzeln gemessene Abweichungen einer Maschine"},
     {"From X; Y; Z / mm", "Von X; Y; Z / mm"},
     {"From the 21 errors of a machine", "Aus den 21 Abweichungen einer Maschine"},
+    {"Functional points of the axes", "Funktionspunkte der Achsen"},
+    {"Functional points of the axes, x; y; z in mm", "Funktionspunkte der Achsen, x; y; z in mm"},
     {"ISO 230-1, names of errors", "ISO 230-1, Namen der Abweichungen"},
     {"ISO 230-1:2012, names of errors", "ISO 230-1:2012, Namen der Abweichungen"},
     {"In the axes of the machine, without constants and without the slope of straightness, rotations taken out of "
@@ -79,6 +84,12 @@ constexpr Phrase rows[] = {
      "Verlagerung und Verdrehung der ganzen Maschine, die die Lage eines Werkstücks aufnimmt. 95 % des Gitters haben "
      "höchstens den Wert der letzten Spalte."},
     {"Positions of axis", "Positionen der Achse"},
+    {"Predicted from the 21 errors, along the diagonals of the travel that was observed: E is that of the mean of both "
+     "directions, and the bidirectional systematic deviation of ISO 230-6 holds reversal beside it. P and N name the "
+     "ends of the axes, P the larger; of a face the third axis stands in the middle.",
+     "Aus den 21 Abweichungen vorhergesagt, längs der Diagonalen des erfassten Verfahrwegs: E ist das des Mittelwerts "
+     "beider Richtungen, und die beidseitige systematische Abweichung der ISO 230-6 enthält daneben die Umkehrspanne. "
+     "P und N benennen die Enden der Achsen, P das größere; bei einer Fläche steht die dritte Achse in der Mitte."},
     {"Predicted from the 21 errors, along the diagonals of the travel that was observed: E is the bidirectional "
      "systematic deviation that ISO 230-6 would show. P and N name the ends of the axes, P the larger; of a face the "
      "third axis stands in the middle.",
@@ -186,6 +197,8 @@ constexpr Phrase rows[] = {
      "nicht gemessen: {0}; was davon abhängt, hat keinen Wert"},
     {"not told", "nicht bestimmt"},
     {"not told: the errors have no directions", "nicht bestimmt: die Abweichungen kennen keine Richtung"},
+    {"of the errors measured singly, from which this was made: {0}",
+     "von den einzeln gemessenen Abweichungen, aus denen dies gemacht ist: {0}"},
     {"one count of the control is taken for 1 µm (--resolution), and many controls in inches count in 0.0001 inch "
      "(2.54 µm): where it is another amount, all that the table does is wrong in that proportion",
      "ein Zählschritt der Steuerung gilt als 1 µm (--resolution), und viele Steuerungen in Zoll zählen in 0,0001 Zoll "
@@ -213,6 +226,19 @@ constexpr Phrase rows[] = {
      "test have in common, as its temperature or wavelength: that would appear as a slope",
      "der Vergleich enthält die Unsicherheit der Abweichungen und die Streuung der Prüfung, aber nicht, was alle "
      "Messwerte der Prüfung gemeinsam haben, wie Temperatur oder Wellenlänge: Das würde als Steigung erscheinen"},
+    {"the directions of the measured test differ by up to {0#} at {1#}, which the errors do not hold: E of the test is "
+     "{2#}, where {3#} is predicted for the mean of both directions",
+     "die Richtungen der gemessenen Prüfung unterscheiden sich um bis zu {0} bei {1}, was die Abweichungen nicht "
+     "enthalten: E der Prüfung ist {2}, wo {3} für den Mittelwert beider Richtungen vorhergesagt ist"},
+    {"the file of the table has no comments: it does not say itself that the result it was made from should not be "
+     "used",
+     "die Datei der Tabelle hat keine Kommentare: Sie sagt nicht selbst, dass das Ergebnis, aus dem sie gemacht ist, "
+     "nicht verwendet werden sollte"},
+    {"the machine's zero", "der Nullpunkt der Maschine"},
+    {"the measured test agrees with the prediction but for what its directions differ by: χ² = {0#} with ν = {1#}; the "
+     "largest difference is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
+     "die gemessene Prüfung stimmt bis auf den Unterschied ihrer Richtungen mit der Vorhersage überein: χ² = {0} mit ν "
+     "= {1}; die größte Differenz ist {2} µm bei {3} mm, {4} ihrer Standardunsicherheiten"},
     {"the measured test agrees with the prediction: χ² = {0#} with ν = {1#}; the largest difference is {2#} µm at {3#} "
      "mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung stimmt mit der Vorhersage überein: χ² = {0} mit ν = {1}; die größte Differenz ist {2} µm "
@@ -229,6 +255,10 @@ constexpr Phrase rows[] = {
      "of what was observed, which nobody measured",
      "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Dort hält sie den Wert vom Ende des "
      "Beobachteten, den niemand gemessen hat"},
+    {"the test states the tool point {0#}, and the tool {1=} has {2#}: where both are counted alike, this is the "
+     "prediction of another point",
+     "die Prüfung gibt den Werkzeugpunkt {0} an, und das Werkzeug {1} hat {2}: Wo beide gleich gezählt sind, ist dies "
+     "die Vorhersage eines anderen Punkts"},
     {"with the table", "mit Tabelle"},
     {"with the table ↑", "mit Tabelle ↑"},
     {"with the table ↓", "mit Tabelle ↓"},

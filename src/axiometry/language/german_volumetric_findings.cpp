@@ -17,6 +17,10 @@ constexpr Phrase rows[] = {
      "axes better",
      "alle Stationen stehen auf fast einer Höhe; eine, die höher oder tiefer steht, bestimmt Drehungen um die "
      "waagerechten Achsen besser"},
+    {"all stations stand within {0#} of one line, and no length changes where points turn about it; a station beside "
+     "this line tells such turns, more points do not",
+     "alle Stationen stehen innerhalb von {0} um eine Gerade, und keine Länge ändert sich, wo Punkte sich um diese "
+     "drehen; eine Station neben dieser Geraden bestimmt solche Drehungen, mehr Punkte nicht"},
     {"all stations stand {0#} from where they were said to: they are stated in another frame than the positions of the "
      "axes, or a tool offset is wrong",
      "alle Stationen stehen um {0} neben dem angegebenen Ort: Sie sind in einem anderen Koordinatensystem angegeben "
@@ -26,6 +30,16 @@ constexpr Phrase rows[] = {
      "rotation",
      "alle Werkzeugpunkte liegen auf einer Geraden, und eine Drehung um diese bewegt keinen von ihnen; ein Werkzeug "
      "daneben bestimmt diese Drehung"},
+    {"all tool points lie within {0#} of one line, and were taken to lie on it: a rotation about that line moves none "
+     "of them; a tool beside it tells this rotation",
+     "alle Werkzeugpunkte liegen innerhalb von {0} um eine Gerade und gelten als auf ihr gelegen: Eine Drehung um "
+     "diese bewegt keinen von ihnen; ein Werkzeug daneben bestimmt diese Drehung"},
+    {"all tool points lie within {0#} of one, and were taken to lie there, so that a rotation of an axis that nothing "
+     "but the tool lies behind cannot be told from its straightness; three tools whose points form a triangle tell all "
+     "(a short and a long one, and one beside them)",
+     "alle Werkzeugpunkte liegen innerhalb von {0} um einen und gelten als dort gelegen, sodass eine Drehung einer "
+     "Achse, hinter der nur das Werkzeug liegt, nicht von deren Geradheit zu unterscheiden ist; drei Werkzeuge, deren "
+     "Punkte ein Dreieck bilden, bestimmen alles (ein kurzes, ein langes und eines daneben)"},
     {"before {0} all lengths jump by {1#}: the beam was broken, and the lengths from there on have a dead path of "
      "their "
      "own",
@@ -158,6 +172,10 @@ constexpr Phrase rows[] = {
      "not hold the truth",
      "die Längen zeigen, dass sich {0} stärker biegt, als die Glattheit zulässt, bis zu {1}-mal so stark: Die "
      "Unsicherheiten enthalten die Wahrheit womöglich nicht"},
+    {"the number of stations and tools and the lines they stand on do not show why; coarser curves ask for less, and "
+     "more points, approached from other directions, tell more",
+     "aus der Anzahl der Stationen und Werkzeuge und den Geraden, auf denen sie stehen, geht nicht hervor, warum; "
+     "gröbere Kurven verlangen weniger, und mehr Punkte, aus anderen Richtungen angefahren, bestimmen mehr"},
     {"the offset of tool {0=} less that of tool {1=} is {2#}, not {3#} as stated, as {4#} station shows",
      "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist {2}, nicht {3} wie angegeben, wie {4} Station zeigt"},
     {"the offset of tool {0=} less that of tool {1=} is {2#}, not {3#} as stated, as {4#} station shows, as if {5}",
@@ -172,10 +190,6 @@ constexpr Phrase rows[] = {
      "der Versatz von Werkzeug {0} gegen den von Werkzeug {1} ist {2}, nicht {3} wie angegeben, wie {4} Stationen "
      "übereinstimmend "
      "zeigen, als ob {5}"},
-    {"the points that were measured, with the directions from which they were approached, do not suffice for curves as "
-     "fine as these",
-     "die gemessenen Punkte mit den Richtungen, aus denen sie angefahren wurden, reichen für so feine Kurven nicht "
-     "aus"},
     {"the residuals are {0#} times as large as the uncertainties of instrument and machine allow (χ²/ν = {1#}): either "
      "these are stated too small, or the machine does something that 21 errors of its axes do not describe, as drift, "
      "play or bending under load, or its chain is another one, or its curves bend farther than they were taken to; all "
@@ -205,6 +219,11 @@ constexpr Phrase rows[] = {
      "die Werkzeugpunkte bilden kein Dreieck: ein längeres Werkzeug und eines daneben hinzunehmen, zum Beispiel {0} "
      "und "
      "{1} mm"},
+    {"the tool points lie within {0#} of one line, less than a twentieth of the {1#} that they are apart: rotations "
+     "about this line are told by that lever alone, and a tool farther beside it would be moved by what they are wrong",
+     "die Werkzeugpunkte liegen innerhalb von {0} um eine Gerade, weniger als ein Zwanzigstel der {1}, die sie "
+     "auseinanderliegen: Drehungen um diese Gerade bestimmt dieser Hebel allein, und ein Werkzeug weiter neben ihr "
+     "würde um das verschoben, was an ihnen falsch ist"},
     {"the tool points stand on one line: add a tool beside it, for example {0=} mm",
      "die Werkzeugpunkte liegen auf einer Geraden: ein Werkzeug daneben hinzunehmen, zum Beispiel {0} mm"},
     {"the travels of X, Y and Z are {0=}, {1=} and {2#}: are the numbers of the machine's file in inches? all of them "

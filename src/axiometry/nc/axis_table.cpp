@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "axiometry/base/text.h"
+#include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
 namespace {
@@ -62,9 +64,12 @@ std::string_view sign_of(const AxisTable& table, const AxisTableOptions& options
 Result<std::string> write_table(const AxisTable& table, const AxisCorrection& correction,
                                 const AxisTableOptions& options) {
   AXIOMETRY_TRY_VOID(check_used(table, options));
-  if (!options.turned_sign) return table.write(correction, options);
-  AXIOMETRY_TRY(const AxisCorrection other, turned(correction));
-  return table.write(other, options);
+  std::optional<AxisCorrection> other;
+  if (options.turned_sign) {
+    AXIOMETRY_TRY(other, turned(correction));
+  }
+  AXIOMETRY_TRY(std::string text, table.write(other ? *other : correction, options));
+  return with_warning(std::move(text), sign_of(table, options), options.warning);
 }
 
 Result<AxisCorrection> read_table(const AxisTable& table, std::string_view text, const AxisTableOptions& options) {

@@ -28,6 +28,7 @@ struct AxisTableOptions {
   double step = 0.0;            ///< spacing of a table that is read and does not say it, mm or °; 0: it says it
   double steps_per_unit = 0.0;  ///< what the control drives now, steps per mm or °; 0: not told
   bool turned_sign = false;     ///< the control's sign is the other one than was inferred of it
+  std::string warning{};        ///< of a table that is written: ASCII, before its other comments, where it has any
 };
 
 /// Where the reference point is, at which the correction is 0.
@@ -59,8 +60,8 @@ struct AxisTableUses {
   bool steps_per_unit = false;
   bool output_axis = false;
   bool turned_sign = false;  ///< its sign was inferred and may be the other one
-  bool inch = true;        ///< it may count in inches; else in the one unit that its format has
-  bool told_step = false;  ///< of a table that is read: its spacing may be a parameter of the control alone
+  bool inch = true;          ///< it may count in inches; else in the one unit that its format has
+  bool told_step = false;    ///< of a table that is read: its spacing may be a parameter of the control alone
 };
 
 struct AxisTable {

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int count_decimals = 6;
 constexpr double last_digit_of_count = 0.6e-6;  // half of it, and what doubles round
+constexpr std::size_t comment_width = 90;
 
 }  // namespace
 
@@ -175,8 +176,20 @@ bool is_whole_turn(const AxisCorrection& correction) {
 
 std::string comment_lines(std::string_view mark, std::string_view text) {
   std::string lines;
-  for (const std::string& part : wrapped(text, 90)) lines += fmt::format("{} {}\n", mark, part);
+  for (const std::string& part : wrapped(text, comment_width)) lines += fmt::format("{} {}\n", mark, part);
   return lines;
+}
+
+std::string with_warning(std::string table, std::string_view sign, std::string_view warning) {
+  if (warning.empty() || sign.empty()) return table;
+  const std::string first = wrapped(sign, comment_width).front();
+  const std::size_t at = table.find(first);
+  if (at == std::string::npos) return table;
+  const std::size_t before = at == 0 ? std::string::npos : table.rfind('\n', at - 1);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  const std::string mark(text::trim(std::string_view(table).substr(begin, at - begin)));
+  if (mark.empty() || !table.substr(at + first.size()).starts_with('\n')) return table;
+  return table.insert(begin, comment_lines(mark, warning));
 }
 
 std::optional<Assignment> assignment_of(std::string_view line) {

@@ -63,6 +63,10 @@ bool is_whole_turn(const AxisCorrection& correction);
 /// A text as lines of comment, wrapped: "; …".
 std::string comment_lines(std::string_view mark, std::string_view text);
 
+/// A table with a warning before the comment that says what its sign does, as comment of the same mark. A table without
+/// that comment, whose format has none, stays as it is, and so does one without a warning.
+std::string with_warning(std::string table, std::string_view sign, std::string_view warning);
+
 /// NAME(INDEX,INDEX) = VALUE, the indices in round or square brackets or none, blanks anywhere between.
 struct Assignment {
   std::string_view name;

@@ -3596,9 +3596,10 @@ export interface components {
         VolumetricSubject: {
             plan: components["schemas"]["VolumetricPlanFile"];
         };
-        /** @description The file says nothing of the findings of the result. */
+        /** @description Serious findings of the result stand in the first line of the file, by name. */
         VolumetricTableRequest: {
             model: components["schemas"]["VolumetricModel"];
+            findings?: components["schemas"]["FindingsOfResult"];
             /** @description One of Vocabulary.compensations. */
             table: string;
             tool?: string;

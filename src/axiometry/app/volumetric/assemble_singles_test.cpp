@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "axiometry/app/volumetric/result_model.h"
 #include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
@@ -58,6 +60,24 @@ TEST(AssembleSingles, SayWhereNoUncertaintyOfTheInstrumentIsStated) {
   const auto with = assemble_singles(request);
   ASSERT_TRUE(with) << with.error().message;
   EXPECT_THAT(with->remarks, Not(Contains(U_lacks)));
+}
+
+/// The mean of both directions hides it, in the errors and in all that is made of them.
+TEST(AssembleSingles, TellTheReversalThatTheirMeansLose) {
+  const testing_support::TemporaryFolder folder;
+  const auto assembled = assemble_singles(request_in(folder, positioning(true)));
+  ASSERT_TRUE(assembled) << assembled.error().message;
+  EXPECT_THAT(assembled->remarks, Contains(HasSubstr("displacements differ by direction, by up to 10.00 µm of EXX")));
+  const auto kept = kept_model(folder.written("result.json", json::dump(present(*assembled, {}).json, 0)));
+  ASSERT_TRUE(kept) << kept.error().message;
+  std::vector<std::string> told;
+  for (const NamedFinding& note : kept->against) {
+    EXPECT_EQ(note.id, "volumetric-singles-remark");
+    EXPECT_FALSE(note.serious);
+    told.push_back(note.message);
+  }
+  EXPECT_THAT(told, Contains(std::string("of the errors measured singly, from which this was made: ") + U_lacks));
+  EXPECT_THAT(told, Contains(HasSubstr("10.00 µm of EXX")));
 }
 
 TEST(AssembleSingles, WriteTheInstrumentAndThePlacesIntoTheJson) {

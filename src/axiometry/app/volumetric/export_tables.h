@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/compensation/compensation.h"
 #include "axiometry/model/named_finding.h"
@@ -28,7 +29,8 @@ struct ExportedTable {
 /// and where the lengths do not tell what the table needs.
 Result<ExportedTable> exported_table(const ExportRequest& request);
 
-/// The same of a model that is at hand; request.result is only its name.
-Result<std::string> exported_table(const volumetric::ErrorModel& model, const ExportRequest& request);
+/// The same of a model that is at hand; request.result is only its name. The first lines of the file say what speaks
+/// seriously against the result.
+Result<ExportedTable> exported_table(KeptModel kept, const ExportRequest& request);
 
 }  // namespace axiometry::app

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "axiometry/app/evaluate/evaluate.h"
@@ -14,6 +16,7 @@
 #include "axiometry/app/volumetric/field_volume.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/text/json_members.h"
@@ -32,15 +35,20 @@ using volumetric::TestedLine;
 
 /// Below it a test and its prediction are said to disagree: 1 in 1000 by chance.
 constexpr double departs_below = 1e-3;
+/// A reversal that the errors do not hold and that makes E of the test so many times as large as was predicted is
+/// serious: most machines have some.
+constexpr double reversal_serious = 1.5;
 
 /// What is known of the targets, and of where they lie.
 struct TargetsOfFile {
   std::vector<double> positions_mm;
   std::optional<SpatialLine> line;
   std::optional<MeasuredMeans> means;
-  bool one_direction = false;
+  std::string axis_name;             ///< of a test, as it states it
+  std::optional<Vector3> offset_mm;  ///< of its tool, likewise
 };
 
+/// The axis moves along the line: a place of its own is none.
 Result<Vector3> parse_place(const std::string& text, std::size_t axis) {
   Vector3 place;
   std::array<bool, axis_count> given{};
@@ -52,6 +60,11 @@ Result<Vector3> parse_place(const std::string& text, std::size_t axis) {
       const auto number = trimmed.size() > 2 && trimmed[1] == '=' ? parse_number(trimmed.substr(2)) : std::nullopt;
       if (std::string_view("xyzXYZ").find(trimmed.empty() ? ' ' : trimmed.front()) == std::string_view::npos || !number)
         return fail(fmt::format("found {}, expected where the other axes stand, as y=300,z=-250", text::quoted(text)));
+      if (letter == axis)
+        return fail(
+            fmt::format("found a place of {} in {}, expected those of the other axes alone: {} moves along the "
+                        "line",
+                        "XYZ"[axis], text::quoted(text), "XYZ"[axis]));
       place[letter] = *number;
       given[letter] = true;
     }
@@ -64,7 +77,7 @@ Result<Vector3> parse_place(const std::string& text, std::size_t axis) {
 Result<TargetsOfFile> targets_of_plan(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   AXIOMETRY_TRY(const Plan plan, in_file(formats::read_plan(bytes), file));
-  TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(plan.axis)};
+  TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(plan.axis), .axis_name = plan.axis.name};
   for (const Position p : plan.targets) targets.positions_mm.push_back(p.in_native());
   return targets;
 }
@@ -78,7 +91,10 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
   TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(test.metadata.axis), .means = MeasuredMeans{}};
   const auto positions = iso230_2::evaluate_positions(test.series);
   const bool up = test.series.has(Direction::up), down = test.series.has(Direction::down);
-  targets.one_direction = up != down;
+  targets.axis_name = test.metadata.axis.name;
+  if (const auto& offset = test.metadata.conditions.tool_offset_mm; offset.size() == 3)
+    targets.offset_mm = Vector3{offset[0], offset[1], offset[2]};
+  targets.means->both_directions = up && down;
   double squares = 0.0, count = 0.0;
   for (const auto& p : positions)
     for (const auto& s : {p.s_up, p.s_down})
@@ -95,7 +111,7 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
   for (const auto& p : positions) {
     if ((up && !p.mean_up) || (down && !p.mean_down)) continue;
     targets.positions_mm.push_back(p.target.in_native());
-    const double once = targets.one_direction ? std::sqrt(2.0) : 1.0;  // their mean is then the one there is
+    const double once = up && down ? 1.0 : std::sqrt(2.0);  // their mean is else the one there is
     const auto u = [&](std::size_t n) {
       return once * s / std::sqrt(static_cast<double>(std::max<std::size_t>(n, 1)));
     };
@@ -105,6 +121,43 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
     targets.means->down_u_um.push_back(u(down ? p.count_down : p.count_up));
   }
   return targets;
+}
+
+/// Whether plan or test say that they are of another axis: "Y", "y" or "Y1", where X was asked for or a diagonal.
+Result<void> check_named(const PredictRequest& request, const TargetsOfFile& targets) {
+  constexpr std::string_view axes = "XYZxyz";
+  const std::string& name = targets.axis_name;
+  if (request.axis.empty() && request.diagonal.empty()) return {};
+  if (!request.diagonal.empty() && targets.line) return {};  // the line says more
+  if (name.empty() || axes.find(name.front()) == std::string_view::npos) return {};
+  if (!std::ranges::all_of(std::string_view(name).substr(1), [](char c) { return c >= '0' && c <= '9'; })) return {};
+  const char letter = "XYZ"[axes.find(name.front()) % axis_count];
+  if (request.axis == std::string_view(&letter, 1)) return {};
+  return fail(fmt::format("found the axis {} in the plan or test, expected {}", text::quoted(name),
+                          request.axis.empty() ? request.diagonal : request.axis));
+}
+
+/// "X" where that axis moves alone, which is a test after ISO 230-2.
+std::string stated_name(const SpatialLine& line) {
+  if (moving_axes(line) > 1) return "as stated";
+  std::size_t axis = 0;
+  while (axis + 1 < axis_count && std::abs(line.direction[axis]) < 0.5) ++axis;
+  return std::string(1, "XYZ"[axis]);
+}
+
+/// An axis with a place is that very line. A diagonal goes through what was observed, and a plan of it through the
+/// travel: that it is no other diagonal is enough. Which way it is run does not matter.
+Result<void> check_same_line(const TestedLine& asked, const TestedLine& stated, bool is_axis) {
+  constexpr double beside_mm = 1.0, aside_rad = 1e-3, like_rad = 0.1, like_share = 0.05;
+  const Vector3 along = unit(asked.to_mm - asked.from_mm), own = unit(stated.to_mm - stated.from_mm);
+  const auto beside = [&](Vector3 at) { return norm(cross(along, at - asked.from_mm)); };
+  const double farthest = std::max(beside(stated.from_mm), beside(stated.to_mm)), turned = norm(cross(along, own));
+  const double most = is_axis ? beside_mm : like_share * distance(asked.from_mm, asked.to_mm);
+  if (turned <= (is_axis ? aside_rad : like_rad) && farthest <= most) return {};
+  const auto text = [](Vector3 at) { return fmt::format("({:.1f}; {:.1f}; {:.1f})", at.x, at.y, at.z); };
+  return fail(fmt::format(
+      "found a line that is stated from {} to {} mm, up to {:.1f} mm beside {} from {} to {} mm, expected the same one",
+      text(stated.from_mm), text(stated.to_mm), farthest, asked.name, text(asked.from_mm), text(asked.to_mm)));
 }
 
 Result<TestedLine> line_of(const PredictRequest& request, const ErrorModel& model, Vector3 tool_mm,
@@ -126,19 +179,25 @@ Result<TestedLine> line_of(const PredictRequest& request, const ErrorModel& mode
       return fail(fmt::format("found the diagonal {}, expected one of {}", text::quoted(request.diagonal), names));
     }
   }
+  if (request.axis.empty() && !request.at.empty())
+    return fail(
+        fmt::format("found where axes stand, {}, and no axis, expected both or none", text::quoted(request.at)));
   if (targets) {
     if (targets->positions_mm.size() < 2)
       return fail(fmt::format("found {}, expected two or more", counted(targets->positions_mm.size(), "target")));
+    AXIOMETRY_TRY_VOID(check_named(request, *targets));
     const double first = targets->positions_mm.front(), last = targets->positions_mm.back();
-    if (!line) {
-      if (!targets->line)
-        return fail(
-            "found no line in space in plan or test, expected an axis and where the others stand, or a "
-            "diagonal");
-      line = TestedLine{.name = "as stated",
-                        .from_mm = targets->line->at(Position::native(first)),
-                        .to_mm = targets->line->at(Position::native(last)),
-                        .tool_mm = tool_mm};
+    if (!line && !targets->line)
+      return fail(
+          "found no line in space in plan or test, expected an axis and where the others stand, or a "
+          "diagonal");
+    if (targets->line) {  // which says where the targets lie: what was asked for must be the same line
+      const TestedLine stated{.name = line ? line->name : stated_name(*targets->line),
+                              .from_mm = targets->line->at(Position::native(first)),
+                              .to_mm = targets->line->at(Position::native(last)),
+                              .tool_mm = tool_mm};
+      if (line) AXIOMETRY_TRY_VOID(check_same_line(*line, stated, !request.axis.empty()));
+      line = stated;
     } else {
       const Vector3 along = unit(line->to_mm - line->from_mm), origin = line->from_mm - line->first_mm * along;
       line->from_mm = origin + first * along;
@@ -164,6 +223,37 @@ Result<void> check_known(const ErrorModel& model, const TestedLine& line) {
   return {};
 }
 
+/// What errors without directions cannot show, where the test shows it; whether it does.
+bool tell_reversal(PredictedTest& test) {
+  const auto& reversal = test.comparison->reversal;
+  if (!reversal || !(reversal->probability < departs_below)) return false;
+  const double predicted = test.predicted.systematic.value;
+  test.findings.push_back(
+      {"volumetric-prediction-reversal", reversal->systematic_um > reversal_serious * predicted,
+       fmt::format("the directions of the measured test differ by up to {:.2f} µm at {} mm, which the errors do not "
+                   "hold: E of the test is {:.2f} µm, where {:.2f} µm is predicted for the mean of both directions",
+                   reversal->largest_um, format_rounded(test.predicted.line.positions_mm[reversal->target], 3),
+                   reversal->systematic_um, predicted)});
+  return true;
+}
+
+/// Of a test that does not say where its line lies, offsets may be counted from elsewhere, or the other way.
+Result<void> check_tool(const TargetsOfFile& targets, const volumetric::Tool& tool,
+                        std::vector<NamedFinding>& findings) {
+  constexpr double alike_mm = 1.0;
+  if (!targets.offset_mm || distance(*targets.offset_mm, tool.offset_mm) <= alike_mm) return {};
+  const auto text = [](Vector3 at) { return fmt::format("({:.1f}; {:.1f}; {:.1f})", at.x, at.y, at.z); };
+  const std::string of_test = text(*targets.offset_mm), of_tool = text(tool.offset_mm);
+  if (targets.line)
+    return fail(fmt::format("found the tool point {} mm in the test, expected {} mm, that of the tool {}", of_test,
+                            of_tool, text::quoted(tool.name)));
+  findings.push_back({"volumetric-prediction-tool", false,
+                      fmt::format("the test states the tool point {} mm, and the tool {} has {} mm: where both are "
+                                  "counted alike, this is the prediction of another point",
+                                  of_test, text::quoted(tool.name), of_tool)});
+  return {};
+}
+
 void tell_comparison(PredictedTest& test) {
   const LineComparison& c = *test.comparison;
   const auto largest = static_cast<std::size_t>(
@@ -172,18 +262,28 @@ void tell_comparison(PredictedTest& test) {
   const std::string text = fmt::format(
       "χ² = {:.1f} with ν = {}; the largest difference is {:.2f} µm at {} mm, {:.1f} of "
       "its standard uncertainties",
-      c.chi_squared, c.degrees_of_freedom, c.measured_um[largest] - c.predicted_um[largest], format_exact(position),
-      std::abs(c.normalised[largest]));
+      c.chi_squared, c.degrees_of_freedom, c.measured_um[largest] - c.predicted_um[largest],
+      format_rounded(position, 3), std::abs(c.normalised[largest]));
+  const bool has_reversal = tell_reversal(test);
   if (c.probability < departs_below)
     test.findings.push_back({"volumetric-prediction-departs", true,
                              "the measured test departs from the prediction by more than chance: " + text});
   else
     test.findings.push_back(
-        {"volumetric-prediction-agrees", false, "the measured test agrees with the prediction: " + text});
+        {"volumetric-prediction-agrees", false,
+         (has_reversal ? "the measured test agrees with the prediction but for what its directions differ by: "
+                       : "the measured test agrees with the prediction: ") +
+             text});
   test.findings.push_back({"volumetric-prediction-scope", false,
                            "the comparison holds the uncertainty of the errors and the scatter of the test, but not "
                            "what all readings of the "
                            "test have in common, as its temperature or wavelength: that would appear as a slope"});
+}
+
+/// Serious findings of the comparison, not of the result that the prediction was made from.
+bool is_of_comparison(const NamedFinding& finding) {
+  return finding.serious &&
+         (finding.id == "volumetric-prediction-departs" || finding.id == "volumetric-prediction-reversal");
 }
 
 }  // namespace
@@ -196,12 +296,16 @@ Result<PredictedTest> predict_test(const PredictRequest& request) {
 Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request) {
   const ErrorModel& model = kept.model;
   AXIOMETRY_TRY(const std::size_t tool, in_file(tool_of_model(model, request.tool), request.result));
+  if (!request.plan.empty() && !request.measured.empty())
+    return fail("found both a plan and a measured test, expected one of them: a test has its own targets");
   std::optional<TargetsOfFile> targets;
+  std::vector<NamedFinding> findings;
   if (!request.plan.empty()) {
     AXIOMETRY_TRY(targets, targets_of_plan(request.plan));
   }
   if (!request.measured.empty()) {
     AXIOMETRY_TRY(targets, targets_of_test(request.measured));
+    AXIOMETRY_TRY_VOID(in_file(check_tool(*targets, model.machine().tools[tool], findings), request.measured));
   }
   AXIOMETRY_TRY(TestedLine line, line_of(request, model, model.machine().tools[tool].offset_mm, targets));
   AXIOMETRY_TRY_VOID(check_known(model, line));
@@ -212,11 +316,13 @@ Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request
         "findings of the result");
   PredictedTest test{request, std::move(kept.model), tool, *std::move(predicted), {}, {}};
   if (targets && targets->means) {
-    if (targets->one_direction && test.predicted.has_directions)
+    if (!targets->means->both_directions && test.predicted.has_directions)
       return in_file(Result<PredictedTest>(fail("found readings of one direction, expected both, as the errors have")),
                      request.measured);
     test.comparison = volumetric::compare(test.predicted, *targets->means);
     tell_comparison(test);
+    std::ranges::move(findings, std::back_inserter(test.findings));
+    std::ranges::stable_partition(test.findings, &NamedFinding::serious);
   }
   put_first(kept.against, test.findings);
   return test;
@@ -234,7 +340,16 @@ Experiment present(const PredictedTest& test, const report::Options& options) {
     comparison.add("chi2", c.chi_squared);
     comparison.add("degrees_of_freedom", c.degrees_of_freedom);
     comparison.add("probability", c.probability);
-    comparison.add("agrees", c.probability >= departs_below);
+    comparison.add("agrees", std::ranges::none_of(test.findings, is_of_comparison));
+    if (c.reversal) {
+      Value& reversal = comparison.add("reversal", Value::object());
+      reversal.add("largest_um", c.reversal->largest_um);
+      reversal.add("position_mm", test.predicted.line.positions_mm[c.reversal->target]);
+      reversal.add("systematic_um", c.reversal->systematic_um);
+      reversal.add("chi2", c.reversal->chi_squared);
+      reversal.add("degrees_of_freedom", c.reversal->degrees_of_freedom);
+      reversal.add("probability", c.reversal->probability);
+    }
     Value& items = comparison.add("targets", Value::array());
     const std::size_t m = test.predicted.up.size();
     for (std::size_t k = 0; k < c.measured_um.size(); ++k) {

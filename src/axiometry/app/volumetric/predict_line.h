@@ -19,7 +19,7 @@ struct PredictRequest {
   std::string diagonal;  ///< one of volumetric::diagonal_names(); or neither, where plan or test state a line in space
   std::string at;        ///< of an axis: "y=300,z=-250", where the others stand
   std::string tool;      ///< may be empty where the machine has one
-  std::string plan;      ///< file; its targets, and its line where it states one
+  std::string plan;      ///< file; its targets, and its line where it states one; or
   std::string measured;  ///< file of a test, likewise; it is held against the prediction
 };
 
@@ -32,8 +32,10 @@ struct PredictedTest {
   std::vector<volumetric::VolumetricFinding> findings;
 };
 
-/// Fails as the files, on a line that is not stated or stated twice, on targets where the errors are not known, on a
-/// line of which the lengths do not tell all, and on a test of one direction where the errors have directions.
+/// A line that plan or test state is the one that is predicted; an axis with its place, or a diagonal, must be the same
+/// line, and so must the axis that they name and the tool point of a test that states its line. Fails as the files, on
+/// a line that is not stated or stated twice, on targets where the errors are not known, on a line of which the lengths
+/// do not tell all, and on a test of one direction where the errors have directions.
 Result<PredictedTest> predict_test(const PredictRequest& request);
 
 /// The same of a model that is at hand; request.result is only its name.

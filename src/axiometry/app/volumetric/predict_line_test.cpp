@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "axiometry/app/volumetric/field_volume.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
@@ -26,19 +28,22 @@ std::string result_file(const testing_support::TemporaryFolder& folder) {
   return folder.written("result.json", json::dump(root, 0));
 }
 
-/// An axis test of the true machine along X, from its first to its last target in steps of 90 mm, with a scale error.
-std::string measured_file(const testing_support::TemporaryFolder& folder, double um_per_m) {
+/// An axis test of the true machine along X, from its first to its last target in steps of 90 mm, with a scale error,
+/// lines of metadata, and what it reads more upwards than downwards.
+std::string measured_file(const testing_support::TemporaryFolder& folder, double um_per_m,
+                          const std::string& metadata = "", double reversal_um = 0.0) {
   const auto machine = known_machine();
-  std::string text = "target_mm,direction,run,deviation_um\n";
+  std::string text = metadata + "target_mm,direction,run,deviation_um\n";
   for (int run = 1; run <= 3; ++run)
     for (const char* direction : {"up", "down"})
       for (int k = 0; k < 11; ++k) {
         const Vector3 q{50.0 + 90.0 * k, 300, -250};
         const double x = volumetric::displacement_um(machine, known_errors(q), q, {0, 0, -150}).x;
         fmt::format_to(std::back_inserter(text), "{},{},{},{:.3f}\n", q.x, direction, run,
-                       x + 1e-3 * um_per_m * q.x + 7.0 + 0.05 * ((k * 7 + run * 3) % 5 - 2));
+                       x + 1e-3 * um_per_m * q.x + 7.0 + 0.05 * ((k * 7 + run * 3) % 5 - 2) +
+                           (direction[0] == 'u' ? 0.5 : -0.5) * reversal_um);
       }
-  return folder.written(fmt::format("measured_{}.csv", um_per_m), text);
+  return folder.written("measured.csv", text);
 }
 
 TEST(PredictTest, AgreesWithATestOfTheSameMachineAndDepartsFromOneOfAnother) {
@@ -59,6 +64,64 @@ TEST(PredictTest, AgreesWithATestOfTheSameMachineAndDepartsFromOneOfAnother) {
   EXPECT_EQ(json::dump(*shown.json.find("comparison")->find("agrees")), "false");
 }
 
+const NamedFinding* finding_of(const PredictedTest& test, std::string_view id) {
+  const auto at = std::ranges::find(test.findings, id, &NamedFinding::id);
+  return at == test.findings.end() ? nullptr : &*at;
+}
+
+TEST(PredictTest, DoesNotJustAgreeWithATestWhoseReversalTheErrorsDoNotHold) {
+  const testing_support::TemporaryFolder folder;
+  PredictRequest request{.result = result_file(folder), .axis = "X", .at = "y=300,z=-250", .tool = "T1"};
+  request.measured = measured_file(folder, 0.0, "", 40.0);
+  const auto large = predict_test(request);
+  ASSERT_TRUE(large) << large.error().to_string();
+  EXPECT_EQ(large->findings.front().id, "volumetric-prediction-reversal");
+  EXPECT_TRUE(large->findings.front().serious);
+  EXPECT_THAT(large->findings.front().message, HasSubstr("differ by up to 40.00 µm"));
+  ASSERT_NE(finding_of(*large, "volumetric-prediction-agrees"), nullptr);
+  EXPECT_THAT(finding_of(*large, "volumetric-prediction-agrees")->message, HasSubstr("but for what its directions"));
+  EXPECT_EQ(json::dump(*present(*large, {}).json.find("comparison")->find("agrees")), "false");
+  request.measured = measured_file(folder, 0.0, "", 1.0);  // as most machines have
+  const auto small = predict_test(request);
+  ASSERT_TRUE(small);
+  ASSERT_NE(finding_of(*small, "volumetric-prediction-reversal"), nullptr);
+  EXPECT_FALSE(finding_of(*small, "volumetric-prediction-reversal")->serious);
+  EXPECT_EQ(json::dump(*present(*small, {}).json.find("comparison")->find("agrees")), "true");
+}
+
+TEST(PredictTest, LooksAtWhatTheTestSaysOfItself) {
+  const testing_support::TemporaryFolder folder;
+  const std::string result = result_file(folder);
+  const auto fault = [&](const std::string& metadata, const std::string& at = "y=300,z=-250") {
+    const auto found = predict_test(
+        {.result = result, .axis = "X", .at = at, .tool = "T1", .measured = measured_file(folder, 0.0, metadata)});
+    return found ? std::string("none") : found.error().to_string();
+  };
+  EXPECT_EQ(fault("# axis.name: X\n"), "none");
+  EXPECT_EQ(fault("# axis.name: X1\n"), "none");
+  EXPECT_EQ(fault("# axis.name: carriage\n"), "none");
+  EXPECT_THAT(fault("# axis.name: Y\n"), HasSubstr("found the axis \"Y\" in the plan or test, expected X"));
+  const std::string line = "# axis.line_origin_mm: 0 300 -250\n# axis.line_direction: 1 0 0\n";
+  EXPECT_EQ(fault(line), "none");
+  EXPECT_THAT(fault(line, "y=310,z=-250"), HasSubstr("10.0 mm beside X"));
+  EXPECT_EQ(fault(line + "# test.tool_offset_mm: 0 0 -150\n"), "none");
+  EXPECT_THAT(fault(line + "# test.tool_offset_mm: 0 0 -300\n"), HasSubstr("that of the tool \"T1\""));
+  EXPECT_EQ(fault("# test.tool_offset_mm: 0 0 150\n"), "none") << "nobody knows from where it is counted";
+  PredictRequest both{.result = result, .axis = "X", .at = "y=300,z=-250", .tool = "T1"};
+  both.measured = measured_file(folder, 0.0, "# test.tool_offset_mm: 0 0 150\n");
+  const auto told = predict_test(both);
+  ASSERT_TRUE(told);
+  EXPECT_NE(finding_of(*told, "volumetric-prediction-tool"), nullptr);
+  PredictRequest stated{.result = result, .tool = "T1", .measured = measured_file(folder, 0.0, line)};
+  const auto by_line = predict_test(stated);
+  ASSERT_TRUE(by_line) << by_line.error().to_string();
+  EXPECT_EQ(by_line->predicted.line.name, "X");
+  both.plan = both.measured;
+  const auto refused = predict_test(both);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("both a plan and a measured test"));
+}
+
 TEST(PredictTest, SaysWhatItMissesOfTheLine) {
   const testing_support::TemporaryFolder folder;
   const std::string result = result_file(folder);
@@ -69,6 +132,8 @@ TEST(PredictTest, SaysWhatItMissesOfTheLine) {
   };
   EXPECT_THAT(fault({.axis = "X", .tool = "T1"}), HasSubstr("found no place of Y"));
   EXPECT_THAT(fault({.axis = "X", .at = "y=300,z", .tool = "T1"}), HasSubstr("expected where the other axes stand"));
+  EXPECT_THAT(fault({.axis = "X", .at = "x=700,y=300,z=-250", .tool = "T1"}), HasSubstr("X moves along the line"));
+  EXPECT_THAT(fault({.diagonal = "PPP-NNN", .at = "y=300", .tool = "T1"}), HasSubstr("and no axis"));
   EXPECT_THAT(fault({.axis = "W", .at = "y=300", .tool = "T1"}), HasSubstr("expected X, Y or Z"));
   EXPECT_THAT(fault({.diagonal = "PPP-NNN"}), HasSubstr("found no tool, expected one of T1, T2, T3"));
   EXPECT_THAT(fault({.diagonal = "PPP", .tool = "T1"}), HasSubstr("expected one of PPP-NNN, NPP-PNN"));

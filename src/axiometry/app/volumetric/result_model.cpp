@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "axiometry/app/files/whole_file.h"
@@ -11,12 +12,50 @@
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
 
 namespace axiometry::app {
+namespace {
+
+bool is_error_name(const std::string& text) {
+  const auto names = volumetric::error_names();
+  return std::ranges::find(names, text) != names.end();
+}
+
+}  // namespace
 
 Result<KeptModel> kept_model(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   AXIOMETRY_TRY(const json::Value root, in_file(json::parse(bytes), file));
   AXIOMETRY_TRY(volumetric::ErrorModel model, in_file(formats::error_model_of(root), file));
-  return KeptModel{std::move(model), findings_against(kept_findings(root))};
+  KeptModel kept{std::move(model), findings_against(kept_findings(root))};
+  for (NamedFinding& note : remarks_of_singles(root)) kept.against.push_back(std::move(note));
+  return kept;
+}
+
+std::vector<NamedFinding> remarks_of_singles(const json::Value& result) {
+  const auto text_of = [](const json::Value* value) {
+    return value != nullptr && value->is(json::Kind::text) ? value->text() : std::string();
+  };
+  if (!result.is(json::Kind::object) || text_of(result.find("result")) != "volumetric-assembled") return {};
+  const json::Value* remarks = result.find("remarks");
+  if (remarks == nullptr || !remarks->is(json::Kind::array)) return {};
+  std::vector<std::pair<std::string, std::string>> told;  // names and what is said of them
+  for (const json::Value& remark : remarks->items()) {
+    const std::string text = text_of(&remark);
+    const std::size_t colon = text.find(": ");
+    const bool is_named = colon == 3 && is_error_name(text.substr(0, colon));
+    const std::string name = is_named ? text.substr(0, colon) : "", words = is_named ? text.substr(colon + 2) : text;
+    const auto same = std::ranges::find_if(told, [&](const auto& t) { return is_named && t.second == words; });
+    if (words.empty()) continue;
+    if (same == told.end())
+      told.emplace_back(name, words);
+    else
+      same->first += ", " + name;
+  }
+  std::vector<NamedFinding> notes;
+  for (const auto& [names, words] : told)
+    notes.push_back({"volumetric-singles-remark", false,
+                     "of the errors measured singly, from which this was made: " +
+                         (names.empty() ? words : fmt::format("{}: {}", names, words))});
+  return notes;
 }
 
 std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_result) {
@@ -26,6 +65,16 @@ std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_resul
       against.push_back(
           {finding.id, true, "the result from which this was made should not be used as it is: " + finding.message});
   return against;
+}
+
+std::string warning_of(std::span<const NamedFinding> against) {
+  std::vector<std::string> names;
+  for (const NamedFinding& finding : against)
+    if (finding.serious && std::ranges::find(names, finding.id) == names.end()) names.push_back(finding.id);
+  if (names.empty()) return {};
+  std::string text = "DO NOT USE AS IT IS: serious findings speak against the result this was made from:";
+  for (const std::string& name : names) text += (name == names.front() ? " " : ", ") + name;
+  return text;
 }
 
 void put_first(std::span<const NamedFinding> against, std::vector<NamedFinding>& findings) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/results/named_findings_json.h"
+#include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/error_model.h"
@@ -18,12 +19,20 @@ namespace axiometry::app {
 /// A model as it was kept, and what speaks against it.
 struct KeptModel {
   volumetric::ErrorModel model;
-  std::vector<NamedFinding> against;  ///< findings_against() of the result
+  std::vector<NamedFinding> against;  ///< findings_against() of the result, and notes of errors measured singly
 };
 
 /// Serious findings of a result, each under its own name and as one of what is made of it. But for errors that are not
 /// told: the model has no number for these, and who needs one says so itself.
 std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_result);
+
+/// Remarks of `axiometry volumetric assemble`, as notes: what its uncertainties and means do not hold, nothing that is
+/// made of them holds. Names of errors with the same remark stand together. Nothing of other results.
+std::vector<NamedFinding> remarks_of_singles(const json::Value& result);
+
+/// For the head of a file that goes to a control: one sentence in ASCII that names what speaks seriously against the
+/// result, by the findings' names. Empty where nothing does.
+std::string warning_of(std::span<const NamedFinding> against);
 
 /// Before the others.
 void put_first(std::span<const NamedFinding> against, std::vector<NamedFinding>& findings);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,7 +24,14 @@ using formats::MotionResult;
 using volumetric::ErrorMotion;
 using volumetric::SingleMotion;
 
+constexpr double reversal_told = 0.005;  // µm or µrad: what is printed
 constexpr double single_urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
+
+/// What means of both directions differ by the most, and of which error.
+struct LostReversal {
+  double size = 0.0;
+  std::string of;
+};
 
 /// Standard uncertainty of a mean: the scatter of n runs in each direction there is, and the instrument's.
 std::optional<double> mean_u(const std::optional<double>& s_up, const std::optional<double>& s_down, std::size_t n_up,
@@ -97,6 +105,7 @@ Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
     read.motion.positions_mm.push_back(at);
     read.motion.values.push_back((p.mean ? *p.mean : p.mean_up ? *p.mean_up : *p.mean_down).in_native());
     read.motion.u.push_back(*u);
+    if (both) read.reversal = std::max(read.reversal, std::abs(p.mean_up->in_native() - p.mean_down->in_native()));
   }
   return read;
 }
@@ -113,6 +122,7 @@ MotionResult as_result(const MeasuredMotion& measured) {
   result.means = path.means;
   for (const error_motions::MotionPosition& p : motion.positions) {
     result.positions_mm.push_back(p.position_mm);
+    result.reversal = std::max(result.reversal, std::abs(p.reversal.value_or(0.0)));
     if (p.s_up) result.s_up.push_back(*p.s_up);
     if (p.s_down) result.s_down.push_back(*p.s_down);
   }
@@ -171,6 +181,7 @@ Result<ReadSingle> read_motion(const SingleItem& item, ErrorMotion error, const 
   read.remarks = result.remarks;
   std::erase(read.remarks, no_instrument_remark);
   if (!read.item.instrument) read.remarks.emplace_back(no_instrument_remark);
+  read.reversal = factor * result.reversal;
   read.is_sense_stated = result.sense.has_value();
   return read;
 }
@@ -281,6 +292,7 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items) {
   ReadSingles all;
   std::vector<std::pair<std::size_t, volumetric::SquareMeasurement>> squares;  // each with its place in the list
   std::string of_unknown_sense;
+  std::array<LostReversal, 2> lost_reversal;  // of displacements, of rotations
   for (const SingleItem& item : items) {
     if (std::ranges::find(all.items, item.name, &AssembledItem::name) != all.items.end())
       return fail(fmt::format("found {} twice, expected each error once", item.name));
@@ -299,6 +311,8 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items) {
       AXIOMETRY_TRY(ReadSingle read, read_single(item, *volumetric::error_motion_named(item.name)));
       remark(read.remarks);
       if (!read.is_sense_stated) of_unknown_sense += (of_unknown_sense.empty() ? "" : ", ") + item.name;
+      LostReversal& lost = lost_reversal[read.motion.error.is_rotation() ? 1 : 0];
+      if (read.reversal > lost.size) lost = {read.reversal, item.name};
       all.errors.motions.push_back(std::move(read.motion));
       all.items.push_back(std::move(read.item));
     }
@@ -310,6 +324,12 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items) {
     item.u_largest = square.u_urad;
     all.errors.squareness.push_back(square);
   }
+  for (std::size_t k = 0; k < lost_reversal.size(); ++k)
+    if (const LostReversal& lost = lost_reversal[k]; lost.size >= reversal_told)
+      all.remarks.push_back(fmt::format(
+          "{} differ by direction, by up to {:.2f} {} of {}: the errors hold their mean, and what is made of "
+          "them has no reversal",
+          k == 0 ? "displacements" : "rotations", lost.size, k == 0 ? "µm" : "µrad", lost.of));
   if (!of_unknown_sense.empty())
     all.remarks.push_back(
         fmt::format("nothing states which way these are positive, so they are taken along the axes of the machine and "

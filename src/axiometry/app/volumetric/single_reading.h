@@ -17,6 +17,7 @@ struct ReadSingle {
   volumetric::SingleMotion motion;  ///< in axes of the machine, positions ascending
   AssembledItem item;
   std::vector<std::string> remarks;
+  double reversal = 0.0;  ///< the largest by which means of both directions differ, µm or µrad: lost in `motion`
   bool is_sense_stated = true;  ///< whether anybody said which way its readings are positive
 };
 

@@ -179,7 +179,15 @@ Result<VolumeCompensation> compensate_volume(const VolumeCompensationRequest& re
 }
 
 Result<VolumeCompensation> compensate_volume(const KeptModel& kept, const VolumeCompensationRequest& request) {
-  AXIOMETRY_TRY(VolumeCompensation made, compensate_volume(kept.model, request));
+  VolumeCompensationRequest warned = request;
+  warned.how.table.warning = warning_of(kept.against);
+  AXIOMETRY_TRY(VolumeCompensation made, compensate_volume(kept.model, warned));
+  const std::string_view begin = std::string_view(warned.how.table.warning).substr(0, 19);
+  if (!begin.empty() && !made.text.contains(begin))
+    made.findings.push_back(
+        {"volume-table-without-warning", false,
+         "the file of the table has no comments: it does not say itself that the result it was made "
+         "from should not be used"});
   put_first(kept.against, made.findings);
   return made;
 }

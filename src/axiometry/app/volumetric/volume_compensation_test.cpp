@@ -139,6 +139,36 @@ TEST(VolumeCompensation, WritesTheTableOfOneAxisForEveryControlThatHoldsOne) {
   }
 }
 
+/// What goes to the control is all that its reader sees.
+TEST(VolumeCompensation, WarnsInTheFileWhereTheResultShouldNotBeUsed) {
+  const KeptModel kept{identified_model(),
+                       {{"volumetric-tool-offset", true, "wrong"}, {"volumetric-copies", false, "x"}}};
+  std::size_t warned = 0, silent = 0;
+  for (const nc::AxisTable* control : nc::axis_table_table()) {
+    if (!control->limits.linear || control->limits.points == 1 || control->limits.cross_only) continue;
+    SCOPED_TRACE(control->id);
+    auto request = asked_table(std::string(control->id), 0, 0);
+    if (control->uses.magnification) request.how.table.magnification = 4;
+    if (control->uses.steps_per_unit) request.how.table.steps_per_unit = 800;
+    if (control->limits.origin == nc::TableOrigin::last) request.how.table.reference = 990.0;
+    const auto made = compensate_volume(kept, request);
+    ASSERT_TRUE(made) << made.error().to_string();
+    const bool says = made->text.contains("DO NOT USE AS IT IS") && made->text.contains("volumetric-tool-offset");
+    const bool told = std::ranges::any_of(made->findings,
+                                          [](const NamedFinding& f) { return f.id == "volume-table-without-warning"; });
+    EXPECT_NE(says, told);
+    ++(says ? warned : silent);
+    EXPECT_FALSE(made->text.contains("volumetric-copies"));
+    EXPECT_TRUE(control->recognises == nullptr || control->recognises(made->text));
+    const auto unwarned = compensate_volume(identified_model(), request);
+    ASSERT_TRUE(unwarned);
+    EXPECT_FALSE(unwarned->text.contains("DO NOT USE"));
+    EXPECT_EQ(unwarned->line_after_um, made->line_after_um);
+  }
+  EXPECT_GT(warned, 5u);
+  EXPECT_GT(silent, 0u);
+}
+
 TEST(VolumeCompensation, RefusesACrossTableWhereTheFormatHasNone) {
   const auto refused = compensate_volume(identified_model(), asked_table("linuxcnc", 1, 0));
   ASSERT_FALSE(refused);

@@ -195,7 +195,9 @@ Result<PredictRequest> line_request_from(const Value& body) {
   AXIOMETRY_TRY_VOID(members.take("tool", request.tool));
   if (const Value* at = members.optional("at_mm")) {
     AXIOMETRY_TRY(const Vector3 place, formats::vector_in(*at, "at_mm"));
-    request.at = fmt::format("x={},y={},z={}", format_exact(place.x), format_exact(place.y), format_exact(place.z));
+    for (std::size_t a = 0; a < 3; ++a)  // of the axis itself it says nothing
+      if (!request.axis.empty() && request.axis != std::string_view("XYZ").substr(a, 1))
+        request.at += fmt::format("{}{}={}", request.at.empty() ? "" : ",", "xyz"[a], format_exact(place[a]));
   }
   AXIOMETRY_TRY_VOID(members.finish());
   return request;
@@ -204,7 +206,7 @@ Result<PredictRequest> line_request_from(const Value& body) {
 Result<ExportRequest> table_request_from(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
   ExportRequest request;
-  members.pass_over("model");
+  for (const std::string_view known : {"model", "findings"}) members.pass_over(known);
   AXIOMETRY_TRY_VOID(members.take("table", request.table));
   AXIOMETRY_TRY_VOID(members.take("tool", request.tool));
   AXIOMETRY_TRY(const auto nodes, whole_member(members, "nodes", {2, most_table_nodes}));

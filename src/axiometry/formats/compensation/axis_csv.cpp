@@ -61,6 +61,7 @@ const Compensation axis_csv_compensation = {
     .title = "Positioning of each axis alone",
     .takes = "positioning",
     .of_one_tool = true,
+    .comment = "#",
     .manual = axis_manual,
     .write = write_axis,
 };

@@ -7,6 +7,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/volumetric/field/machine_zero.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::formats {
@@ -30,6 +31,13 @@ Result<const Compensation*> compensation_named(std::string_view id) {
   return fail(fmt::format("found the table {}, expected one of {}", text::quoted(id), known));
 }
 
+Result<std::string> written_table(const Compensation& compensation, const CompensationRequest& request,
+                                  std::string_view warning) {
+  AXIOMETRY_TRY(std::string text, compensation.write(request));
+  if (warning.empty()) return text;
+  return fmt::format("{} {}\n{}", compensation.comment, warning, text);
+}
+
 Result<void> check_all_told(const volumetric::ErrorModel& model) {
   const auto unseen = model.unseen_errors();
   if (unseen.empty()) return {};
@@ -37,6 +45,24 @@ Result<void> check_all_told(const volumetric::ErrorModel& model) {
       fmt::format("found that the readings do not tell {}, expected all 21 errors: a control would take a number "
                   "that nobody measured",
                   volumetric::error_list(unseen)));
+}
+
+Result<volumetric::ErrorModel> errors_for_a_control(const volumetric::ErrorModel& model) {
+  AXIOMETRY_TRY_VOID(check_all_told(model));
+  return volumetric::at_machine_zero(model);
+}
+
+std::string functional_points_text(const volumetric::MachineModel& of_result, std::string_view mark) {
+  std::string text =
+      fmt::format("{} Functional point of every axis, from which its rotations act: the machine's zero\n", mark);
+  if (volumetric::is_at_machine_zero(of_result)) return text;
+  text += fmt::format("{} The result states its straightness and squareness at other points, mm:", mark);
+  for (std::size_t a = 0; a < volumetric::axis_count; ++a) {
+    const Vector3& c = of_result.functional_point_mm[a];
+    text += fmt::format("{} {} {} {} {}", a == 0 ? "" : ",", "XYZ"[a], format_exact(c.x), format_exact(c.y),
+                        format_exact(c.z));
+  }
+  return text + '\n';
 }
 
 std::string position_text(double position_mm) { return format_exact(std::round(1e6 * position_mm) / 1e6); }

@@ -24,11 +24,16 @@ struct Compensation {
   std::string_view title;    ///< in lists
   std::string_view takes;    ///< "all 21 errors", "positioning"
   bool of_one_tool = false;  ///< whether it needs one
+  std::string_view comment;  ///< what a line of comment begins with
   std::string_view manual;   ///< Markdown: what it assumes, what is verified and what inferred
   /// The file says what a positive number does, and what error the table leaves. Fails where the lengths do not tell an
   /// error that it needs.
   Result<std::string> (*write)(const CompensationRequest& request);
 };
+
+/// The file, and before all else in it, as comment, what warns of it; nothing of an empty warning.
+Result<std::string> written_table(const Compensation& compensation, const CompensationRequest& request,
+                                  std::string_view warning);
 
 /// In alphabetical order of the source files (generated).
 std::span<const Compensation* const> compensation_table();
@@ -38,6 +43,13 @@ Result<const Compensation*> compensation_named(std::string_view id);
 
 /// Fails, naming them, where errors are unseen.
 Result<void> check_all_told(const volumetric::ErrorModel& model);
+
+/// What tables of all errors hold: at_machine_zero() of the model, from where a control levers. Fails as
+/// check_all_told().
+Result<volumetric::ErrorModel> errors_for_a_control(const volumetric::ErrorModel& model);
+
+/// Lines behind `mark`, in tables of all errors, that say so of a result.
+std::string functional_points_text(const volumetric::MachineModel& of_result, std::string_view mark);
 
 /// mm to the nanometre, without idle zeros.
 std::string position_text(double position_mm);

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/formats/compensation/compensation.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "axiometry/formats/format.h"
 #include "axiometry/volumetric/field/axis_tables.h"
+#include "axiometry/volumetric/field/machine_zero.h"
 #include "axiometry/volumetric/known_machine_test_support.h"
 
 namespace axiometry::formats {
@@ -55,6 +62,18 @@ TEST(Compensation, OfEveryTableSaysWhatAPositiveNumberDoes) {
     EXPECT_THAT(text, HasSubstr("with these tables, predicted, largest ")) << table->id;
   }
   EXPECT_THAT(compensation_named("fanuc").error().message, HasSubstr("expected one of axis-csv, general-csv"));
+}
+
+TEST(Compensation, SaysBeforeAllElseWhatSpeaksAgainstIt) {
+  const ErrorModel model = scale_and_squareness();
+  for (const Compensation* table : compensation_table()) {
+    const auto plain = written_table(*table, {model, 0, 3}, ""), warned = written_table(*table, {model, 0, 3}, "NO");
+    ASSERT_TRUE(plain && warned);
+    EXPECT_EQ(*plain, *table->write({model, 0, 3}));
+    EXPECT_EQ(*warned, fmt::format("{} NO\n{}", table->comment, *plain));
+    EXPECT_TRUE(plain->starts_with(fmt::format("{} ", table->comment))) << table->id;
+  }
+  EXPECT_TRUE(recognise(*written_table(**compensation_named("twincat-cnc"), {model, 0, 3}, "NO")));
 }
 
 TEST(Compensation, GeneralTableHoldsAll21Errors) {
@@ -121,6 +140,74 @@ TEST(Compensation, LeavesLessOfARealFieldThanNone) {
   const auto tables = volumetric::axis_tables(found.model, {0, 0, -150}, 41);
   ASSERT_TRUE(tables);
   EXPECT_LT(tables->effect.after.mean, tables->effect.before.mean);
+}
+
+std::string without_comments(const std::string& text, std::string_view mark) {
+  std::string rows;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    const std::string line = text.substr(at, end - at);
+    if (!line.starts_with(mark)) rows += line + '\n';
+    at = end == std::string::npos ? text.size() : end + 1;
+  }
+  return rows;
+}
+
+/// Numbers of two tables of one layout.
+double farthest_apart(const std::string& a, const std::string& b) {
+  const auto numbers = [](const std::string& text) {
+    std::vector<double> all;
+    for (const char *at = text.data(), *end = at + text.size(); at < end;) {
+      double x = 0.0;
+      const auto [behind, error] = std::from_chars(at, end, x);
+      if (error == std::errc{}) all.push_back(x);
+      at = error == std::errc{} ? behind : at + 1;
+    }
+    return all;
+  };
+  const std::vector<double> first = numbers(a), second = numbers(b);
+  EXPECT_EQ(first.size(), second.size());
+  double most = 0.0;
+  for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
+    most = std::max(most, std::abs(first[k] - second[k]));
+  return most;
+}
+
+/// A control levers from the machine's zero, whatever point the report states straightness at.
+TEST(Compensation, OfAllErrorsIsTheSameWhateverTheFunctionalPoints) {
+  const auto plain = known_machine();
+  auto elsewhere = plain;
+  elsewhere.functional_point_mm = {Vector3{100, 50, -300}, {0, 200, 0}, {0, 0, -500}};
+  const auto lengths = volumetric::testing::known_lengths(plain, 60);
+  volumetric::IdentifyOptions options;
+  options.sizes = {6, 6, 6};
+  const auto at_zero = volumetric::identify(plain, lengths, options);
+  const auto moved = volumetric::identify(elsewhere, lengths, options);
+  ASSERT_TRUE(at_zero && moved);
+  const volumetric::ErrorMotion eyx{0, 1};
+  EXPECT_GT(std::abs(at_zero->model.motion(eyx, 0.0)->value - moved->model.motion(eyx, 0.0)->value), 0.1)
+      << "the point counts";
+  const auto back = volumetric::at_machine_zero(moved->model);
+  for (const double x : {0.0, 300.0, 1000.0}) {
+    const auto a = at_zero->model.motion(eyx, x), b = back.motion(eyx, x);
+    EXPECT_NEAR(a->value, b->value, 2e-3);
+    EXPECT_NEAR(a->u, b->u, 1e-2 * a->u);
+  }
+  for (const auto which : {volumetric::Squareness::C0Y, volumetric::Squareness::B0Z, volumetric::Squareness::A0Z}) {
+    EXPECT_NEAR(at_zero->model.squareness(which)->value, back.squareness(which)->value, 5e-3);
+    EXPECT_NEAR(at_zero->model.squareness(which)->u, back.squareness(which)->u, 1e-2 * back.squareness(which)->u);
+  }
+  // Not to the last digit: steps of the search end where they are small.
+  EXPECT_LT(farthest_apart(without_comments(written("general-csv", at_zero->model), "#"),
+                           without_comments(written("general-csv", moved->model), "#")),
+            1e-2);
+  EXPECT_LT(farthest_apart(without_comments(written("twincat-cnc", at_zero->model), "//"),
+                           without_comments(written("twincat-cnc", moved->model), "//")),
+            1e-5);
+  EXPECT_THAT(written("twincat-cnc", moved->model),
+              HasSubstr("at other points, mm: X 100 50 -300, Y 0 200 0, Z 0 0 -500\n"));
+  EXPECT_THAT(written("general-csv", at_zero->model), HasSubstr("the machine's zero\n"));
+  EXPECT_THAT(written("general-csv", at_zero->model), ::testing::Not(HasSubstr("at other points")));
 }
 
 TEST(Compensation, RefusesErrorsThatTheLengthsDoNotTell) {

@@ -26,19 +26,20 @@ squareness in µrad, names after ISO 230-1. A positive number: the tool, seen fr
 
 Where errors differ by direction, the rows come twice, behind the word `up` or `down`: an axis came to rest moving to
 larger positions, or to smaller ones. The head says what error of the tool point is left where a program draws straight
-lines between the rows.
+lines between the rows. Rotations act from the machine's zero (functional points 0, 0, 0), whatever points the result
+states its straightness at.
 )";
 
 Result<std::string> write_general(const CompensationRequest& request) {
-  const volumetric::ErrorModel& model = request.model;
-  AXIOMETRY_TRY_VOID(check_all_told(model));
-  std::string text =
-      "# All 21 errors after ISO 230-1, um and urad\n" + compensation_head(model, "#", TableDirections::each);
+  AXIOMETRY_TRY(const volumetric::ErrorModel model, errors_for_a_control(request.model));
+  std::string text = "# All 21 errors after ISO 230-1, um and urad\n" +
+                     compensation_head(model, "#", TableDirections::each) +
+                     functional_points_text(request.model.machine(), "#");
   text +=
       "# A positive number: the tool, relative to the workpiece, stands too far along (is turned too far about) the\n"
       "# positive axis, actual less commanded. A control that adds what stands here would double the error.\n"
       "# Means of all motions are 0 and straightness is level: constants are a place of the whole machine.\n";
-  text += effects_of_all_errors(request, "#", TableDirections::each);
+  text += effects_of_all_errors({model, request.tool, request.nodes}, "#", TableDirections::each);
   const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
   if (has_directions) text += "direction,";
   std::array<std::vector<CurveNode>, axis_count * motion_count> curves;
@@ -81,6 +82,7 @@ const Compensation general_csv_compensation = {
     .id = "general-csv",
     .title = "All 21 errors over the positions of X, Y and Z",
     .takes = "all 21 errors",
+    .comment = "#",
     .manual = general_manual,
     .write = write_general,
 };

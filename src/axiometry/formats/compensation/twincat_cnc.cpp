@@ -58,8 +58,7 @@ void write_table(std::string& text, const volumetric::ErrorModel& model, std::si
 }
 
 Result<std::string> write_twincat(const CompensationRequest& request) {
-  const volumetric::ErrorModel& model = request.model;
-  AXIOMETRY_TRY_VOID(check_all_told(model));
+  AXIOMETRY_TRY(const volumetric::ErrorModel model, errors_for_a_control(request.model));
   const auto& chain = model.machine().chain;
   std::string order, workpiece;
   for (const std::size_t a : chain.order()) {
@@ -67,7 +66,8 @@ Result<std::string> write_twincat(const CompensationRequest& request) {
     if (chain.carries_workpiece(a)) workpiece += "XYZ"[a];
   }
   std::string text = "// Volumetric errors for ISG kernels and TwinCAT CNC (TF5280), mm and rad\n" +
-                     compensation_head(model, "//", TableDirections::means);
+                     compensation_head(model, "//", TableDirections::means) +
+                     functional_points_text(request.model.machine(), "//");
   fmt::format_to(
       std::back_inserter(text),
       "// chain, workpiece to tool: {}; workpiece_axes: {}\n"
@@ -77,7 +77,7 @@ Result<std::string> write_twincat(const CompensationRequest& request) {
       "// Verified: layout, names, units. Inferred: the sign that the control expects (negate) and that\n"
       "// squareness may stand as a constant column. Measure a line again: a doubled error means the sign.\n",
       order, workpiece.empty() ? "none" : workpiece);
-  text += effects_of_all_errors(request, "//", TableDirections::means);
+  text += effects_of_all_errors({model, request.tool, request.nodes}, "//", TableDirections::means);
   for (std::size_t a = 0; a < volumetric::axis_count; ++a) {
     if (a > 0) text += "#\n";
     write_table(text, model, a, request.nodes);
@@ -92,6 +92,7 @@ const Compensation twincat_cnc_compensation = {
     .id = "twincat-cnc",
     .title = "Beckhoff TwinCAT CNC TF5280 and ISG kernels",
     .takes = "all 21 errors",
+    .comment = "//",
     .manual = twincat_manual,
     .write = write_twincat,
 };

@@ -34,6 +34,12 @@ std::string with_u(const Estimate& e, const char* unit, const Options& options) 
                      format_fixed(e.u, 2, options.numbers), unit);
 }
 
+std::string chance_text(double probability, const Options& options) {
+  constexpr double printed_least = 1e-4;
+  if (probability >= printed_least) return format_fixed(probability, 4, options.numbers);
+  return "< " + format_fixed(printed_least, 4, options.numbers);
+}
+
 Section predicted_section(const PredictedTestSubject& subject, const Options& options) {
   const PredictedLine& predicted = subject.predicted;
   const auto place = [&](Vector3 at) {
@@ -41,26 +47,29 @@ Section predicted_section(const PredictedTestSubject& subject, const Options& op
                        format_fixed(at.z, 1, options.numbers));
   };
   Facts facts{"", {}};
-  facts.facts = {
-      {plain("Line"), verbatim_cell(predicted.line.name)},
-      {plain("Tool"), verbatim_cell(subject.tool)},
-      fact("From X; Y; Z / mm", place(predicted.line.from_mm)),
-      fact("To X; Y; Z / mm", place(predicted.line.to_mm)),
-      {plain("E, bidirectional systematic deviation"), text_cell(with_u(predicted.systematic, "µm", options))},
-      {plain("Slope"), text_cell(with_u(predicted.slope_um_per_m, "µm/m", options))},
-      {plain("B, reversal value"),
-       predicted.has_directions
-           ? text_cell(fmt::format("{} µm", format_fixed(predicted.reversal_um, 2, options.numbers)))
-           : text_cell("not told: the errors have no directions")}};
+  facts.facts = {{plain("Line"), verbatim_cell(predicted.line.name)},
+                 {plain("Tool"), verbatim_cell(subject.tool)},
+                 fact("From X; Y; Z / mm", place(predicted.line.from_mm)),
+                 fact("To X; Y; Z / mm", place(predicted.line.to_mm)),
+                 {plain(predicted.has_directions ? "E, bidirectional systematic deviation"
+                                                 : "E of the mean of both directions, without reversal"),
+                  text_cell(with_u(predicted.systematic, "µm", options))},
+                 {plain("Slope"), text_cell(with_u(predicted.slope_um_per_m, "µm/m", options))},
+                 {plain("B, reversal value"),
+                  predicted.has_directions
+                      ? text_cell(fmt::format("{} µm", format_fixed(predicted.reversal_um, 2, options.numbers)))
+                      : text_cell("not told: the errors have no directions")}};
   Section section{"prediction", "Prediction", true, {std::move(facts)}};
   if (subject.comparison) {
     const LineComparison& c = *subject.comparison;
     Facts held{"", {}};
-    held.facts = {
-        {plain("Measured test"), verbatim_cell(subject.measured_file)},
-        {plain("χ²"),
-         text_cell(fmt::format("{} (ν = {})", format_fixed(c.chi_squared, 1, options.numbers), c.degrees_of_freedom))},
-        {plain("Probability of as much by chance"), text_cell(format_fixed(c.probability, 4, options.numbers))}};
+    held.facts = {{plain("Measured test"), verbatim_cell(subject.measured_file)},
+                  {plain("χ²"), text_cell(fmt::format("{} (ν = {})", format_fixed(c.chi_squared, 1, options.numbers),
+                                                      c.degrees_of_freedom))},
+                  {plain("Probability of as much by chance"), text_cell(chance_text(c.probability, options))}};
+    if (c.reversal)
+      held.facts.push_back({plain("B of the measured test, which the errors do not hold"),
+                            text_cell(fmt::format("{} µm", format_fixed(c.reversal->largest_um, 2, options.numbers)))});
     section.blocks.emplace_back(std::move(held));
   }
   section.blocks.emplace_back(predicted_line_figure(predicted, subject.comparison, options));

@@ -15,6 +15,7 @@
 #include "axiometry/report/translated.h"
 #include "axiometry/report/volumetric.h"
 #include "axiometry/volumetric/field/curve_nodes.h"
+#include "axiometry/volumetric/field/machine_zero.h"
 
 namespace axiometry::report {
 namespace {
@@ -114,10 +115,24 @@ class VolumetricComposition {
     return text;
   }
 
+  /// Straightness depends on them.
+  Fact functional_points() const {
+    const volumetric::MachineModel& machine = found_.model.machine();
+    if (volumetric::is_at_machine_zero(machine)) return fact("Functional points of the axes", "the machine's zero");
+    std::string text;
+    for (std::size_t a = 0; a < axis_count; ++a) {
+      const Vector3& c = machine.functional_point_mm[a];
+      text += fmt::format("{}{} ({}; {}; {})", a == 0 ? "" : ", ", "XYZ"[a], number(c.x, 3), number(c.y, 3),
+                          number(c.z, 3));
+    }
+    return {plain("Functional points of the axes, x; y; z in mm"), verbatim_cell(text)};
+  }
+
   Section result_section() const {
     const VolumetricRank& rank = found_.rank;
     Facts facts{"", {}};
     facts.facts = {{plain("Kinematic chain"), verbatim_cell(s_.machine.chain.text())},
+                   functional_points(),
                    fact("Curves", curves_text()),
                    fact("Unknowns", fmt::format("{}, of which {} are of errors", rank.unknowns, rank.errors)),
                    fact("Directions of which the lengths say nothing", fmt::format("{}", rank.null_directions)),

@@ -106,10 +106,19 @@ Section diagonals_section(const volumetric::ErrorModel& model, std::span<const T
         row.push_back(shown_number(e.u, 2, options));
       }
     }
+  const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
   table.notes = {
-      plain("Predicted from the 21 errors, along the diagonals of the travel that was observed: E is the bidirectional "
-            "systematic deviation that ISO 230-6 would show. P and N name the ends of the axes, P the larger; of a "
-            "face the third axis stands in the middle."),
+      has_directions
+          ? plain(
+                "Predicted from the 21 errors, along the diagonals of the travel that was observed: E is the "
+                "bidirectional "
+                "systematic deviation that ISO 230-6 would show. P and N name the ends of the axes, P the larger; of a "
+                "face the third axis stands in the middle.")
+          : plain("Predicted from the 21 errors, along the diagonals of the travel that was observed: E is that of the "
+                  "mean "
+                  "of both directions, and the bidirectional systematic deviation of ISO 230-6 holds reversal beside "
+                  "it. P "
+                  "and N name the ends of the axes, P the larger; of a face the third axis stands in the middle."),
       plain("Errors can cancel along a diagonal: a small E of one proves little alone.")};
   table.dense = true;
   return {"diagonals", "Diagonals, predicted", true, {std::move(table)}};

@@ -108,6 +108,19 @@ std::vector<double> CurveBasis::means() const {
   return integrals([](double) { return 1.0; });
 }
 
+/// Of B-splines the values where they are highest (Greville's abscissae).
+std::vector<double> CurveBasis::line() const {
+  std::vector<double> coefficients(functions_, 0.0);
+  if (kind_ == CurveKind::legendre) {
+    coefficients[1] = 1.0;
+    return coefficients;
+  }
+  const double before = kind_ == CurveKind::spline ? 1.0 : 0.0;
+  for (std::size_t k = 0; k < functions_; ++k)
+    coefficients[k] = 2.0 * (static_cast<double>(k) - before) / static_cast<double>(size_) - 1.0;
+  return coefficients;
+}
+
 std::vector<double> CurveBasis::slopes() const {
   return integrals([](double x) { return x; });
 }

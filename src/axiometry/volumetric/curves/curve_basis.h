@@ -55,6 +55,9 @@ class CurveBasis {
   /// ∫ B_k x dq / (upper − lower) with x = (2q − lower − upper)/(upper − lower), from −1 to 1.
   std::vector<double> slopes() const;
 
+  /// Coefficients of the straight line x, from −1 at `lower` to 1 at `upper`, which every basis holds.
+  std::vector<double> line() const;
+
   friend bool operator==(const CurveBasis&, const CurveBasis&) = default;
 
  private:

@@ -56,6 +56,15 @@ TEST(CurveBasis, LegendrePolynomialsAreThoseOfTheInterval) {
   EXPECT_DOUBLE_EQ(f.values[3], -0.4375);
 }
 
+TEST(CurveBasis, HoldsTheStraightLine) {
+  for (const CurveKind kind : {CurveKind::spline, CurveKind::legendre, CurveKind::nodes})
+    for (const std::size_t size : {1u, 4u}) {
+      const CurveBasis basis = CurveBasis::make(kind, -100.0, 300.0, size).value();
+      for (const double q : {-100.0, -20.0, 130.0, 300.0})
+        EXPECT_NEAR(value_at(basis, basis.line(), q), (q - 100.0) / 200.0, 1e-14) << curve_kind_name(kind) << size;
+    }
+}
+
 TEST(CurveBasis, RefusesTravelsAndSizesThatAreNone) {
   EXPECT_FALSE(CurveBasis::make(CurveKind::spline, 1.0, 1.0, 3));
   EXPECT_FALSE(CurveBasis::make(CurveKind::spline, 0.0, 1.0, 0));

@@ -108,6 +108,28 @@ std::optional<std::pair<Vector3, Vector3>> ends_of(std::string_view name) {
   return std::pair{from, to};
 }
 
+UntoldReversal untold_reversal(const MeasuredMeans& measured) {
+  constexpr double rounding_um2 = 1e-6;  // (1 nm)²: readings are printed to that
+  UntoldReversal reversal;
+  double least = measured.up_um.front(), most = least;
+  for (std::size_t k = 0; k < measured.up_um.size(); ++k) {
+    const double up = measured.up_um[k], down = measured.down_um[k];
+    least = std::min({least, up, down});
+    most = std::max({most, up, down});
+    if (std::abs(up - down) > reversal.largest_um) {
+      reversal.largest_um = std::abs(up - down);
+      reversal.target = k;
+    }
+    const double variance = std::pow(measured.up_u_um[k], 2) + std::pow(measured.down_u_um[k], 2);
+    reversal.chi_squared += (up - down) * (up - down) / (variance + rounding_um2);
+  }
+  reversal.systematic_um = most - least;
+  reversal.degrees_of_freedom = measured.up_um.size();
+  reversal.probability =
+      1.0 - numeric::chi_square_probability(reversal.chi_squared, static_cast<double>(reversal.degrees_of_freedom));
+  return reversal;
+}
+
 }  // namespace
 
 std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine line) {
@@ -170,6 +192,7 @@ LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& meas
   AXIOMETRY_CONTRACT(measured.up_um.size() == m && measured.down_um.size() == m);
   LineComparison comparison;
   comparison.by_direction = predicted.has_directions;
+  if (!comparison.by_direction && measured.both_directions) comparison.reversal = untold_reversal(measured);
   std::vector<double> variances;
   const auto take = [&](double value, double variance, double expected) {
     comparison.measured_um.push_back(value);

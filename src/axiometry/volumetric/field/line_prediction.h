@@ -55,6 +55,17 @@ std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_vie
 struct MeasuredMeans {
   std::vector<double> up_um, down_um;      ///< at each target
   std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent
+  bool both_directions = true;             ///< whether they are two means, and not one in both places
+};
+
+/// What a test of both directions shows, and errors without directions cannot: up less down, held against 0.
+struct UntoldReversal {
+  double largest_um = 0.0;     ///< the largest |up − down|
+  std::size_t target = 0;      ///< where
+  double systematic_um = 0.0;  ///< E as measured: largest less smallest mean of both directions
+  double chi_squared = 0.0;
+  std::size_t degrees_of_freedom = 0;
+  double probability = 1.0;  ///< of a χ² as large or larger without reversal
 };
 struct LineComparison {
   bool by_direction = false;        ///< else means of both directions are compared
@@ -63,7 +74,8 @@ struct LineComparison {
   std::vector<double> normalised;  ///< difference over its standard uncertainty
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
-  double probability = 1.0;  ///< of a χ² as large or larger when prediction and test agree
+  double probability = 1.0;                ///< of a χ² as large or larger when prediction and test agree
+  std::optional<UntoldReversal> reversal;  ///< of a test of both directions where means of both are compared
 };
 /// Contract: as many means as targets.
 LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured);

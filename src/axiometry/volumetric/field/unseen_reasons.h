@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,18 +11,18 @@
 /// Why lengths do not tell some errors, in words, and what would tell them.
 namespace axiometry::volumetric {
 
-/// How the tool points that were used lie: a rotation that moves none of them is not seen.
-enum class ToolSpread { point, line, plane };
-/// Points within 1 mm of a line or point are on it.
-ToolSpread tool_spread(std::span<const Vector3> offsets_mm);
-
 struct SetupShape {
-  std::vector<Vector3> tools_mm;     ///< offsets of those that were used
+  std::vector<Vector3> tools_mm;     ///< offsets, as stated, of those that were used; at least one
   std::vector<Vector3> stations_mm;  ///< different ones
 };
 
 /// Sentences without full stop; at least one.
 std::vector<std::string> unseen_reasons(const SetupShape& setup);
+
+/// Of tools whose points all but stand on one line (beside it less than a twentieth of how far they are apart), a
+/// sentence without full stop: rotations about the line have a number with a lever that short. Nothing of others, and
+/// nothing of those on a line, of which unseen_reasons() tells.
+std::optional<std::string> short_lever(std::span<const Vector3> offsets_mm);
 
 /// "EXY, EAY and C0Y", from places in error_names().
 std::string error_list(std::span<const std::size_t> errors);

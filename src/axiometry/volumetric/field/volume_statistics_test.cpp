@@ -134,6 +134,29 @@ MeasuredMeans measured_truth(const MachineModel& machine, const TestedLine& line
   return means;
 }
 
+/// A mean of both directions cannot show what they differ by: half of it off one way, half the other.
+TEST(LineComparison, TellsAReversalThatErrorsWithoutDirectionsCannotHold) {
+  const MachineModel machine = known_machine();
+  const auto found = known_identification(machine, 150);
+  const TestedLine line = axis_line(found.model, 0, {500, 300, -250}, {0, 0, -150});
+  const auto predicted = predict_line(found.model, line);
+  ASSERT_TRUE(predicted);
+  MeasuredMeans means = measured_truth(machine, line, 0.0);
+  const LineComparison still = compare(*predicted, means);
+  ASSERT_TRUE(still.reversal);
+  EXPECT_EQ(still.reversal->largest_um, 0.0);
+  EXPECT_GT(still.reversal->probability, 0.999);
+  for (double& x : means.up_um) x += 7.5;
+  for (double& x : means.down_um) x -= 7.5;
+  const LineComparison moved = compare(*predicted, means);
+  EXPECT_NEAR(moved.chi_squared, still.chi_squared, 1e-6 * still.chi_squared);
+  EXPECT_NEAR(moved.reversal->largest_um, 15.0, 1e-9);
+  EXPECT_NEAR(moved.reversal->systematic_um, still.reversal->systematic_um + 15.0, 1e-9);
+  EXPECT_LT(moved.reversal->probability, 1e-6);
+  means.both_directions = false;
+  EXPECT_FALSE(compare(*predicted, means).reversal);
+}
+
 TEST(LineComparison, AgreesWithTheTruthAndDepartsFromAnother) {
   const MachineModel machine = known_machine();
   const auto found = known_identification(machine, 150);

@@ -27,16 +27,17 @@ std::string reading_text(const VolumetricLengths& lengths, std::size_t i) {
                      text::quoted(lengths.stations[r.station]), text::quoted(lengths.tools[r.tool]));
 }
 
-void add_unseen(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
-                const Identification& result, std::vector<VolumetricFinding>& findings) {
-  const std::vector<std::size_t> unseen = result.model.unseen_errors();
-  if (unseen.empty()) return;
+void add_unseen(const MachineModel& machine, const VolumetricLengths& lengths, const Identification& result,
+                std::vector<VolumetricFinding>& findings) {
   SetupShape setup;
   for (const std::string& name : lengths.tools)
     if (const auto tool = machine.tool_named(name)) setup.tools_mm.push_back(machine.tools[*tool].offset_mm);
+  if (const auto lever = short_lever(setup.tools_mm)) findings.push_back({"volumetric-short-lever", true, *lever});
+  const std::vector<std::size_t> unseen = result.model.unseen_errors();
+  if (unseen.empty()) return;
   std::vector<bool> seen(lengths.stations.size(), false);
-  for (const VirtualStation& station : done.unknowns().stations) {
-    if (!seen[station.station]) setup.stations_mm.push_back({});
+  for (const IdentifiedStation& station : result.stations) {
+    if (!seen[station.station]) setup.stations_mm.push_back(station.at_mm);
     seen[station.station] = true;
   }
   std::string reasons;
@@ -231,7 +232,7 @@ void add_scale(const MachineModel& machine, std::vector<VolumetricFinding>& find
 std::vector<VolumetricFinding> findings_of(const Identifier& done, const MachineModel& machine,
                                            const VolumetricLengths& lengths, const Identification& result) {
   std::vector<VolumetricFinding> findings;
-  add_unseen(done, machine, lengths, result, findings);
+  add_unseen(machine, lengths, result, findings);
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
   add_set_aside(lengths, result, findings);

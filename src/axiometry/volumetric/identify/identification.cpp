@@ -25,7 +25,16 @@ std::vector<double> times(std::vector<double> values, double factor) {
   return values;
 }
 
-std::vector<IdentifiedStation> stations_of(const Identifier& done, const VolumetricLengths& lengths, double factor) {
+/// With tools as they count: what is made of the errors has the same.
+MachineModel with_seen_tools(MachineModel machine, const Identifier& done, const VolumetricLengths& lengths) {
+  for (std::size_t k = 0; k < lengths.tools.size(); ++k)
+    machine.tools[*machine.tool_named(lengths.tools[k])].offset_mm = done.tools_mm()[k];
+  return machine;
+}
+
+/// Where they stand with the tools as stated: a tool that counts elsewhere moves all places it was seen from as far.
+std::vector<IdentifiedStation> stations_of(const Identifier& done, const MachineModel& machine,
+                                           const VolumetricLengths& lengths, double factor) {
   const Unknowns& unknowns = done.unknowns();
   std::vector<std::size_t> columns;
   for (const detail::VirtualStation& own : unknowns.stations) columns.push_back(own.column);
@@ -33,7 +42,9 @@ std::vector<IdentifiedStation> stations_of(const Identifier& done, const Volumet
   std::vector<IdentifiedStation> stations;
   for (std::size_t v = 0; v < unknowns.stations.size(); ++v) {
     const detail::VirtualStation& own = unknowns.stations[v];
-    IdentifiedStation station{own.station, own.tool, done.fit().state.stations_mm[v]};
+    const Vector3 stated = machine.tools[*machine.tool_named(lengths.tools[own.tool])].offset_mm;
+    IdentifiedStation station{own.station, own.tool,
+                              done.fit().state.stations_mm[v] + (stated - done.tools_mm()[own.tool])};
     station.covariance_um2 = covariances[v];
     for (auto& row : station.covariance_um2)
       for (double& c : row) c *= factor;
@@ -121,10 +132,10 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   std::vector<std::vector<double>> unseen = fit.solution.unseen();
   const auto by_shape = detail::told_by_shape_alone(done.problem(), fit.state);
   unseen.insert(unseen.end(), by_shape.begin(), by_shape.end());
-  ErrorModel model(
-      {machine, done.coefficients(), fit.state.coefficients, std::move(scaled), std::move(unseen), done.observed()});
+  ErrorModel model({with_seen_tools(machine, done, lengths), done.coefficients(), fit.state.coefficients,
+                    std::move(scaled), std::move(unseen), done.observed()});
   Identification result{.model = std::move(model),
-                        .stations = stations_of(done, lengths, factor),
+                        .stations = stations_of(done, machine, lengths, factor),
                         .stretches = stretches_of(done),
                         .residuals_um = fit.residuals_um,
                         .sigmas_um = done.sigmas_um(),

@@ -125,6 +125,47 @@ TEST(Identify, GivesNoNumberForWhatOneToolCannotTell) {
   EXPECT_THAT(unseen->message, HasSubstr("the same tool point"));
 }
 
+/// As a setter measures tools on the spindle's axis: what hundredths of a millimetre tell of a rotation is milliradians
+/// of nothing.
+TEST(Identify, GivesNoNumberForRotationsThatToolsAllButOnOneLineTell) {
+  TrueMachine machine("XFYZ", 5);
+  machine.model.tools = {{"short", {0.0, 0.0, -150.0}}, {"long", {0.0, 0.0, -300.0}}, {"third", {0.03, 0.0, -220.0}}};
+  const auto result = identify(machine.model, measured(machine, four_stations(), {.points = 80}), with_spans(5));
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_THAT(unseen_names(*result), testing::ElementsAre("ECY", "ECZ"));
+  EXPECT_FALSE(result->model.motion(*error_motion_named("ECY"), 200.0));
+  const VolumetricFinding* unseen = finding(*result, "volumetric-unseen-errors");
+  ASSERT_NE(unseen, nullptr);
+  EXPECT_TRUE(unseen->serious);
+  EXPECT_THAT(unseen->message, HasSubstr("within 0.03 mm of one line, and were taken to lie on it"));
+  EXPECT_EQ(finding(*result, "volumetric-tool-offset"), nullptr);
+  for (const Tool& tool : result->model.machine().tools)
+    EXPECT_TRUE(result->model.at({300.0, 200.0, -100.0}, tool.offset_mm).is_whole()) << tool.name;
+}
+
+TEST(Identify, TellsThatAShortLeverMakesRotations) {
+  TrueMachine machine("XFYZ", 5);
+  machine.model.tools[2].offset_mm = {3.0, 0.0, -180.0};
+  const auto result = identify(machine.model, measured(machine, four_stations(), {.points = 80}), with_spans(5));
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_THAT(unseen_names(*result), testing::IsEmpty());
+  const VolumetricFinding* lever = finding(*result, "volumetric-short-lever");
+  ASSERT_NE(lever, nullptr);
+  EXPECT_TRUE(lever->serious);
+  EXPECT_GT(result->model.motion(*error_motion_named("ECY"), 0.0)->u, 5.0);
+}
+
+/// More points from there never help.
+TEST(Identify, SaysThatStationsOnOneLineAreTheReason) {
+  TrueMachine machine("XFYZ", 5);
+  const std::vector<NamedStation> stations = {
+      {"A", {-150.0, -120.0, -640.0}}, {"B", {300.0, -120.0, -640.0}}, {"C", {900.0, -120.0, -640.0}}};
+  const auto result = identify(machine.model, measured(machine, stations, {.points = 100}), with_spans(3));
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_NE(finding(*result, "volumetric-unseen-errors"), nullptr);
+  EXPECT_THAT(finding(*result, "volumetric-unseen-errors")->message, HasSubstr("within 10 mm of one line"));
+}
+
 /// An axis comes to its ends from one side alone: fine curves of both directions ask for what no length says there.
 TEST(Identify, ChoosesNoCurvesSoFineThatLengthsTellLess) {
   for (const unsigned seed : {1u, 2u}) {

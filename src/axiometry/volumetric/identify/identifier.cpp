@@ -8,9 +8,11 @@
 #include <limits>
 #include <thread>
 #include <tuple>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/volumetric/field/point_spread.h"
 #include "axiometry/volumetric/identify/smoothing.h"
 #include "axiometry/volumetric/identify/station_start.h"
 #include "axiometry/volumetric/identify/thinned_problem.h"
@@ -62,6 +64,7 @@ Result<void> Identifier::check_readings() {
     }
     tools_mm_.push_back(machine_.tools[*tool].offset_mm);
   }
+  tools_mm_ = seen_offsets(std::move(tools_mm_));
   constexpr double infinity = std::numeric_limits<double>::infinity();
   observed_ = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   for (std::size_t i = 0; i < lengths_.readings.size(); ++i) {

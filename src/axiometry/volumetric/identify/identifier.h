@@ -26,6 +26,9 @@ class Identifier {
 
   const std::vector<std::size_t>& breaks() const { return breaks_; }
   const std::vector<double>& sigmas_um() const { return sigmas_; }
+  const std::vector<Vector3>& tools_mm() const {
+    return tools_mm_;
+  }  ///< of the lengths, as they count (point_spread.h)
   const std::vector<bool>& set_aside() const { return aside_; }
   const Coefficients& coefficients() const { return *coefficients_; }
   const Unknowns& unknowns() const { return *unknowns_; }
@@ -36,7 +39,7 @@ class Identifier {
   bool drift() const { return drift_; }
   const std::optional<CurvaturePenalty>& penalty() const { return penalty_; }
   const Smoothness& smoothness() const { return options_.smoothness; }
-  bool bends_settled() const { return bends_settled_; }  ///< what smoothness() lets find was found
+  bool bends_settled() const { return bends_settled_; }                 ///< what smoothness() lets find was found
   const PerCurve& plain_variances() const { return plain_variances_; }  ///< without the penalty, before φ
   std::size_t count() const;                                            ///< of readings that are used
   bool is_copy(std::size_t reading) const { return is_copy_[reading]; }

@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "axiometry/volumetric/field/point_spread.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 #include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/linear_solution.h"
@@ -134,12 +135,27 @@ struct Solved {
   std::size_t null_directions = 0;
 };
 
-Result<Solved> solve(const MachineModel& machine, std::span<const Visit> visits, const ExpectOptions& options) {
-  AXIOMETRY_TRY_VOID(check_visits(machine, visits));
+/// With the tools that are used as they count for identify().
+MachineModel with_seen_tools(MachineModel machine, std::span<const Visit> visits) {
+  std::vector<bool> is_used(machine.tools.size(), false);
+  for (const Visit& visit : visits) is_used[visit.tool] = true;
+  std::vector<Vector3> offsets;
+  for (std::size_t t = 0; t < machine.tools.size(); ++t)
+    if (is_used[t]) offsets.push_back(machine.tools[t].offset_mm);
+  offsets = seen_offsets(std::move(offsets));
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < machine.tools.size(); ++t)
+    if (is_used[t]) machine.tools[t].offset_mm = offsets[next++];
+  return machine;
+}
+
+Result<Solved> solve(const MachineModel& stated, std::span<const Visit> visits, const ExpectOptions& options) {
+  AXIOMETRY_TRY_VOID(check_visits(stated, visits));
   AXIOMETRY_TRY(const Coefficients coefficients,
-                Coefficients::make(options.curves, machine.travel, options.sizes, Reversal::none));
+                Coefficients::make(options.curves, stated.travel, options.sizes, Reversal::none));
   std::vector<VolumetricReading> readings;
   std::vector<double> weights;
+  const MachineModel machine = with_seen_tools(stated, visits);
   std::vector<Vector3> tools_mm;
   for (const Tool& tool : machine.tools) tools_mm.push_back(tool.offset_mm);
   for (const Visit& visit : visits) {

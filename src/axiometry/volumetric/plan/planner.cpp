@@ -9,6 +9,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/tracking/geometry/visibility.h"
+#include "axiometry/volumetric/field/point_spread.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 #include "axiometry/volumetric/identify/findings.h"
 #include "axiometry/volumetric/plan/point_set.h"
@@ -26,6 +27,12 @@ constexpr double longer_mm = 150.0;
 bool is_visible(const TrackingSetup& setup, Vector3 axes_mm) {
   const Vector3 p = axes_mm + setup.tool_offset_mm;
   return !tracking::hidden_because(setup, p) && !tracking::blocked_because(setup, p, p);
+}
+
+std::vector<Vector3> offsets_of(const MachineModel& machine) {
+  std::vector<Vector3> offsets;
+  for (const Tool& tool : machine.tools) offsets.push_back(tool.offset_mm);
+  return offsets;
 }
 
 std::string offset_text(Vector3 t) { return fmt::format("[{:.0f}, {:.0f}, {:.0f}]", t.x, t.y, t.z); }
@@ -77,6 +84,8 @@ std::vector<VolumetricFinding> findings_of(const PlannedCalibration& planned, st
   add_unseen(planned.expected, findings);
   if (const std::string advice = tool_advice(planned.plan.machine); !advice.empty())
     findings.push_back({"volumetric-add-tool", false, advice});
+  if (const auto lever = short_lever(offsets_of(planned.plan.machine)))
+    findings.push_back({"volumetric-short-lever", true, *lever});
   if (const auto small = detail::small_machine_finding(planned.plan.machine)) findings.push_back(*small);
   add_stations(planned.plan, findings);
   add_stops(planned.plan, points, findings);
@@ -87,15 +96,14 @@ std::vector<VolumetricFinding> findings_of(const PlannedCalibration& planned, st
 }  // namespace
 
 std::string tool_advice(const MachineModel& machine) {
-  std::vector<Vector3> offsets;
-  for (const Tool& tool : machine.tools) offsets.push_back(tool.offset_mm);
+  const std::vector<Vector3> offsets = offsets_of(machine);
   const Vector3 first = offsets.front();
   switch (tool_spread(offsets)) {
-    case ToolSpread::point:
+    case PointSpread::point:
       return fmt::format(
           "the tool points do not form a triangle: add a longer tool and one beside it, for example {} and {} mm",
           offset_text(first + Vector3{0, 0, -longer_mm}), offset_text(first + Vector3{beside_mm, 0, 0}));
-    case ToolSpread::line: {
+    case PointSpread::line: {
       Vector3 along{}, middle{};
       for (const Vector3& t : offsets) {
         if (norm(t - first) > norm(along)) along = t - first;
@@ -106,7 +114,7 @@ std::string tool_advice(const MachineModel& machine) {
       return fmt::format("the tool points stand on one line: add a tool beside it, for example {} mm",
                          offset_text(middle + beside_mm * beside));
     }
-    case ToolSpread::plane: return "";
+    case PointSpread::plane: return "";
   }
   return "";
 }

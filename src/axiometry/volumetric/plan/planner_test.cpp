@@ -94,6 +94,26 @@ TEST(Planner, SaysWhichToolIsMissingAndWithItAllIsTold) {
   EXPECT_EQ(finding(*three, "volumetric-add-tool"), nullptr);
 }
 
+TEST(Planner, TellsOfToolsAllButOnOneLineAsOfThoseOnIt) {
+  CalibrationPlan plan = machine_to_plan();
+  plan.machine.tools.back() = {"third", {0.03, 0, -220}};
+  const auto near = plan_calibration(plan, {.points = 40});
+  ASSERT_TRUE(near);
+  const VolumetricFinding* unseen = finding(*near, "volumetric-unseen-errors");
+  ASSERT_NE(unseen, nullptr);
+  EXPECT_TRUE(unseen->serious);
+  EXPECT_NE(unseen->message.find("ECY and ECZ"), std::string::npos) << unseen->message;
+  EXPECT_FALSE(near->expected.errors[1 * motion_count + 5].u_mean);
+  plan.machine.tools.back() = {"third", {3, 0, -220}};
+  const auto close = plan_calibration(plan, {.points = 40});
+  ASSERT_TRUE(close);
+  ASSERT_NE(finding(*close, "volumetric-short-lever"), nullptr);
+  EXPECT_TRUE(finding(*close, "volumetric-short-lever")->serious);
+  const auto usual = plan_calibration(machine_to_plan(), {.points = 40});
+  ASSERT_TRUE(usual);
+  EXPECT_EQ(finding(*usual, "volumetric-short-lever"), nullptr);
+}
+
 TEST(Planner, TellsOfOneToolThatTwoMoreAreMissing) {
   CalibrationPlan plan = machine_to_plan();
   plan.machine.tools.resize(1);

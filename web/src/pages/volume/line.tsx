@@ -72,7 +72,7 @@ function Predicted({ line, name }: { line: PredictedLine; name: string }) {
   return (
     <>
       <dl class="figures">
-        <div><dt>{t('systematic')}</dt><dd class="number">{with_u(line.systematic_um, line.systematic_u_um, 'µm')}</dd></div>
+        <div><dt>{t(line.reversal_um === null ? 'systematic_mean' : 'systematic')}</dt><dd class="number">{with_u(line.systematic_um, line.systematic_u_um, 'µm')}</dd></div>
         <div><dt>{t('slope')}</dt><dd class="number">{with_u(line.slope_um_per_m, line.slope_u_um_per_m, 'µm/m')}</dd></div>
         <div><dt>{t('reversal')}</dt><dd class="number">{line.reversal_um === null ? <span class="unit">{t('no_reversal')}</span> : <>{fixed(line.reversal_um, 2)} <span class="unit">µm</span></>}</dd></div>
       </dl>

@@ -38,7 +38,7 @@ export function VolumeResult({ result, taken, more }: { result: VolumetricResult
       </section>
       <FieldPanel result={result} />
       <LinePanel result={result} />
-      <TablePanel model={result.model} />
+      <TablePanel result={result} />
       <ControlTablePanel result={result} />
       <section class="panel" aria-labelledby="volume-stations">
         <header><h2 id="volume-stations">{t('stations')}</h2></header>

@@ -114,6 +114,7 @@ export const t = texts({
   diagonal_face: ['Diagonal of a face, {name}', 'Diagonale einer Fläche, {name}'],
   stands: ['where {axis} stands / mm', 'wo {axis} steht / mm'],
   systematic: ['Systematic deviation E', 'Systematische Abweichung E'],
+  systematic_mean: ['E of the mean of both directions', 'E des Mittelwerts beider Richtungen'],
   slope: ['Slope', 'Steigung'],
   reversal: ['Reversal B', 'Umkehrspanne B'],
   no_reversal: ['not asked of the lengths', 'nicht aus den Längen bestimmt'],
