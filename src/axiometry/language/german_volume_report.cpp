@@ -115,10 +115,6 @@ constexpr Phrase rows[] = {
      "Standardunsicherheiten (k = 1). Das Mittel jeder Funktion über ihrem Bereich ist 0, und die Ausgleichsgerade der "
      "Geradheit liegt waagerecht."},
     {"Station and tool", "Standort und Werkzeug"},
-    {"Straightness is that of the tool point for the chain {0=}, with each axis' functional point as stated in the "
-     "result; for another chain it would be other numbers.",
-     "Die Geradheit ist die des Werkzeugpunkts für die Kette {0} mit dem im Ergebnis genannten Bezugspunkt jeder "
-     "Achse; für eine andere Kette wären es andere Zahlen."},
     {"Table", "Tabelle"},
     {"Test predicted from the 21 errors", "Aus den 21 Abweichungen vorhergesagte Prüfung"},
     {"The 21 errors of the machine", "Die 21 Abweichungen der Maschine"},
@@ -135,6 +131,11 @@ constexpr Phrase rows[] = {
      "is the same everywhere the zero of the workpiece takes up.",
      "Es zählt die Spannweite einer Kurve, nicht ihre Höhe: Am Referenzpunkt der Achse tut die Tabelle nichts, und was "
      "überall gleich ist, nimmt der Nullpunkt des Werkstücks auf."},
+    {"The straightness of an axis is that of the tool point for the chain {0=}, with each axis' functional point as "
+     "stated in the "
+     "result; for another chain it would be other numbers.",
+     "Die Geradheit ist die des Werkzeugpunkts für die Kette {0} mit dem im Ergebnis genannten Bezugspunkt jeder "
+     "Achse; für eine andere Kette wären es andere Zahlen."},
     {"The three displacements and the three rotations of the axis over its position, with the bands in which they lie.",
      "Die drei Verlagerungen und die drei Verdrehungen der Achse über ihrer Position, mit den Bändern, in denen sie "
      "liegen."},

@@ -195,12 +195,12 @@ class VolumetricComposition {
         const CurveSummary s = summary_of(nodes);
         for (const double x : {s.largest, s.range, s.u_mean, s.u_largest}) row.push_back(cell(x, 2));
       }
-    table.notes = {
-        plain("Standard uncertainties (k = 1). The mean of each function over its range is 0, and the best "
-              "straight line of straightness is level."),
-        joined({plain("Straightness is that of the tool point for the chain "), verbatim(s_.machine.chain.text()),
-                plain(", with each axis' functional point as stated in the result; for another chain it "
-                      "would be other numbers.")})};
+    table.notes = {plain("Standard uncertainties (k = 1). The mean of each function over its range is 0, and the best "
+                         "straight line of straightness is level."),
+                   joined({plain("The straightness of an axis is that of the tool point for the chain "),
+                           verbatim(s_.machine.chain.text()),
+                           plain(", with each axis' functional point as stated in the result; for another chain it "
+                                 "would be other numbers.")})};
     table.dense = true;
     return {"motions", "Error motions", true, {std::move(table)}};
   }
