@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,29 +20,57 @@
 namespace axiometry::json {
 namespace {
 
+/// A text that grows. What is written begins at room() and ends where end_at() says.
+class Growing {
+ public:
+  /// Where so many bytes have room at least.
+  char* room(std::size_t bytes) {
+    constexpr std::size_t first = 1024;
+    if (text_.size() - used_ < bytes) text_.resize(std::max(2 * text_.size(), used_ + bytes + first));
+    return text_.data() + used_;
+  }
+  void end_at(const char* end) { used_ = static_cast<std::size_t>(end - text_.data()); }
+
+  void append(std::string_view s) { end_at(std::ranges::copy(s, room(s.size())).out); }
+  void append(char c) {
+    char* const at = room(1);
+    *at = c;
+    end_at(at + 1);
+  }
+
+  std::string take() {
+    text_.resize(used_);
+    return std::move(text_);
+  }
+
+ private:
+  std::string text_;
+  std::size_t used_ = 0;
+};
+
 /// ASCII that needs no escape.
 bool stands_for_itself(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
 
-/// One character that does not stand for itself; the bytes that it took.
-std::size_t write_character(std::string& out, std::string_view s) {
+/// How one character that does not stand for itself is written, and the bytes that it took.
+struct Written {
+  std::string text;
+  std::size_t taken = 1;
+};
+Written written_character(std::string_view s) {
   const auto first = static_cast<unsigned char>(s.front());
   if (first >= 0x80) {
     const Character character = character_at(s, 0);
-    out += character.valid() ? s.substr(0, character.length) : "\uFFFD";
-    return character.length;
+    return {std::string(character.valid() ? s.substr(0, character.length) : "\uFFFD"), character.length};
   }
   constexpr std::string_view known = "\"\\\n\r\t", letters = "\"\\nrt";
-  if (const std::size_t k = known.find(s.front()); k != known.npos)
-    out.append({'\\', letters[k]});
-  else
-    fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(first));
-  return 1;
+  if (const std::size_t k = known.find(s.front()); k != known.npos) return {{'\\', letters[k]}};
+  return {fmt::format("\\u{:04x}", static_cast<unsigned>(first))};
 }
 
-/// How many bytes at the beginning stand for themselves. Eight at a time as long as all of them do: a byte's highest
-/// bit is set by x − 0x20 below 0x20, by x itself from 0x80 on, and by (x − 1) & ~x where x is 0. What one byte borrows
-/// from the next can only end the run of eights too early.
-std::size_t plain_length(std::string_view s) {
+/// Copies the bytes at the beginning that stand for themselves; how many. Eight at a time as long as all of them do: a
+/// byte's highest bit is set by x − 0x20 below 0x20, by x itself from 0x80 on, and by (x − 1) & ~x where x is 0. What
+/// one byte borrows from the next can only end the run of eights too early.
+std::size_t copy_plain(std::string_view s, char* to) {
   constexpr std::uint64_t each = 0x0101'0101'0101'0101u, highest = 0x80 * each;
   const auto has = [](std::uint64_t word, char c) {
     const std::uint64_t x = word ^ (static_cast<unsigned char>(c) * each);
@@ -51,30 +80,46 @@ std::size_t plain_length(std::string_view s) {
   for (std::uint64_t word = 0; k + sizeof word <= s.size(); k += sizeof word) {
     std::memcpy(&word, s.data() + k, sizeof word);
     if (((word - 0x20 * each) | word | has(word, '"') | has(word, '\\') | has(word, '\x7F')) & highest) break;
+    std::memcpy(to + k, &word, sizeof word);
   }
-  while (k < s.size() && stands_for_itself(s[k])) ++k;
+  for (; k < s.size() && stands_for_itself(s[k]); ++k) to[k] = s[k];
   return k;
 }
 
-void write_text(std::string& out, std::string_view s) {
-  out += '"';
-  while (!s.empty()) {
-    const std::size_t plain = plain_length(s);
-    out.append(s.data(), plain);
+void write_text(Growing& out, std::string_view s) {
+  char* to = out.room(s.size() + 2);
+  *to++ = '"';
+  while (true) {
+    const std::size_t plain = copy_plain(s, to);
     s.remove_prefix(plain);
-    if (!s.empty()) s.remove_prefix(write_character(out, s));
+    to += plain;
+    if (s.empty()) break;
+    out.end_at(to);
+    const Written special = written_character(s);
+    out.append(special.text);
+    s.remove_prefix(special.taken);
+    to = out.room(s.size() + 1);
   }
-  out += '"';
+  *to++ = '"';
+  out.end_at(to);
 }
 
-/// Whole numbers as such: 1000000 and not 1e+06, which strict readers take for a fraction.
-void write_number(std::string& out, double x) {
-  char buffer[32];
-  const bool whole = x == std::floor(x) && std::abs(x) < 1e15;
-  if (whole && std::signbit(x)) out += '-';  // of a zero too
-  const auto done = whole ? std::to_chars(buffer, std::end(buffer), static_cast<long long>(std::abs(x)))
-                          : std::to_chars(buffer, std::end(buffer), x);
-  out.append(buffer, static_cast<std::size_t>(done.ptr - buffer));
+/// Whole numbers as such: 1000000 and not 1e+06, which strict readers take for a fraction. Others by the shortest
+/// digits that read back the same, without an exponent where that is no longer: from 0.001 on. There fmt writes what
+/// to_chars() does, in two thirds of the time.
+void write_number(Growing& out, double x) {
+  constexpr std::ptrdiff_t longest = 32;
+  const double size = std::abs(x);
+  const bool whole = size < 1e15 && static_cast<double>(static_cast<long long>(size)) == size;
+  char* at = out.room(longest);
+  char* const end = at + longest;
+  if (whole && std::signbit(x)) *at++ = '-';  // of a zero too
+  if (whole)
+    out.end_at(std::to_chars(at, end, static_cast<long long>(size)).ptr);
+  else if (size >= 1e-3 && size < 1e15)
+    out.end_at(fmt::format_to(at, FMT_COMPILE("{}"), x));
+  else
+    out.end_at(std::to_chars(at, end, x).ptr);
 }
 
 bool is_container(const Value& value) { return value.is(Kind::array) || value.is(Kind::object); }
@@ -85,8 +130,8 @@ class Writer {
 
   void write(const Value& value, int level) {
     switch (value.kind()) {
-      case Kind::null: out_ += "null"; break;
-      case Kind::boolean: out_ += value.boolean() ? "true" : "false"; break;
+      case Kind::null: out_.append("null"); break;
+      case Kind::boolean: out_.append(value.boolean() ? "true" : "false"); break;
       case Kind::number:
         AXIOMETRY_CONTRACT(std::isfinite(value.number()));
         write_number(out_, value.number());
@@ -97,41 +142,45 @@ class Writer {
     }
   }
 
-  std::string take() { return std::move(out_); }
+  std::string take() { return out_.take(); }
 
  private:
   void new_line(int level) {
-    if (indent_ > 0) out_.append(1, '\n').append(static_cast<std::size_t>(indent_ * level), ' ');
+    if (indent_ == 0) return;
+    const auto blanks = static_cast<std::size_t>(indent_ * level);
+    char* const at = out_.room(1 + blanks);
+    *at = '\n';
+    out_.end_at(std::fill_n(at + 1, blanks, ' '));
   }
 
   /// A list of plain values stays on one line: a run of readings is read across.
   void write_array(const std::vector<Value>& items, int level) {
-    const bool broken = std::ranges::any_of(items, is_container);
-    out_ += '[';
+    const bool broken = indent_ > 0 && std::ranges::any_of(items, is_container);
+    out_.append('[');
     for (std::size_t k = 0; k < items.size(); ++k) {
-      if (k > 0) out_ += broken || indent_ == 0 ? "," : ", ";
+      if (k > 0) out_.append(broken || indent_ == 0 ? "," : ", ");
       if (broken) new_line(level + 1);
       write(items[k], level + 1);
     }
     if (broken) new_line(level);
-    out_ += ']';
+    out_.append(']');
   }
 
   void write_object(const std::vector<std::pair<std::string, Value>>& members, int level) {
-    out_ += '{';
+    out_.append('{');
     for (std::size_t k = 0; k < members.size(); ++k) {
-      if (k > 0) out_ += ',';
+      if (k > 0) out_.append(',');
       new_line(level + 1);
       write_text(out_, members[k].first);
-      out_ += indent_ > 0 ? ": " : ":";
+      out_.append(indent_ > 0 ? ": " : ":");
       write(members[k].second, level + 1);
     }
     if (!members.empty()) new_line(level);
-    out_ += '}';
+    out_.append('}');
   }
 
   int indent_;
-  std::string out_;
+  Growing out_;
 };
 
 }  // namespace

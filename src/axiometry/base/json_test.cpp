@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -104,6 +107,32 @@ TEST(Json, WritesACharacterAlikeWhereverItStands) {
         ASSERT_EQ(written(first + c + last), first + written(c) + last) << before << " " << behind;
         ASSERT_EQ(written(first + c + c + last), first + written(c) + written(c) + last);
       }
+}
+
+// Of every size, of few digits and of all, and the neighbours of powers of ten, where digits and exponents change.
+TEST(Json, WritesTheShortestDigitsThatReadBackTheSame) {
+  const auto expected = [](double x) {
+    char text[32];
+    return std::string(text, std::to_chars(text, std::end(text), x).ptr);
+  };
+  std::mt19937_64 engine(19);
+  std::vector<double> numbers;
+  for (int exponent = -320; exponent <= 308; ++exponent) {
+    const double power = std::pow(10.0, exponent);
+    for (double x : {power, std::nextafter(power, 0.0), std::nextafter(power, 1e308), 1.2 * power, 9.995 * power})
+      numbers.push_back(x);
+  }
+  for (int k = 0; k < 200'000; ++k) {
+    const double few = std::round(1e6 * static_cast<double>(engine() % 1'000'000)) / 1e9;
+    const double all = std::ldexp(static_cast<double>(engine() >> 11), static_cast<int>(engine() % 120) - 110);
+    numbers.push_back(few / std::pow(10.0, static_cast<double>(engine() % 9)));
+    numbers.push_back(k % 2 == 0 ? all : -all);
+  }
+  for (double x : numbers) {
+    const double size = std::abs(x);
+    if (!std::isfinite(x) || (size < 1e15 && size == std::floor(size))) continue;
+    ASSERT_EQ(dump(Value(x)), expected(x));
+  }
 }
 
 TEST(Json, WritesWholeNumbersWithoutAnExponentUpTo1e15) {

@@ -24,8 +24,9 @@ struct AdditiveFit {
   double share(std::size_t row, std::size_t column) const;
 };
 
-/// Least squares of both, NaN standing for a value that is missing. A full table takes one pass; one with gaps a few
-/// more, until the levels move by less than 1e-12 of the table's spread (at most 60). Contract: whole rows.
+/// Least squares of both, NaN standing for a value that is missing. A full table takes one pass, and so does one with
+/// up to eight gaps, which are filled first; more gaps take some more, until the levels move by less than 1e-12 of the
+/// table's spread (at most 60). Contract: whole rows.
 AdditiveFit fit_additive(std::span<const double> table, std::size_t columns);
 
 }  // namespace axiometry::numeric

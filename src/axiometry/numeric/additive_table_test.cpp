@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace axiometry::numeric {
 namespace {
@@ -36,6 +39,50 @@ TEST(AdditiveTable, LeavesTheInteraction) {
   EXPECT_NEAR(fit.residuals[3], 1.0, 1e-12);
   EXPECT_NEAR(fit.squares, 4.0, 1e-12);
   EXPECT_NEAR(fit.share(0, 0), 0.25, 1e-15);
+}
+
+// The conditions of least squares, whatever found them: what is left of each row and of each column sums to nothing,
+// and is what the levels and shifts do not explain.
+void expect_least_squares(const std::vector<double>& table, const AdditiveFit& fit) {
+  double squares = 0.0;
+  std::vector<double> of_row(fit.levels.size()), of_column(fit.columns);
+  for (std::size_t k = 0; k < table.size(); ++k) {
+    const std::size_t i = k / fit.columns, j = k % fit.columns;
+    ASSERT_EQ(std::isnan(fit.residuals[k]), std::isnan(table[k])) << k;
+    if (std::isnan(table[k])) continue;
+    EXPECT_NEAR(fit.residuals[k], table[k] - fit.levels[i] - fit.shifts[j], 1e-9);
+    of_row[i] += fit.residuals[k];
+    of_column[j] += fit.residuals[k];
+    squares += fit.residuals[k] * fit.residuals[k];
+  }
+  for (double sum : of_row) EXPECT_NEAR(sum, 0.0, 1e-9);
+  for (double sum : of_column) EXPECT_NEAR(sum, 0.0, 1e-9);
+  EXPECT_NEAR(fit.squares, squares, 1e-9);
+}
+
+TEST(AdditiveTable, IsOneOfLeastSquaresWithAnyGaps) {
+  std::mt19937 engine(7);
+  std::normal_distribution<double> scatter(0.0, 2.0);
+  for (const std::size_t gaps : {0u, 1u, 2u, 5u, 8u, 9u, 20u})
+    for (int repeated = 0; repeated < 20; ++repeated) {
+      std::vector<double> table;
+      for (std::size_t k = 0; k < 55; ++k)
+        table.push_back(100.0 + 7.0 * double(k / 5) - 3.0 * double(k % 5) + scatter(engine));
+      for (std::size_t g = 0; g < gaps; ++g) table[engine() % table.size()] = gone;
+      const AdditiveFit fit = fit_additive(table, 5);
+      expect_least_squares(table, fit);
+    }
+}
+
+// Gaps that take a whole row or column, or leave parts without a link, cannot be filled from the others.
+TEST(AdditiveTable, IsOneOfLeastSquaresWhereGapsCannotBeFilled) {
+  const std::vector<double> no_row = {1.0, 2.0, 6.0, gone, gone, gone, 4.0, 4.0, 5.0};
+  const std::vector<double> no_column = {1.0, gone, 6.0, 2.0, gone, 9.0, 4.0, gone, 5.0};
+  const std::vector<double> apart = {1.0, 2.0, gone, 3.0, 5.0, gone, gone, gone, 8.0};
+  for (const std::vector<double>& table : {no_row, no_column, apart}) {
+    AdditiveFit fit = fit_additive(table, 3);
+    expect_least_squares(table, fit);
+  }
 }
 
 TEST(AdditiveTable, StandsRowsAndColumnsWithoutValues) {

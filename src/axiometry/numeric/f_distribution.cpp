@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/numeric/f_distribution.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -36,6 +37,22 @@ double f_tail(double f, RatioDegrees degrees) {
   if (std::isinf(f)) return 0.0;
   const double ratio = degrees.above * f / degrees.below;
   return incomplete_beta(0.5 * degrees.below, 0.5 * degrees.above, 1.0 / (1.0 + ratio), ratio / (1.0 + ratio));
+}
+
+bool f_tail_is_above(double level, double f, RatioDegrees degrees) {
+  constexpr double slack = 1.0 + 1e-6;  // more than the rounding of either side
+  constexpr double terms_at_most = 50.0;
+  AXIOMETRY_CONTRACT(degrees.above > 0.0 && degrees.below > 0.0 && f >= 0.0);
+  const double ratio = degrees.above * f / degrees.below, b = 0.5 * degrees.below;
+  const double y = ratio / (1.0 + ratio);
+  const double wanted = slack * level * std::exp(b * std::log1p(ratio));  // of the sum; NaN or infinite: never reached
+  double sum = 0.0, term = 1.0;
+  for (double j = 0.0; j + 1.0 <= std::min(0.5 * degrees.above, terms_at_most); j += 1.0) {
+    sum += term;
+    if (sum > wanted) return true;
+    term *= (b + j) / (j + 1.0) * y;
+  }
+  return false;
 }
 
 }  // namespace axiometry::numeric

@@ -15,4 +15,10 @@ struct RatioDegrees {
 /// f_distribution_test.cpp holds figures. Contract: both degrees of freedom > 0; f ≥ 0, may be infinite.
 double f_tail(double f, RatioDegrees degrees);
 
+/// Whether f_tail() is surely above `level`, which costs a small part of it; false says nothing. A beta variate grows
+/// smaller as its second parameter grows, so that the tail is at least that of ⌊above/2⌋ in place of above/2:
+/// x^(below/2) Σ_j (below/2)_j (1 − x)^j / j!, j < ⌊above/2⌋ (DLMF 8.17.21), of which a few terms may do.
+/// Contract: as f_tail().
+bool f_tail_is_above(double level, double f, RatioDegrees degrees);
+
 }  // namespace axiometry::numeric

@@ -38,5 +38,28 @@ TEST(FDistribution, HasItsEnds) {
   EXPECT_EQ(f_tail(std::numeric_limits<double>::infinity(), {3.0, 5.0}), 0.0);
 }
 
+// Never said where it is not so; said of nearly all that is above the level by a little where the degrees of freedom
+// are even, so that the sum is the tail itself.
+TEST(FDistribution, IsAboveALevelWhereThatIsSaidOnly) {
+  int above = 0, said = 0;
+  for (double degrees_above : {0.5, 1.0, 2.0, 3.0, 4.0, 7.0, 8.0, 40.0, 43.5, 80.0, 300.0})
+    for (double degrees_below : {0.7, 1.0, 4.0, 33.0, 44.0, 84.0, 4000.0})
+      for (double f : {0.0, 0.3, 1.0, 1.5, 2.25, 3.0, 5.0, 12.0, 400.0, 1e9})
+        for (double level : {0.5, 0.01, 0.003, 0.003 / 84, 1e-12}) {
+          const RatioDegrees degrees{degrees_above, degrees_below};
+          const double tail = f_tail(f, degrees);
+          const bool is_said = f_tail_is_above(level, f, degrees);
+          EXPECT_TRUE(tail > level || !is_said) << f << ' ' << degrees_above << ' ' << degrees_below << ' ' << level;
+          if (std::fmod(degrees_above, 2.0) != 0.0 || degrees_above > 100.0) continue;
+          above += tail > 1.001 * level ? 1 : 0;
+          said += is_said ? 1 : 0;
+        }
+  EXPECT_GT(said, 0.999 * above) << above;
+}
+
+TEST(FDistribution, OfAnInfiniteRatioIsAboveNothing) {
+  EXPECT_FALSE(f_tail_is_above(1e-300, std::numeric_limits<double>::infinity(), {4.0, 40.0}));
+}
+
 }  // namespace
 }  // namespace axiometry::numeric

@@ -218,7 +218,10 @@ bool states_calibration(const Equipment& component) {
   return !component.certificate.empty() || !component.calibrated_on.empty() || !component.calibration_due.empty();
 }
 
-Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
+namespace {
+
+/// prepare_test() of a test where it stands: it is large, and of most tests nothing is changed.
+Result<void> prepare(Test& test, const EvaluateOptions& options) {
   AXIOMETRY_TRY_VOID(set_metadata(test.metadata, options.metadata));
   test.provenance.stated = stated_items(options);
   for (const std::string& remark : options.remarks) test.provenance.remarks.push_back({false, remark});
@@ -234,7 +237,7 @@ Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
                   [](const StatedItem& item) { return item.key == iso230_2::recording_key; });
     test.provenance.stated.items.push_back({std::string(iso230_2::recording_key), StatedBy::flag});
   }
-  test = with_recorded_variation(std::move(test));
+  if (!test.metadata.gum.drift_recording.empty()) test = with_recorded_variation(std::move(test));
   for (const EquipmentCalibration& known : options.calibrations) {
     if (known.component >= test.metadata.equipment.size()) continue;
     Equipment& component = test.metadata.equipment[known.component];
@@ -246,31 +249,43 @@ Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
   if (options.artefact.value_or(!test.metadata.artefact.calibrated_positions.empty())) {
     AXIOMETRY_TRY(test, iso230_2::apply_artefact(std::move(test)));
   }
-  return correct_readings(std::move(test), options.corrections);
+  if (options.corrections.any()) {
+    AXIOMETRY_TRY(test, correct_readings(std::move(test), options.corrections));
+  }
+  return {};
 }
 
-Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options, iso230_2::Depth depth) {
+}  // namespace
+
+Result<Test> prepare_test(Test test, const EvaluateOptions& options) {
+  AXIOMETRY_TRY_VOID(prepare(test, options));
+  return test;
+}
+
+Result<Evaluated> evaluate_test(Test measured, const EvaluateOptions& options, iso230_2::Depth depth) {
+  Result<Evaluated> result(std::in_place, std::move(measured));
+  Test& test = result->test;
   Metadata of_file;
   of_file.axis.kind = test.metadata.axis.kind;
   of_file.tolerance = test.metadata.tolerance;
-  AXIOMETRY_TRY(test, prepare_test(std::move(test), options));
-  iso230_2::Assessment assessment = iso230_2::assess(test, depth);
-  AXIOMETRY_TRY(auto temperatures, add_temperatures(assessment, test, options, depth));
-  const iso230_2::AxisParameters& measured = assessment.evaluation.parameters;
-  AXIOMETRY_TRY(Requirements demanded, requirements_for(test, measured, options.tolerance, options.metadata, &of_file));
+  AXIOMETRY_TRY_VOID(prepare(test, options));
+  iso230_2::Assessment& assessment = result->assessment = iso230_2::assess(test, depth);
+  AXIOMETRY_TRY(result->temperatures, add_temperatures(assessment, test, options, depth));
+  const iso230_2::AxisParameters& parameters = assessment.evaluation.parameters;
+  AXIOMETRY_TRY(Requirements demanded,
+                requirements_for(test, parameters, options.tolerance, options.metadata, &of_file));
   AXIOMETRY_TRY_VOID(add_uncertainty(assessment, test, options.uncertainty));
   if (depth == iso230_2::Depth::every_finding)
     std::ranges::move(iso230_2::uncertainty_findings(test, assessment), std::back_inserter(assessment.findings));
-  std::vector<iso230_2::Judgement> judgements;
   if (!demanded.tolerances.empty())
-    judgements = iso230_2::judge(
-        measured, demanded.tolerances, demanded.rule,
+    result->judgements = iso230_2::judge(
+        parameters, demanded.tolerances, demanded.rule,
         {iso230_2::uncertainties_of_record(assessment), iso230_2::comparison_slack(test.series), assessment.uncorrected,
          iso230_2::refusals_of_record(assessment), iso230_2::lower_bounds(assessment.evaluation)});
   std::ranges::move(demanded.findings, std::back_inserter(assessment.findings));
   std::ranges::stable_sort(assessment.findings, {}, &iso230_2::Finding::severity);
-  return Evaluated{std::move(test),          "",           std::move(assessment),  std::move(judgements),
-                   std::move(demanded.band), std::nullopt, std::move(temperatures)};
+  result->tolerance_band = std::move(demanded.band);
+  return result;
 }
 
 Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items) {

@@ -21,25 +21,31 @@ TestsSideBySide::TestsSideBySide(Evaluate evaluate, ManyThreads threads, Evaluat
   if (threads_.count == 0) threads_.count = std::max(1u, std::thread::hardware_concurrency());
 }
 
-Result<TestsSideBySide::Done> TestsSideBySide::done(Waiting& waiting) const {
-  AXIOMETRY_TRY(Evaluated evaluated, evaluate_(std::move(waiting.test)));
-  evaluated.name = std::move(waiting.name);
-  Done done{std::move(evaluated), {}};
-  if (threads_.make_text) {
-    AXIOMETRY_TRY(done.text, threads_.make_text(done.evaluated));
-  }
+// Tests are large: what is made of one is made where it stays, or moved once.
+TestsSideBySide::Done TestsSideBySide::done(Waiting& waiting) const {
+  Done done{evaluate_(std::move(waiting.test)), {}};
+  if (!done.evaluated) return done;
+  done.evaluated->name = std::move(waiting.name);
+  if (!threads_.make_text) return done;
+  auto text = threads_.make_text(*done.evaluated);
+  if (text)
+    done.text = *std::move(text);
+  else
+    done.evaluated = std::unexpected(std::move(text).error());
   return done;
 }
 
-Result<void> TestsSideBySide::add(Test test, std::string name, std::size_t line) {
+std::size_t TestsSideBySide::at_once() const { return threads_.count == 1 ? 1 : tests_of_thread * threads_.count; }
+
+Result<void> TestsSideBySide::add(Test&& test, std::string name, std::size_t line) {
   readings_ += test.series.reading_count();
-  waiting_.push_back({std::move(test), std::move(name), line});
-  const std::size_t at_once = threads_.count == 1 ? 1 : tests_of_thread * threads_.count;
-  return waiting_.size() < at_once && readings_ < readings_at_once ? Result<void>{} : finish();
+  if (waiting_.empty()) waiting_.reserve(at_once());
+  waiting_.emplace_back(std::move(test), std::move(name), line);
+  return waiting_.size() < at_once() && readings_ < readings_at_once ? Result<void>{} : finish();
 }
 
 Result<void> TestsSideBySide::finish() {
-  std::vector<std::optional<Result<Done>>> results(waiting_.size());
+  std::vector<std::optional<Done>> results(waiting_.size());
   std::vector<std::exception_ptr> thrown(waiting_.size());
   numeric::side_by_side(waiting_.size(), threads_.count, [&](std::size_t k) {
     try {
@@ -53,10 +59,10 @@ Result<void> TestsSideBySide::finish() {
   for (std::size_t k = 0; k < results.size(); ++k) {
     if (thrown[k]) std::rethrow_exception(thrown[k]);
     auto handed_over = Result<void>();
-    if (Result<Done>& result = *results[k])
-      handed_over = sink_(std::move(result->evaluated), std::move(result->text));
+    if (Done& result = *results[k]; result.evaluated)
+      handed_over = sink_(*std::move(result.evaluated), std::move(result.text));
     else
-      handed_over = std::unexpected(std::move(result).error());
+      handed_over = std::unexpected(std::move(result.evaluated).error());
     if (handed_over) continue;
     if (Error& error = handed_over.error(); error.at.line == 0 && error.file.empty()) error.at.line = waited[k].line;
     return handed_over;

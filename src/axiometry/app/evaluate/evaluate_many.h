@@ -35,7 +35,7 @@ class TestsSideBySide {
 
   TestsSideBySide(Evaluate evaluate, ManyThreads threads, EvaluatedTextSink sink);
 
-  Result<void> add(Test test, std::string name, std::size_t line);
+  Result<void> add(Test&& test, std::string name, std::size_t line);
   Result<void> finish();  ///< what has been gathered and not yet handed over
 
  private:
@@ -45,10 +45,11 @@ class TestsSideBySide {
     std::size_t line = 0;
   };
   struct Done {
-    Evaluated evaluated;
+    Result<Evaluated> evaluated;  ///< or why there is none, or no text of it
     std::string text;
   };
-  Result<Done> done(Waiting& waiting) const;
+  Done done(Waiting& waiting) const;
+  std::size_t at_once() const;
 
   Evaluate evaluate_;
   ManyThreads threads_;

@@ -89,9 +89,12 @@ class Descent {
 
  private:
   double residual(const Eigen::VectorXd& z, std::size_t i) const {
-    const LocationPoint& p = points_[i];
+    return residual(z, i, distance(points_[i].at_mm, station(z)));
+  }
+  /// Where the length of the beam is known already.
+  double residual(const Eigen::VectorXd& z, std::size_t i, double beam_mm) const {
     const double shift = shape_.empty() ? 0.0 : z[4] * shape_[i];
-    return distance(p.at_mm, station(z)) - z[3] - shift - p.length_difference_mm;
+    return beam_mm - z[3] - shift - points_[i].length_difference_mm;
   }
 
   Eigen::MatrixXd weighted_rows(const Eigen::VectorXd& z, Eigen::VectorXd& right) const {
@@ -104,10 +107,12 @@ class Descent {
       const Vector3 beam = points_[i].at_mm - s;
       const double length = norm(beam);
       const Vector3 u = length > 0.0 ? 1.0 / length * beam : Vector3{};
-      rows.row(row).head<4>() << -u.x, -u.y, -u.z, -1.0;
-      if (!shape_.empty()) rows(row, 4) = -shape_[i];
-      rows.row(row) /= sigma_[i];
-      right[row] = -residual(z, i) / sigma_[i];
+      rows(row, 0) = -u.x / sigma_[i];
+      rows(row, 1) = -u.y / sigma_[i];
+      rows(row, 2) = -u.z / sigma_[i];
+      rows(row, 3) = -1.0 / sigma_[i];
+      if (!shape_.empty()) rows(row, 4) = -shape_[i] / sigma_[i];
+      right[row] = -residual(z, i, length) / sigma_[i];
     }
     return rows;
   }

@@ -28,12 +28,19 @@ void add_missing(Against& against, std::optional<Finding> finding) {
   if (finding && finding->severity == Severity::missing) against.push_back(*std::move(finding));
 }
 
+/// The same of a rule whose finding may stand among those of the assessment, which then need not be made again.
+void add_missing(Against& against, const Assessment& assessment, std::string_view id, rules::Rule* rule,
+                 const Case& c) {
+  const auto made = std::ranges::find(assessment.findings, id, &Finding::id);
+  add_missing(against, made != assessment.findings.end() ? *made : rule(c));
+}
+
 void add_unless_given(Against& against, const char* clause, std::string_view key, const Metadata& metadata) {
   const Field* field = find_field(key);
   AXIOMETRY_CONTRACT(field != nullptr);
   if (!rules::is_stated(*field, metadata))
-    against.push_back(rules::missing("item-not-stated", clause,
-                                     fmt::format("{} is not stated", rules::within_sentence(field->title))));
+    against.push_back(
+        rules::missing("item-not-stated", clause, rules::within_sentence(field->title) + " is not stated"));
 }
 
 // Clause 3
@@ -201,13 +208,13 @@ Against against_reported(const Case& c, const Assessment& assessment) {
   Against against;
   add_missing(against, rules::impossible_date(c));
   add_missing(against, rules::date_not_read(c));
-  add_missing(against, rules::items_of_identification(c));
+  add_missing(against, assessment, "items-of-identification", rules::items_of_identification, c);
   add_missing(against, rules::equipment_identified(c));
   add_missing(against, rules::calibration_date_not_read(c));
   add_missing(against, rules::sensors_complete(c));
   add_missing(against, rules::line_in_space(c));
   add_missing(against, parameters_missing(c));
-  add_missing(against, rules::uncertainty_stated(c));
+  add_missing(against, assessment, "uncertainty-stated", rules::uncertainty_stated, c);
   add_missing(against, rules::uncertainty_of_zero(c));
   add_missing(against, uncertainty_of_record_missing(assessment));
   add_missing(against, rules::station_stated(c));

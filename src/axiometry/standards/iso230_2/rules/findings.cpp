@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 #include "axiometry/base/contract.h"
@@ -137,27 +136,25 @@ std::string target_text(const Case& c, std::size_t target) {
 std::vector<Finding> find_departures(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                                      const std::optional<AnnexA>& uncertainty, Depth depth) {
   const rules::Case c = rules::make_case(metadata, series, evaluation, uncertainty);
-  std::vector<Finding> in_clause_order;
+  std::vector<Finding> findings;
+  findings.reserve(std::size(rules::every_rule));
   bool drift_told = false;
   for (const auto& [rule, departs] : rules::every_rule) {
     if (!departs && depth == Depth::departures_only) continue;
     if (rule == rules::straight_slope)
       for (Finding& finding : rules::scatter_findings(c)) {  // several of one rule
         drift_told = drift_told || finding.clause == rules::progression_clause;
-        in_clause_order.push_back(std::move(finding));
+        findings.push_back(std::move(finding));
       }
     if (rule == rules::ordered_progression && drift_told) continue;  // the same, with its size
     auto finding = rule(c);
     if (!finding) continue;
     AXIOMETRY_CONTRACT(departs || finding->severity != Severity::departure);
-    in_clause_order.push_back(std::move(*finding));
+    findings.push_back(std::move(*finding));
   }
-  std::vector<Finding> findings;
-  for (Severity severity : {Severity::departure, Severity::missing, Severity::note}) {
-    if (severity != Severity::departure && depth == Depth::departures_only) break;
-    std::ranges::copy_if(in_clause_order, std::back_inserter(findings),
-                         [&](const Finding& finding) { return finding.severity == severity; });
-  }
+  if (depth == Depth::departures_only)
+    std::erase_if(findings, [](const Finding& finding) { return finding.severity != Severity::departure; });
+  std::ranges::stable_sort(findings, {}, &Finding::severity);
   return findings;
 }
 

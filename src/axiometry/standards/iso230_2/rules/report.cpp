@@ -30,17 +30,27 @@ std::vector<std::string> stretches(const std::vector<std::size_t>& indices) {
   return all;
 }
 
-/// "air temperature at the start" and "… at the end" become one item.
-void add_item(std::vector<std::string>& items, std::string_view title) {
-  constexpr std::string_view start = " at the start", end = " at the end";
-  const std::string item = within_sentence(title);
-  const std::string stem = item.substr(0, item.size() - std::min(end.size(), item.size()));
-  if (item.ends_with(end) && !items.empty() && items.back() == stem + std::string(start)) {
-    items.back() += " and the end";
-    return;
+/// What is missing of one group of the metadata, as it reads within a sentence.
+struct MissingItems {
+  std::string_view group;
+  std::string text{};
+  std::size_t last = 0;  ///< where its last item begins
+
+  /// "air temperature at the start" and "… at the end" become one item.
+  void add(std::string_view title) {
+    constexpr std::string_view start = " at the start", end = " at the end";
+    const std::string item = within_sentence(title);
+    const std::string_view before = std::string_view(text).substr(last);
+    if (item.ends_with(end) && before.ends_with(start) &&
+        before.substr(0, before.size() - start.size()) == item.substr(0, item.size() - end.size())) {
+      text += " and the end";
+      return;
+    }
+    if (!text.empty()) text += ", ";
+    last = text.size();
+    text += item;
   }
-  items.push_back(item);
-}
+};
 
 std::string_view group_of(std::string_view key) { return key.substr(0, key.find('.')); }
 
@@ -70,8 +80,8 @@ bool taken_as_zero(const AnnexA& annex, std::string_view key) {
 }
 
 /// The contributors that 8.2.1 asks for at least, as far as Annex A has a formula for this kind of axis.
-std::vector<std::string> contributors_left_out(const Case& c) {
-  std::vector<std::string> absent;
+std::vector<std::string_view> contributors_left_out(const Case& c) {
+  std::vector<std::string_view> absent;
   const auto known = [&](std::string_view key) { return c.uncertainty && U_known(*c.uncertainty, key); };
   if (!known("device")) absent.emplace_back(contributor_of_device);
   // The beam of a tracking interferometer follows: what counts is where it starts.
@@ -136,23 +146,21 @@ bool is_stated(const Field& field, const Metadata& metadata) {
 }
 
 std::optional<Finding> items_of_identification(const Case& c) {
-  struct Group {
-    std::string_view key;
-    std::vector<std::string> items;
-  };
-  std::vector<Group> absent;
+  std::vector<MissingItems> absent;
   for (const Field& field : metadata_fields()) {
     if (!is_wanted(field, c.metadata) || is_stated(field, c.metadata)) continue;
-    auto group = std::ranges::find(absent, group_of(field.key), &Group::key);
-    if (group == absent.end()) group = absent.insert(group, {group_of(field.key), {}});
-    add_item(group->items, field.title);
+    auto of_group = std::ranges::find(absent, group_of(field.key), &MissingItems::group);
+    if (of_group == absent.end()) of_group = absent.insert(of_group, {group_of(field.key)});
+    of_group->add(field.title);
   }
   if (absent.empty()) return std::nullopt;
-  std::vector<std::string> groups;
-  for (const Group& group : absent)
-    groups.push_back(fmt::format("{}: {}", group_title(group.key), fmt::join(group.items, ", ")));
-  return missing("items-of-identification", "8.1",
-                 fmt::format("not given, but expected in the report – {}", fmt::join(groups, "; ")));
+  std::string message = "not given, but expected in the report – ";
+  for (const MissingItems& of_group : absent)
+    message.append(&of_group == &absent.front() ? "" : "; ")
+        .append(group_title(of_group.group))
+        .append(": ")
+        .append(of_group.text);
+  return missing("items-of-identification", "8.1", message);
 }
 
 std::optional<Finding> equipment_identified(const Case& c) {
@@ -244,7 +252,7 @@ std::optional<Finding> sensors_complete(const Case& c) {
 }
 
 std::optional<Finding> uncertainty_stated(const Case& c) {
-  const std::vector<std::string> absent = contributors_left_out(c);
+  const std::vector<std::string_view> absent = contributors_left_out(c);
   if (absent.empty()) return std::nullopt;
   if (!c.uncertainty)
     return missing("uncertainty-stated", "8.2.1",

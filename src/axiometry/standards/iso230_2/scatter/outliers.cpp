@@ -40,20 +40,31 @@ double beyond_rounding(double residual, double share, const Rounding& rounding) 
   return size * size / share;
 }
 
-/// Whether a look with a robust measure finds any residual worth the effort.
+/// Whether a look with a robust measure finds any residual worth the effort: that the largest is so far beyond the one
+/// in the middle (the lower half has as many and one more).
 bool worth_looking(const AdditiveFit& fit) {
-  std::vector<double> sizes;
+  double largest = 0.0;
   for (double e : fit.residuals)
-    if (!std::isnan(e)) sizes.push_back(std::abs(e));
-  if (sizes.empty()) return false;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const double robust = 1.4826 * *middle;
-  return *std::max_element(sizes.begin(), sizes.end()) > worth_a_look * robust;
+    if (std::abs(e) > largest) largest = std::abs(e);
+  std::size_t small = 0;
+  for (double e : fit.residuals) small += largest > worth_a_look * (1.4826 * std::abs(e)) ? 1 : 0;  // never of NaN
+  return small > fit.count / 2;
 }
 
-std::optional<Candidate> most_outlying(const AdditiveFit& fit, const Rounding& rounding) {
-  std::optional<Candidate> worst;
+/// The residual that stands out most, and what tells how probable it is.
+struct Outlying {
+  Place at;
+  double square = 0.0;  ///< of two_tails(), like the next two
+  double rest = 0.0;
+  double degrees = 0.0;
+  double looks = 0.0;
+
+  double p() const { return std::min(1.0, two_tails(square, rest, degrees) * looks); }
+  bool is_significant(double level) const { return !surely_above(level, looks, square, rest, degrees) && p() <= level; }
+};
+
+std::optional<Outlying> most_outlying(const AdditiveFit& fit, const Rounding& rounding) {
+  std::optional<Place> worst;
   double largest = 0.0;
   for (std::size_t i = 0; i < fit.levels.size(); ++i) {
     if (fit.row_counts[i] < least_readings) continue;
@@ -63,36 +74,37 @@ std::optional<Candidate> most_outlying(const AdditiveFit& fit, const Rounding& r
       const double size = e * e / fit.share(i, j);
       if (worst && size <= largest) continue;
       largest = size;
-      worst = {{i, j}};
+      worst = {i, j};
     }
   }
   if (!worst) return std::nullopt;
-  const double e = fit.row(worst->at.row)[worst->at.column];
-  const double share = fit.share(worst->at.row, worst->at.column);
+  const double e = fit.row(worst->row)[worst->column];
+  const double share = fit.share(worst->row, worst->column);
   const double rest = std::max(fit.squares - e * e / share, (fit.degrees - 1.0) * rounding.variance());
-  const double p = two_tails(beyond_rounding(e, share, rounding), rest, fit.degrees);
-  worst->p = std::min(1.0, p * static_cast<double>(fit.count));
-  return worst;
+  return Outlying{*worst, beyond_rounding(e, share, rounding), rest, fit.degrees, static_cast<double>(fit.count)};
 }
 
 }  // namespace
 
-std::vector<Candidate> pooled_outliers(std::vector<double> table, std::size_t columns, const Rounding& rounding,
+std::vector<Candidate> pooled_outliers(const AdditiveFit& whole, std::span<const double> of, const Rounding& rounding,
                                        double level) {
-  std::vector<Candidate> all;
+  if (!worth_looking(whole)) return {};
+  std::vector<Outlying> seen;
   std::size_t significant = 0;
-  AdditiveFit fit = fit_additive(table, columns);
-  if (!worth_looking(fit)) return {};
+  AdditiveFit fit = whole;
+  std::vector<double> table(of.begin(), of.end());
   const std::size_t at_most = std::clamp<std::size_t>(fit.count / 8, 1, outliers_at_most);
-  while (all.size() < at_most) {
+  while (seen.size() < at_most) {
     const auto next = most_outlying(fit, rounding);
     if (!next) break;
-    all.push_back(*next);
-    if (next->p <= level) significant = all.size();
-    table[next->at.row * columns + next->at.column] = std::numeric_limits<double>::quiet_NaN();
-    fit = fit_additive(table, columns);
+    seen.push_back(*next);
+    if (next->is_significant(level)) significant = seen.size();
+    if (seen.size() == at_most) break;
+    table[next->at.row * fit.columns + next->at.column] = std::numeric_limits<double>::quiet_NaN();
+    fit = fit_additive(table, fit.columns);
   }
-  all.resize(significant);
+  std::vector<Candidate> all;
+  for (std::size_t k = 0; k < significant; ++k) all.push_back({seen[k].at, seen[k].p()});
   // Several of one cell are no outliers: that cell scatters.
   std::erase_if(all, [&](const Candidate& c) {
     return std::ranges::count_if(all, [&](const Candidate& o) { return o.at.row == c.at.row; }) > 1;

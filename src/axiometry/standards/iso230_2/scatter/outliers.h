@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "axiometry/numeric/additive_table.h"
@@ -27,9 +28,10 @@ struct Candidate {
   double p = 1.0;  ///< of all readings of the direction, or of all cells
 };
 
-/// Generalised ESD: takes one after the other; as many are outliers as the last that is significant counts.
-std::vector<Candidate> pooled_outliers(std::vector<double> table, std::size_t columns, const Rounding& rounding,
-                                       double level);
+/// Generalised ESD in a table and its fit: takes one after the other; as many are outliers as the last that is
+/// significant counts.
+std::vector<Candidate> pooled_outliers(const numeric::AdditiveFit& whole, std::span<const double> of,
+                                       const Rounding& rounding, double level);
 
 /// Grubbs in every cell; `cells` are those of both directions.
 std::vector<Candidate> cell_outliers(const numeric::AdditiveFit& fit, const Rounding& rounding, double cells,

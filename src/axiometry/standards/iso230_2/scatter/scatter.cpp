@@ -45,11 +45,13 @@ using Tables = std::array<std::vector<double>, 2>;
 
 Tables tables_of(const Series& series) {
   Tables tables;
-  for (Direction d : each_direction)
+  for (Direction d : each_direction) {
+    tables[index(d)].reserve(series.target_count() * series.run_count());
     for (std::size_t i = 0; i < series.target_count(); ++i) {
       const auto cell = series.cell(i, d);
       tables[index(d)].insert(tables[index(d)].end(), cell.begin(), cell.end());
     }
+  }
   return tables;
 }
 
@@ -64,20 +66,27 @@ Series series_of(const Series& like, const Tables& tables) {
 }  // namespace
 
 double step_of(const Series& series) {
+  constexpr double most_steps = 1e13;
   for (double unit = 1.0; unit > 0.5e-4; unit /= 10.0) {
     std::int64_t common = 0;
-    bool whole = true;
-    for (Direction d : each_direction)
-      for (std::size_t i = 0; whole && i < series.target_count(); ++i)
-        for (double x : series.cell(i, d)) {
-          if (std::isnan(x)) continue;
-          const double steps = std::round(x / unit);
-          // A decimal is off by half a unit in its last place, and what computed it by some more.
-          whole =
-              whole && std::abs(steps) < 1e13 &&
-              std::abs(x - steps * unit) <= 8.0 * std::numeric_limits<double>::epsilon() * std::abs(x) + 1e-9 * unit;
-          if (whole) common = std::gcd(common, static_cast<std::int64_t>(steps));
-        }
+    /// Whether x is a whole multiple of the unit. A decimal is off by half a unit in its last place, and what computed
+    /// it by some more.
+    const auto takes = [&](double x) {
+      if (std::isnan(x)) return true;
+      const double steps = x / unit;
+      if (!(std::abs(steps) < most_steps)) return false;
+      const auto whole = static_cast<std::int64_t>(steps + (steps < 0.0 ? -0.5 : 0.5));  // the nearest
+      if (std::abs(x - static_cast<double>(whole) * unit) >
+          8.0 * std::numeric_limits<double>::epsilon() * std::abs(x) + 1e-9 * unit)
+        return false;
+      if (common != 1) common = std::gcd(common, whole);
+      return true;
+    };
+    const bool whole = std::ranges::all_of(each_direction, [&](Direction d) {
+      for (std::size_t i = 0; i < series.target_count(); ++i)
+        if (!std::ranges::all_of(series.cell(i, d), takes)) return false;
+      return true;
+    });
     if (whole) return static_cast<double>(common) * unit;
   }
   return 0.0;
@@ -95,12 +104,14 @@ using CellVariances = std::array<std::vector<CellVariance>, 2>;
 
 CellVariances cell_variances(const Tables& tables, std::size_t targets, std::size_t runs) {
   CellVariances all;
-  for (std::size_t d = 0; d < 2; ++d)
+  for (std::size_t d = 0; d < 2; ++d) {
+    all[d].reserve(targets);
     for (std::size_t i = 0; i < targets; ++i) {
       const numeric::Moments m = numeric::moments(std::span(tables[d]).subspan(i * runs, runs));
       const double s = m.standard_deviation;
       all[d].push_back({s * s, m.count > 1 ? static_cast<double>(m.count - 1) : 0.0});
     }
+  }
   return all;
 }
 
@@ -113,12 +124,15 @@ struct Sum {
 
 Sum operator-(const Sum& a, const Sum& b) { return {std::max(0.0, a.squares - b.squares), a.degrees - b.degrees}; }
 
-/// Tail of the ratio of a part's variance by that of the rest; 1 where one of them has no degrees of freedom.
-double ratio_tail(const Sum& part, const Sum& rest, const Rounding& rounding) {
+/// Tail of the ratio of a part's variance by that of the rest; 1 where one of them has no degrees of freedom, and where
+/// it is surely above `level`.
+double ratio_tail(const Sum& part, const Sum& rest, const Rounding& rounding, double level) {
   if (part.degrees <= 0.5 || rest.degrees <= 0.5) return 1.0;
   const double below = std::max(rest.variance(), rounding.variance());
   if (below <= 0.0) return part.variance() > 0.0 ? 0.0 : 1.0;
-  return numeric::f_tail(part.variance() / below, {part.degrees, rest.degrees});
+  const double ratio = part.variance() / below;
+  const numeric::RatioDegrees degrees{part.degrees, rest.degrees};
+  return numeric::f_tail_is_above(level, ratio, degrees) ? 1.0 : numeric::f_tail(ratio, degrees);
 }
 
 /// Looks for the part of a test that stands out most.
@@ -163,7 +177,7 @@ class UnevenSearch {
         see({i, i, d}, own);
         if (rows < 3.0 || own.degrees <= 0.0) continue;
         const Sum left{row_squares(fit, i, rows), own.degrees};
-        see({i, i, d}, own, [&] { return ratio_tail(left, left_of_all - left, rounding_); });
+        see({i, i, d}, own, [&] { return ratio_tail(left, left_of_all - left, rounding_, level_of_look()); });
       }
     }
   }
@@ -182,16 +196,21 @@ class UnevenSearch {
     see(part, own, [] { return 1.0; });
   }
 
+  /// What is more probable than this is not found, after however many looks.
+  double level_of_look() const { return uneven_level / static_cast<double>(looks_); }
+
   /// A part beside all that is not in it, so that the parts can be compared; `chance` is another one of it.
   template <typename Chance>
   void see(UnevenScatter part, const Sum& own, const Chance& chance) {
+    constexpr double surely = 0.999 * much_wider * much_wider;
     const Sum rest = all_ - own;
     if (own.degrees <= 0.0 || rest.degrees <= 0.0) return;
     ++looks_;
+    if (own.squares * rest.degrees < surely * rest.squares * own.degrees) return;
     part.within = Deviation::native(std::sqrt(own.variance()));
     part.elsewhere = Deviation::native(std::sqrt(rest.variance()));
     if (part.within.in_native() < much_wider * part.elsewhere.in_native()) return;
-    part.p = std::min(chance(), ratio_tail(own, rest, rounding_));
+    part.p = std::min(chance(), ratio_tail(own, rest, rounding_, level_of_look()));
     if (!best_ || part.p < best_->p) best_ = part;
   }
 
@@ -262,7 +281,7 @@ std::optional<RunShifts> shifts_between(const std::array<AdditiveFit, 2>& fits, 
   const double m = readings / between.degrees;
   const double variance = std::max(0.0, between.variance() - noise) / m;
   RunShifts result;
-  result.p = ratio_tail(between, within, rounding);
+  result.p = ratio_tail(between, within, rounding, shift_level);
   if (result.p > shift_level || variance < shifts_worth_a_word * noise || !(variance > 0.0)) return std::nullopt;
   result.between = Deviation::native(std::sqrt(variance));
   result.within = Deviation::native(std::sqrt(within.variance()));
@@ -312,16 +331,21 @@ ScatterStudy scatter_study(const Series& series, double step) {
     return all;
   };
   for (Direction d : each_direction)
-    for (const Candidate& c : pooled_outliers(tables[index(d)], runs, rounding, 0.5 * pooled_share * outlier_level))
+    for (const Candidate& c :
+         pooled_outliers(fits[index(d)], tables[index(d)], rounding, 0.5 * pooled_share * outlier_level))
       study.outliers.push_back(reading_of(series, d, {c.at, 2.0 * c.p}, fits[index(d)]));
 
+  std::array<AdditiveFit, 2> others;  // the last one that was asked for
+  const auto fits_without_outliers = [&](const Tables& cleaned_tables) -> const std::array<AdditiveFit, 2>& {
+    return study.outliers.empty() ? fits : others = fits_of(cleaned_tables, runs);
+  };
   const Tables without = cleaned(tables, study.outliers, runs);
   const CellVariances variances = cell_variances(without, series.target_count(), runs);
   UnevenSearch search(variances, rounding);
   search.look_at_directions();
   search.look_at_stretches();
   // One gross error shifts what its run lets expect everywhere: cells are looked at without it.
-  const std::array<AdditiveFit, 2> fits_without = fits_of(without, runs);
+  const std::array<AdditiveFit, 2>& fits_without = fits_without_outliers(without);
   search.look_at_cells(fits_without);
   study.uneven = search.found();
 
@@ -342,7 +366,7 @@ ScatterStudy scatter_study(const Series& series, double step) {
   std::ranges::sort(study.outliers, {}, [](const OutlyingReading& o) {
     return std::array{index(o.direction), o.target, o.run};
   });
-  study.shifts = shifts_between(fits_of(cleaned(tables, study.outliers, runs), runs), rounding);
+  study.shifts = shifts_between(fits_without_outliers(cleaned(tables, study.outliers, runs)), rounding);
   return study;
 }
 

@@ -70,6 +70,37 @@ double rate(std::size_t m, std::size_t n, double step, int tests) {
   return static_cast<double>(found) / tests;
 }
 
+TEST(Scatter, KnowsWhatAllReadingsAreMultiplesOf) {
+  const auto step = [](double a, double b, double c) { return step_of(make_series({0, 10}, {{a, b}}, {{c, none}})); };
+  EXPECT_DOUBLE_EQ(step(-0.3, 0.6, 1.2), 0.3);
+  EXPECT_DOUBLE_EQ(step(-4.0, 2.0, 6.0), 2.0);
+  EXPECT_DOUBLE_EQ(step(0.5, -1.5, 2.0), 0.5);
+  EXPECT_DOUBLE_EQ(step(0.1 + 0.2, 0.1, -0.7), 0.1) << "0.30000000000000004";
+  EXPECT_DOUBLE_EQ(step(0.0002, -0.0004, 123.4567), 0.0001);
+  EXPECT_EQ(step(1.0 / 3, 1.0, 2.0), 0.0) << "finer than anything that is rounded to";
+  EXPECT_EQ(step(0.0, 0.0, 0.0), 0.0);
+  EXPECT_DOUBLE_EQ(step(-9e8, 3e8, 6e8), 3e8);
+}
+
+// Of a target whose scatter grows: not before it is beyond the level, and then always.
+TEST(Scatter, FindsUnevenScatterAtItsLevel) {
+  Normal normal(11);
+  int found = 0, looked = 0;
+  for (double factor : {1.0, 2.0, 3.0, 4.0, 6.0})
+    for (int k = 0; k < 40; ++k) {
+      Runs runs = clean(7, 5, normal);
+      for (RunDeviations& run : runs.up) run[3] *= factor;
+      const ScatterStudy study = scatter_study(made(runs));
+      ++looked;
+      if (!study.uneven) continue;
+      ++found;
+      EXPECT_LE(study.uneven->p, uneven_level);
+      EXPECT_GE(study.uneven->within.in_native(), 1.5 * study.uneven->elsewhere.in_native());
+    }
+  EXPECT_GT(found, 40);
+  EXPECT_LT(found, looked - 40);
+}
+
 TEST(Scatter, IsSilentInNinetyNineOfAHundredCleanTests) {
   struct Shape {
     std::size_t m, n;
