@@ -255,9 +255,11 @@ void CurvePosterior::draw_by_axes(const Numbers& numbers, Rows<double> curves) c
   const CurveKernel& kernel = curve_kernel_of(best_vector_target());
   const std::size_t m = size();
   std::vector<double> curve(frame_->stride);
+  std::vector<std::size_t> choices(numbers.choices.size());  // first all of them: they are searched for by guesses
+  for (std::size_t t = 0; t < choices.size(); ++t) choices[t] = choice_(numbers.choices[t]);
   Coordinates rare;
-  for (std::size_t t = 0; t < numbers.choices.size(); ++t) {
-    const std::size_t chosen = choice_(numbers.choices[t]);
+  for (std::size_t t = 0; t < choices.size(); ++t) {
+    const std::size_t chosen = choices[t];
     if (kept_[chosen] == not_kept) rare = coordinates_of(hypotheses_[chosen]);
     const Coordinates& own = kept_[chosen] == not_kept ? rare : kept_coordinates_[kept_[chosen]];
     const std::vector<double>& columns = frame_->padded_columns[hypotheses_[chosen].length];

@@ -17,7 +17,8 @@ constexpr std::size_t values_of_freedom = 256;  // of the sum of squares, that m
 constexpr std::size_t level_step = 2;           // levels stand on every second grid point
 constexpr double lowest = 0.02;                 // of the larger of noise and pooled scatter
 constexpr double highest = 6.0;
-constexpr double negligible = 1e-6;      // posterior weight, against the largest, that is left out
+constexpr double negligible = 1e-6;  // posterior weight, against the largest, that is left out
+constexpr double largest_uniform = 1.0 - 0x1p-53;
 constexpr double window_in_omega = 3.5;  // the normal prior of ln σ beyond is left out: 5e-4
 
 struct SpreadPrior {
@@ -126,25 +127,20 @@ std::vector<double> log_marginals(std::span<const double> likelihoods, std::span
   return result;
 }
 
-/// The distribution of every cell's σ within each window, a row for each cell, without the last number, which is 1.
-void set_cumulative(std::span<const double> likelihoods, std::span<const Window> windows,
-                    std::span<CumulativeRows* const> tables) {
-  for_each_block(likelihoods, [&](std::size_t first, std::size_t count, const Rows<const double>& block) {
-    for (std::size_t w = 0; w < windows.size(); ++w) {
-      const std::vector<double>& weights = windows[w].weights;
-      const Rows<const double> rows = rows_of(windows[w], block);
-      std::array<double, cells_at_once> less{}, sum{};
-      subtract_products(weights, rows, less);
-      for (std::size_t k = 0; k + 1 < weights.size(); ++k) {
-        std::array<float, cells_at_once> reached;
-        for (std::size_t c = 0; c < cells_at_once; ++c) {
-          sum[c] += weights[k] * rows.values[k * cells_at_once + c];
-          reached[c] = static_cast<float>(sum[c] / -less[c]);
-        }
-        for (std::size_t c = 0; c < count; ++c) tables[w]->set(first + c, k, reached[c]);
-      }
+/// The distribution of every cell's σ within each window, a row for each cell.
+void set_distributions(std::span<const double> likelihoods, std::span<const Window> windows,
+                       std::span<AliasRows* const> tables) {
+  std::array<double, grid_size> weights;
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    const Window& window = windows[w];
+    const auto own = std::span(weights).first(window.weights.size());
+    for (std::size_t c = 0; c * grid_size < likelihoods.size(); ++c) {
+      const double* const of_cell = likelihoods.data() + c * grid_size + window.begin;
+      double sum = 0.0;
+      for (std::size_t k = 0; k < own.size(); ++k) sum += own[k] = window.weights[k] * of_cell[k];
+      tables[w]->set(c, sum > 0.0 ? own : std::span<const double>(window.weights));
     }
-  });
+  }
 }
 
 }  // namespace
@@ -234,46 +230,36 @@ void SpreadPosterior::consider_hypotheses(const std::vector<double>& likelihoods
     kept.push_back(log_weights[k]);
     hypotheses_.push_back({candidates[k].level, windows[k].begin, {}});
     if (windows[k].weights.size() == 1) continue;
-    hypotheses_.back().cumulative = CumulativeRows(counts.size(), windows[k].weights.size() - 1);
+    hypotheses_.back().of_cells = AliasRows(counts.size(), windows[k].weights.size());
     uneven_places.push_back(hypotheses_.size() - 1);
     uneven.push_back(std::move(windows[k]));
   }
-  std::vector<CumulativeRows*> tables;
-  for (std::size_t place : uneven_places) tables.push_back(&hypotheses_[place].cumulative);
-  set_cumulative(likelihoods, uneven, tables);
+  std::vector<AliasRows*> tables;
+  for (std::size_t place : uneven_places) tables.push_back(&hypotheses_[place].of_cells);
+  set_distributions(likelihoods, uneven, tables);
   choice_ = WeightedChoice::from_log_weights(kept);
 }
 
-void SpreadPosterior::draw(const Randoms& randoms, std::span<double> sds) const {
-  if (hypotheses_.empty()) {
-    std::ranges::fill(sds.first(cells_), 0.0);
-    return;
-  }
+void SpreadPosterior::draw(const Randoms& randoms, std::span<double> sds, std::size_t stride) const {
+  const auto set_all = [&](double sd) {
+    for (std::size_t c = 0; c < cells_; ++c) sds[c * stride] = sd;
+  };
+  if (hypotheses_.empty()) return set_all(0.0);
   const Hypothesis& hypothesis = hypotheses_[choice_(randoms.choice)];
-  const bool alike = hypothesis.cumulative.empty();
+  const bool alike = hypothesis.of_cells.empty();
   const double shift = std::exp(grid_step_ * (randoms.shift - 0.5) * (alike ? double(level_step) : 1.0));
-  if (alike) {
-    std::ranges::fill(sds.first(cells_), grid_[hypothesis.level] * shift);
+  if (alike) return set_all(grid_[hypothesis.level] * shift);
+  const double* const grid = grid_.data() + hypothesis.window_begin;
+  if (memberships_.empty()) {
+    for (std::size_t c = 0; c < cells_; ++c) sds[c * stride] = grid[hypothesis.of_cells(c, randoms.cells[c])] * shift;
     return;
   }
-  std::array<float, cells_at_once> uniforms;
-  std::array<std::uint32_t, cells_at_once> own, found;
-  for (std::size_t first = 0; first < cells_; first += cells_at_once) {
-    const std::size_t count = std::min(cells_at_once, cells_ - first);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t c = first + k;
-      own[k] = static_cast<std::uint32_t>(c);
-      double uniform = randoms.cells[c];
-      if (!memberships_.empty()) {  // what is left of a number that has chosen is uniform again
-        const auto next = static_cast<double>(memberships_[c].next);
-        const bool is_next = uniform < next;
-        own[k] = memberships_[c].place + (is_next ? 1 : 0);
-        uniform = is_next ? uniform / next : (uniform - next) / (1.0 - next);
-      }
-      uniforms[k] = static_cast<float>(uniform);
-    }
-    hypothesis.cumulative.count_up_to(std::span(uniforms).first(count), own, found);
-    for (std::size_t k = 0; k < count; ++k) sds[first + k] = grid_[hypothesis.window_begin + found[k]] * shift;
+  for (std::size_t c = 0; c < cells_; ++c) {  // what is left of a number that has chosen is uniform again
+    const auto next = static_cast<double>(memberships_[c].next);
+    const double uniform = randoms.cells[c];
+    const bool is_next = uniform < next;
+    const double left = std::min(is_next ? uniform / next : (uniform - next) / (1.0 - next), largest_uniform);
+    sds[c * stride] = grid[hypothesis.of_cells(memberships_[c].place + (is_next ? 1 : 0), left)] * shift;
   }
 }
 

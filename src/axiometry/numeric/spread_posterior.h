@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/numeric/cumulative_rows.h"
+#include "axiometry/numeric/alias_rows.h"
 #include "axiometry/numeric/random/weighted_choice.h"
 
 /// What the standard deviations σ_c of many cells may be, given a few noisy readings in each.
@@ -51,7 +51,8 @@ class SpreadPosterior {
     double shift = 0.0;
     std::span<const double> cells;
   };
-  void draw(const Randoms& randoms, std::span<double> sds) const;
+  /// Sets every `stride`-th of the numbers.
+  void draw(const Randoms& randoms, std::span<double> sds, std::size_t stride = 1) const;
 
   /// The variance of one reading, scatter and noise, pooled over the cells and at least u².
   double pooled_variance() const { return pooled_variance_; }
@@ -61,7 +62,7 @@ class SpreadPosterior {
   struct Hypothesis {
     std::size_t level = 0;         ///< index in the grid
     std::size_t window_begin = 0;  ///< grid points considered
-    CumulativeRows cumulative;     ///< of the cells or classes, on these points; empty when all cells are alike
+    AliasRows of_cells;            ///< or of the classes, on these points; empty when all cells are alike
   };
 
   /// Values that cells share, and how many cells each stands for.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "axiometry/numeric/moments.h"
@@ -59,10 +60,9 @@ TEST(SpreadPosterior, TakesTheNoiseOutAndStaysAboveZero) {
   EXPECT_NEAR(moments(found[0]).mean, 1.0, 0.1);
   const std::vector<CellScatter> quiet(22, {4.0 * 0.8, 4.0});  // less than the noise alone
   const auto of_quiet = draws(SpreadPosterior(quiet, 1.0), 1000);
-  for (const double sd : of_quiet[5]) {
-    EXPECT_GE(sd, 0.0);
-    EXPECT_LT(sd, 0.9);
-  }
+  for (const double sd : of_quiet[5]) EXPECT_GE(sd, 0.0);
+  // 3.5e-4 of all draws (of 200 000 by the inverse of each distribution function): more than five once in a million.
+  EXPECT_LE(std::ranges::count_if(of_quiet[5], [](double sd) { return sd >= 0.9; }), 5);
 }
 
 TEST(SpreadPosterior, SeesCellsThatDiffer) {
@@ -74,7 +74,7 @@ TEST(SpreadPosterior, SeesCellsThatDiffer) {
 
 /// Mean σ of every cell, over its uniform number, of the hypothesis that a choice picks.
 std::vector<double> mean_sds(const SpreadPosterior& posterior, double choice) {
-  constexpr std::size_t steps = 2000;
+  constexpr std::size_t steps = 20'000;
   std::vector<double> means(posterior.size(), 0.0), sds(posterior.size()), uniforms(posterior.size());
   for (std::size_t k = 0; k < steps; ++k) {
     std::ranges::fill(uniforms, (double(k) + 0.5) / double(steps));
@@ -85,8 +85,8 @@ std::vector<double> mean_sds(const SpreadPosterior& posterior, double choice) {
 }
 
 /// Cells that share values against cells one by one: hypotheses are as likely, and every cell has the same σ on
-/// average, within what 2000 steps of its uniform number tell. Cells of other degrees of freedom and cells without any
-/// scatter among them; noise that explains nothing, a part, or all.
+/// average, within what 20 000 steps of its uniform number tell. Cells of other degrees of freedom and cells without
+/// any scatter among them; noise that explains nothing, a part, or all.
 TEST(SpreadPosterior, IsTheSameWhereManyCellsShareValues) {
   constexpr std::size_t count = 600;
   std::vector<double> z(5 * count);

@@ -5,7 +5,7 @@
 // generator are cut into parts as wide as a register; a part is independent of the others, so its state stays in
 // registers while all groups are made.
 #include "axiometry/numeric/lanes.h"
-#include "axiometry/numeric/random/normal_polynomials.h"
+#include "axiometry/numeric/random/logarithm_lanes.h"
 #include "axiometry/numeric/random/random_kernel_types.h"
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the order of half words decides which number is which");
@@ -56,47 +56,14 @@ template <typename Make>
   }
 }
 
-/// Estrin's scheme: half as many dependent steps as Horner's, for 4 to 8 coefficients.
-template <typename Vector, typename Number, size_t count>
-[[gnu::always_inline]] inline Vector polynomial(Vector z, const Number (&c)[count]) {
-  static_assert(count >= 4 && count <= 8);
-  const Vector z2 = z * z;
-  const Vector low = (c[0] + z * c[1]) + z2 * (c[2] + z * c[3]);
-  if constexpr (count == 4) return low;
-  const Vector z4 = z2 * z2;
-  if constexpr (count == 5) return low + z4 * c[4 % count];
-  if constexpr (count == 7) return low + z4 * ((c[4 % count] + z * c[5 % count]) + z2 * c[6 % count]);
-  return low + z4 * ((c[4 % count] + z * c[5 % count]) + z2 * (c[6 % count] + z * c[7 % count]));
-}
-
 template <typename Vector>
 struct Pair {
   Vector first, second;
 };
 
-constexpr uint64_t exponent_of_1 = 0x3ff0'0000'0000'0000u;
-constexpr uint64_t exponent_of_2_to_52 = 0x4330'0000'0000'0000u;
-constexpr uint64_t exponent_of_2_to_84 = 0x4530'0000'0000'0000u;
-
-/// The nearest number to an integer of 64 bits: its halves, placed in the mantissas of 2⁸⁴ and 2⁵², are exact.
-[[gnu::always_inline]] inline Doubles converted(Words x) {
-#if defined(__AVX512DQ__)
-  return _mm512_cvtepu64_pd(reinterpret_cast<__m512i>(x));
-#endif
-  const Doubles high = reinterpret_cast<Doubles>((x >> 32) | exponent_of_2_to_84) - (0x1p84 + 0x1p52);
-  return high + reinterpret_cast<Doubles>((x & 0xffff'ffffu) | exponent_of_2_to_52);
-}
-
 /// √(−2 ln u), u = (bits | 1)·2⁻⁶⁴ rounded: 0 to 9.43.
 [[gnu::always_inline]] inline Doubles radius(Words bits) {
-  constexpr uint64_t root_half = 0x3fe6'a09e'667f'3bcdu;
-  const Words x = reinterpret_cast<Words>(converted(bits | uint64_t{1}));
-  const Words above = x - root_half;  // its exponent is k in u = 2⁻⁶⁴·2ᵏ·m, √½ ≤ m < √2
-  const Doubles m = reinterpret_cast<Doubles>(x - (above & 0xfff0'0000'0000'0000u));
-  const Doubles exponent = reinterpret_cast<Doubles>((above >> 52) | exponent_of_2_to_52) - (0x1p52 + 64.0);
-  const Doubles s = (m - 1.0) / (m + 1.0);
-  constexpr double minus_2_ln_2 = -0x1.62e42fefa39efp+0;
-  return square_root(exponent * minus_2_ln_2 + s * polynomial(s * s, NormalPolynomials<double>::logarithm));
+  return square_root(minus_two_ln(converted(bits | uint64_t{1}), 64.0));
 }
 
 /// Box–Muller: two independent normal numbers from a radius and an angle. The angle within a quarter turn has 51

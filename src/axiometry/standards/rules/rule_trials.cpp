@@ -64,11 +64,11 @@ Result<void> add_intervals(RuleComparison& comparison, const Test& test, const i
   for (const ComparedFigure* each : figures)
     trial_figures.figures.push_back(
         {each->value->in_native(), lies_between_places(*each->figure), each->figure->of_single_readings});
-  trial_figures.evaluate = [&](const Series& trial, std::span<double> values) {
+  trial_figures.evaluate = [&](const Series& trial, const iso230_2::WantedFigures& wanted, std::span<double> values) {
     const iso230_2::Evaluation evaluation = iso230_2::evaluate(trial);
     const RuleCase c{test.metadata, trial, evaluation};
     for (std::size_t k = 0; k < figures.size(); ++k) {
-      if (has_no_readings && figures[k]->figure->of_single_readings) continue;
+      if (!wanted.has(trial_figures.figures[k])) continue;
       if (const RuleValue value = figures[k]->figure->value(c)) values[k] = value->in_native();
     }
   };

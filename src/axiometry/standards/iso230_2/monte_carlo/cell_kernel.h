@@ -62,8 +62,9 @@ void run_shifts(const RunShares& runs) {
         Vector scatter{};
         for (size_t c = 0; c < runs.cells; ++c) {
           const Vector sd = load<Vector>(runs.sds + c * runs.trials + t);
-          scatter += sd * sd / cells;
+          scatter += sd * sd;
         }
+        scatter /= cells;
         const Vector noise = all<Vector>(runs.noise_variance), measured = all<Vector>(runs.measured);
         const Vector of_readings = share_of<Vector>(scatter, noise) * noise / runs.cells_per_run;
         Vector own = all<Vector>(1.0);

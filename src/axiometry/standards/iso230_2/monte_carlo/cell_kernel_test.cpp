@@ -129,7 +129,8 @@ TEST(CellKernel, SharesTheShiftsOfRunsOnEveryTarget) {
           {kernel_trials, cells, runs, noise, measured, 3.0, z.data(), run_sds, observed, normals, shifts.data()});
       for (std::size_t t = 0; t < kernel_trials; ++t) {
         double scatter = 0.0;
-        for (std::size_t c = 0; c < cells; ++c) scatter += z[c * kernel_trials + t] * z[c * kernel_trials + t] / 3.0;
+        for (std::size_t c = 0; c < cells; ++c) scatter += z[c * kernel_trials + t] * z[c * kernel_trials + t];
+        scatter /= 3.0;
         const double machine = run_sds[t] * run_sds[t] + scatter / 3.0;
         const double own = measured == 0.0 ? 1.0 : machine / (machine + measured);
         const double of_readings = scatter / (scatter + noise) * noise / 3.0;

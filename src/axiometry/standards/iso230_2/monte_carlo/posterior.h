@@ -53,6 +53,16 @@ class ReadingPosterior {
   using VisitCell = std::function<void(std::size_t place, numeric::Rows<double> readings)>;
   void draw_cells(numeric::RandomKey key, std::size_t trials, const VisitCell& visit) const;
 
+  /// Mean and estimator of the readings that draw_readings() would give, of the same distribution but without making
+  /// them: other random numbers, and fewer. Rows in the order direction, target; NaN where no reading is.
+  /// `take_away` is called for each cell with rows over its runs, NaN where no reading is, and may take any number away
+  /// from each; it may be empty. Contract: independent_noise(), and trials in whole groups of normal numbers.
+  using TakeAway = std::function<void(std::size_t place, numeric::Rows<double> readings)>;
+  struct CellMoments {
+    numeric::Rows<double> means, estimators;  ///< of one stride, the number of trials; 0 where a cell has one reading
+  };
+  void draw_moments(numeric::RandomKey key, const CellMoments& moments, const TakeAway& take_away = {}) const;
+
   /// Contract: asked for. Long-run μ and σ of each cell: rows in the order direction, target; NaN where no reading is.
   /// σ contains the machine's own shifts from run to run.
   void draw_long_run(numeric::RandomKey key, numeric::Rows<double> means, numeric::Rows<double> sds) const;
@@ -61,6 +71,8 @@ class ReadingPosterior {
 
   /// Whether the readings are exactly what the axis did: no noise of known size.
   bool exact() const { return exact_; }
+  /// Whether each reading has noise of its own, so that draw_moments() saves the numbers for it.
+  bool independent_noise() const { return noise_.reading > 0.0; }
 
  private:
   struct Cell {
@@ -101,8 +113,11 @@ class ReadingPosterior {
   State draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const;
   std::vector<double> draw_target_shifts(State& state) const;
   void share_means(State& state) const;
+  void share_mean(std::size_t index, State& state, const double* z) const;
   std::vector<double> draw_run_shifts(State& state) const;
   void draw_cell(std::size_t index, std::span<const double> shifts, State& state, numeric::Rows<double> readings) const;
+  void part_shifts(std::size_t index, std::span<const double> shifts, const TakeAway& take_away, State& state) const;
+  void draw_moments_of(std::size_t index, State& state, const CellMoments& moments) const;
 
   std::size_t targets_ = 0;
   std::size_t runs_ = 0;

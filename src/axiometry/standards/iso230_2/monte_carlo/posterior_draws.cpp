@@ -11,29 +11,33 @@
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/kernel_table.h"
 #include "axiometry/standards/iso230_2/monte_carlo/cell_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/moment_kernel_types.h"
 #include "axiometry/standards/iso230_2/monte_carlo/posterior.h"
 
 namespace axiometry::iso230_2 {
 
 AXIOMETRY_KERNEL_TABLE(cell_kernel, CellKernel);
 
+AXIOMETRY_KERNEL_TABLE(moment_kernel, MomentKernel);
+
 const CellKernel& cell_kernel_of(numeric::VectorTarget target) { return cell_kernel_table.of(target); }
+const MomentKernel& moment_kernel_of(numeric::VectorTarget target) { return moment_kernel_table.of(target); }
 
 namespace {
 
 constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
 constexpr double negligible_share = 1e-12;  // of the variance of δ, below which other noise is none
 
-/// Rows of the normal numbers of one key, made when they are taken, so that they are in the nearest cache.
-class NormalRows {
+/// Rows of the random numbers of one key, made when they are taken, so that they are in the nearest cache.
+class RandomRows {
  public:
-  NormalRows(numeric::RandomKey key, std::size_t trials, std::size_t rows) : stream_(key), trials_(trials) {
+  RandomRows(numeric::RandomKey key, std::size_t trials, std::size_t rows) : stream_(key), trials_(trials) {
     if (trials % numeric::RandomKernel::normal_group == 0) return;
     all_.resize(rows * trials);  // a piece must end with a group
     stream_.fill_normal(all_);
   }
 
-  /// The next rows, one after the other; those before are gone.
+  /// The next rows of normal numbers, one after the other; those before are gone.
   std::span<const double> next(std::size_t rows = 1) {
     const std::size_t count = rows * trials_, begin = std::exchange(taken_, taken_ + count);
     if (!all_.empty()) return std::span(all_).subspan(begin, count);
@@ -42,12 +46,26 @@ class NormalRows {
     return std::span(numbers_).first(count);
   }
 
+  /// The next numbers, to be kept. Contract: trials in whole groups.
+  void fill_normal(std::span<double> numbers) {
+    AXIOMETRY_CONTRACT(all_.empty());
+    stream_.fill_normal(numbers);
+  }
+
   /// As next(), of a row that nobody wants: a group of normal numbers takes as many words of 64 bits.
   void skip() {
     taken_ += trials_;
     if (!all_.empty()) return;
-    bits_.resize(trials_);
-    stream_.fill_bits(bits_);
+    bits(1);
+  }
+
+  /// The next rows of whole numbers; those before are gone. Contract: trials in whole groups.
+  std::span<const std::uint64_t> bits(std::size_t rows) {
+    AXIOMETRY_CONTRACT(all_.empty());
+    const std::size_t count = rows * trials_;
+    bits_.resize(std::max(bits_.size(), count));
+    stream_.fill_bits(std::span(bits_).first(count));
+    return std::span(bits_).first(count);
   }
 
  private:
@@ -59,6 +77,7 @@ class NormalRows {
 };
 
 const CellKernel& best_cell_kernel() { return cell_kernel_of(numeric::best_vector_target()); }
+const MomentKernel& best_moment_kernel() { return moment_kernel_of(numeric::best_vector_target()); }
 
 }  // namespace
 
@@ -68,11 +87,15 @@ struct ReadingPosterior::State {
   std::vector<double> sds;              ///< σ
   std::vector<double> means;            ///< μ, then the true means of the cells' own approaches
   std::vector<double> run_sds;          ///< σ_ρ, one row
-  std::vector<double> machines;         ///< σ²/(σ² + u²), the machine's share of the scatter; from share_means()
-  std::optional<NormalRows> normals{};  ///< of share_means() and the readings, which take them in this order
+  std::vector<double> machines;         ///< σ²/(σ² + u²), the machine's share of the scatter; from share_mean()
+  std::optional<RandomRows> normals{};  ///< of share_means() and the readings, which take them in this order
+  std::vector<double> target_shifts{};  ///< δ of every target; empty where there is none
   std::vector<double> residuals{};      ///< of the cell that is being drawn, as what follows
   std::vector<const double*> run_shifts{};
   std::vector<double*> rows{};
+  std::vector<double> signed_shift{};            ///< δ as it acts on the cell
+  std::vector<double> parted_shifts{}, shift{};  ///< q_j − q̄ in rows over all runs, and q̄; from part_shifts()
+  bool parted_of_all_runs = false;               ///< whether these hold for every cell that has all runs
 
   std::span<double> sd(std::size_t cell) { return std::span(sds).subspan(cell * trials, trials); }
   std::span<double> mean(std::size_t cell) { return std::span(means).subspan(cell * trials, trials); }
@@ -82,11 +105,8 @@ struct ReadingPosterior::State {
 /// σ, σ_ρ and μ of every trial.
 ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const {
   const std::size_t cells = cells_.size();
-  State state{trials,
-              std::vector<double>(cells * trials),
-              std::vector<double>(cells * trials, 0.0),
-              std::vector<double>(trials),
-              {}};
+  State state{trials, std::vector<double>(cells * trials), std::vector<double>(cells * trials, 0.0),
+              std::vector<double>(trials), std::vector<double>(asked == Asked::readings ? cells * trials : 0)};
   const std::size_t rows_shared = (shared_variance_ > 0.0 ? targets_ : 0) + 2 * cells;
   const std::size_t rows_of_readings = runs_ + (noise_.reading > 0.0 ? cells * runs_ : 0);
   if (asked == Asked::readings)
@@ -97,11 +117,9 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
   std::vector<double> curve_normals(curve_normals_ * trials);
   numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms);
   numeric::fill_normal({key.seed, key.stream, 2 * key.block + 1}, curve_normals);
-  std::vector<double> values(cells);
   for (std::size_t t = 0; t < trials; ++t) {
     const std::span<const double> u = std::span(uniforms).subspan(t * uniforms_each, uniforms_each);
-    spread_->draw({u[0], u[1], u.last(cells)}, values);
-    for (std::size_t c = 0; c < cells; ++c) state.sd(c)[t] = values[c];
+    spread_->draw({u[0], u[1], u.last(cells)}, std::span(state.sds).subspan(t), trials);
     state.run_sds[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
   }
   draw_means(state, uniforms, curve_normals);
@@ -113,6 +131,7 @@ void ReadingPosterior::draw_means(State& state, std::span<const double> uniforms
                                   std::span<const double> normals) const {
   const std::size_t trials = state.trials, uniforms_each = uniforms.size() / trials;
   std::vector<double> choices(trials), values;
+  std::vector<char> begun(cells_.size(), 0);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const numeric::CurvePosterior& posterior = curves_[k].posterior;
     for (std::size_t t = 0; t < trials; ++t) choices[t] = uniforms[t * uniforms_each + 4 + k];
@@ -120,8 +139,12 @@ void ReadingPosterior::draw_means(State& state, std::span<const double> uniforms
     posterior.draw({choices, normals, curve_normals_}, numeric::Rows<double>{values, trials});
     normals = normals.subspan(posterior.normals_each());
     for (const Curve::Term& term : curves_[k].terms) {
-      const auto of_cell = state.mean(term.cell);
-      for (std::size_t t = 0; t < trials; ++t) of_cell[t] += term.factor * values[term.place * trials + t];
+      double* const of_cell = state.mean(term.cell).data();
+      const double* const value = values.data() + term.place * trials;
+      if (std::exchange(begun[term.cell], 1) == 0)
+        for (std::size_t t = 0; t < trials; ++t) of_cell[t] = term.factor * value[t];
+      else
+        for (std::size_t t = 0; t < trials; ++t) of_cell[t] += term.factor * value[t];
     }
   }
 }
@@ -159,34 +182,39 @@ std::vector<double> ReadingPosterior::draw_target_shifts(State& state) const {
 /// From the long-run means to those of the cells' own approaches: what x̄ − μ holds is shared between the target's
 /// δ, the direction's own, the noise of the readings and the machine's scatter, in the ratio of their variances.
 void ReadingPosterior::share_means(State& state) const {
-  const std::vector<double> shifts = draw_target_shifts(state);
-  std::vector<double> signed_shift(shifts.empty() ? 0 : state.trials);
-  state.machines.resize(cells_.size() * state.trials);
+  state.target_shifts = draw_target_shifts(state);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
-    const Cell& cell = cells_[c];
-    const double sign = cell.place < targets_ ? 1.0 : down_sign_;
-    for (std::size_t t = 0; t < signed_shift.size(); ++t)
-      signed_shift[t] = sign * shifts[cell.target * state.trials + t];
     const bool directions_differ = own_variance_ > 0.0;
     if (!directions_differ) state.normals->skip();
-    const double* const z = state.normals->next(directions_differ ? 2 : 1).data();
-    best_cell_kernel().share({.trials = state.trials,
-                              .observed_mean = cell.mean,
-                              .count = static_cast<double>(cell.count),
-                              .noise_variance = noise_.reading * noise_.reading,
-                              .own_variance = own_variance_,
-                              .sds = state.sd(c).data(),
-                              .shift = shifts.empty() ? nullptr : signed_shift.data(),
-                              .direction_normals = z,
-                              .reading_normals = directions_differ ? z + state.trials : z,
-                              .means = state.mean(c).data(),
-                              .machines = state.machine(c).data()});
+    share_mean(c, state, state.normals->next(directions_differ ? 2 : 1).data());
   }
 }
 
+/// Of one cell, after the δ of the targets; `z` are rows of normal numbers: for what the direction has of its own,
+/// where it has anything, and for the mean of the readings.
+void ReadingPosterior::share_mean(std::size_t index, State& state, const double* z) const {
+  const Cell& cell = cells_[index];
+  const bool has_target_shift = !state.target_shifts.empty(), directions_differ = own_variance_ > 0.0;
+  const double sign = cell.place < targets_ ? 1.0 : down_sign_;
+  state.signed_shift.resize(has_target_shift ? state.trials : 0);
+  for (std::size_t t = 0; t < state.signed_shift.size(); ++t)
+    state.signed_shift[t] = sign * state.target_shifts[cell.target * state.trials + t];
+  best_cell_kernel().share({.trials = state.trials,
+                            .observed_mean = cell.mean,
+                            .count = static_cast<double>(cell.count),
+                            .noise_variance = noise_.reading * noise_.reading,
+                            .own_variance = own_variance_,
+                            .sds = state.sd(index).data(),
+                            .shift = has_target_shift ? state.signed_shift.data() : nullptr,
+                            .direction_normals = z,
+                            .reading_normals = directions_differ ? z + state.trials : z,
+                            .means = state.mean(index).data(),
+                            .machines = state.machine(index).data()});
+}
+
 /// The machine's part of the runs' shifts: rows over the runs. What was seen of a run is ρ_j + d_j and the mean of what
-/// its C readings have of their own: the machine has σ_ρ² + σ²/C of it, the measurement u_d² + u²/C. draw_cell() brings
-/// the noise of single readings, so that its part is left out here.
+/// its C readings have of their own: the machine has σ_ρ² + σ²/C of it, the measurement u_d² + u²/C. draw_cell() and
+/// draw_moments_of() bring the noise of single readings, so that its part is left out here.
 std::vector<double> ReadingPosterior::draw_run_shifts(State& state) const {
   std::vector<double> shifts(runs_ * state.trials, 0.0);
   if (cells_per_run_ == 0.0) return shifts;
@@ -257,6 +285,74 @@ void ReadingPosterior::draw_readings(numeric::RandomKey key, numeric::Rows<doubl
   draw_cells(key, trials, [&](std::size_t place, numeric::Rows<double> drawn) {
     std::ranges::copy(drawn.values, readings.values.begin() + static_cast<std::ptrdiff_t>(place * runs_ * trials));
   });
+}
+
+/// Shifts of the runs that a cell has, less what is to be taken away, about their mean.
+void ReadingPosterior::part_shifts(std::size_t index, std::span<const double> shifts, const TakeAway& take_away,
+                                   State& state) const {
+  const Cell& cell = cells_[index];
+  const bool of_all_runs = cell.count == runs_ && !take_away;
+  if (of_all_runs && std::exchange(state.parted_of_all_runs, true)) return;
+  if (!of_all_runs) state.parted_of_all_runs = false;
+  state.parted_shifts.assign(shifts.begin(), shifts.end());
+  state.shift.resize(state.trials);
+  const numeric::Rows<double> parted{state.parted_shifts, state.trials};
+  state.run_shifts.clear();
+  state.rows.clear();
+  for (std::size_t j = 0; j < runs_; ++j) {
+    if (std::isnan(cell.residuals[j])) {
+      std::ranges::fill(parted.row(j, state.trials), no_reading);
+      continue;
+    }
+    state.rows.push_back(parted.row(j, state.trials).data());
+    state.run_shifts.push_back(state.rows.back());
+  }
+  if (take_away) take_away(cell.place, parted);
+  best_moment_kernel().about_mean(
+      {state.trials, state.rows.size(), state.run_shifts.data(), state.rows.data(), state.shift.data()});
+}
+
+/// Mean and estimator of one cell, after part_shifts().
+void ReadingPosterior::draw_moments_of(std::size_t index, State& state, const CellMoments& moments) const {
+  const Cell& cell = cells_[index];
+  state.residuals.clear();
+  for (double residual : cell.residuals)
+    if (!std::isnan(residual)) state.residuals.push_back(residual);
+  const MomentNumbers numbers = moment_numbers(cell.count);
+  best_moment_kernel().in_noise({.trials = state.trials,
+                                 .count = cell.count,
+                                 .noise_variance = noise_.reading * noise_.reading,
+                                 .residuals = state.residuals.data(),
+                                 .machines = state.machine(index).data(),
+                                 .about = state.run_shifts.data(),
+                                 .shift = state.shift.data(),
+                                 .normals = state.normals->next(numbers.normals).data(),
+                                 .bits = state.normals->bits(numbers.bits).data(),
+                                 .own_means = state.mean(index).data(),
+                                 .means = moments.means.row(cell.place, state.trials).data(),
+                                 .estimators = moments.estimators.row(cell.place, state.trials).data()});
+}
+
+void ReadingPosterior::draw_moments(numeric::RandomKey key, const CellMoments& moments,
+                                    const TakeAway& take_away) const {
+  const std::size_t trials = moments.means.stride;
+  AXIOMETRY_CONTRACT(independent_noise() && trials % numeric::RandomKernel::normal_group == 0);
+  AXIOMETRY_CONTRACT(moments.estimators.stride == trials);
+  if (cells_.size() < 2 * targets_) {
+    std::ranges::fill(moments.means.values, no_reading);
+    std::ranges::fill(moments.estimators.values, no_reading);
+  }
+  State state = draw_state(key, trials, Asked::readings);
+  state.target_shifts = draw_target_shifts(state);
+  const std::vector<double> shifts = draw_run_shifts(state);
+  const std::size_t numbers_each = (own_variance_ > 0.0 ? 2 : 1) * trials;
+  std::vector<double> of_means(cells_.size() * numbers_each);
+  state.normals->fill_normal(of_means);
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    share_mean(c, state, of_means.data() + c * numbers_each);
+    part_shifts(c, shifts, take_away, state);
+    draw_moments_of(c, state, moments);
+  }
 }
 
 void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<double> means,

@@ -7,6 +7,7 @@
 
 #include "axiometry/numeric/moments.h"
 #include "tests/support/series.h"
+#include "tests/support/two_samples.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -72,6 +73,120 @@ TEST(ReadingPosterior, DrawsTheSameWhereDirectionsHaveNextToNothingOfTheirOwn) {
     ASSERT_NE(without[0], without[1]);
     EXPECT_EQ(without, with) << trials;
   }
+}
+
+/// Mean and estimator of every cell that has readings, a row for each: as draw_moments() draws them, and of readings.
+struct CellSamples {
+  static constexpr std::size_t trials = 16'000;
+  std::vector<std::vector<double>> rows;
+};
+
+CellSamples samples_by_moments(const Series& series, const ReadingPosterior& posterior,
+                               const ReadingPosterior::TakeAway& take_away) {
+  const std::size_t cells = 2 * series.target_count(), trials = CellSamples::trials;
+  std::vector<double> means(cells * trials), estimators(cells * trials);
+  posterior.draw_moments({31, 0, 0}, {{means, trials}, {estimators, trials}}, take_away);
+  CellSamples found;
+  for (std::size_t c = 0; c < cells; ++c) {
+    if (series.count(c % series.target_count(), static_cast<Direction>(c / series.target_count())) == 0) {
+      EXPECT_TRUE(std::isnan(means[c * trials])) << c;
+      continue;
+    }
+    for (const auto* of : {&means, &estimators})
+      found.rows.emplace_back(of->begin() + std::ptrdiff_t(c * trials), of->begin() + std::ptrdiff_t((c + 1) * trials));
+  }
+  return found;
+}
+
+CellSamples samples_by_readings(const Series& series, const ReadingPosterior& posterior,
+                                const ReadingPosterior::TakeAway& take_away) {
+  CellSamples found;
+  posterior.draw_cells({32, 0, 0}, CellSamples::trials, [&](std::size_t place, numeric::Rows<double> readings) {
+    if (take_away) take_away(place, readings);
+    std::vector<double> means, estimators, cell;
+    for (std::size_t t = 0; t < CellSamples::trials; ++t) {
+      cell.clear();
+      for (std::size_t j = 0; j < series.run_count(); ++j)
+        if (const double x = readings.row(j, CellSamples::trials)[t]; !std::isnan(x)) cell.push_back(x);
+      const numeric::Moments moments = numeric::moments(cell);
+      means.push_back(moments.mean);
+      estimators.push_back(moments.standard_deviation);
+    }
+    found.rows.push_back(std::move(means));
+    found.rows.push_back(std::move(estimators));
+  });
+  return found;
+}
+
+void expect_same_cells(const Series& series, const ReadingNoise& noise,
+                       const ReadingPosterior::TakeAway& take_away = {}) {
+  const ReadingPosterior posterior(series, noise);
+  const CellSamples found = samples_by_moments(series, posterior, take_away),
+                    expected = samples_by_readings(series, posterior, take_away);
+  ASSERT_EQ(found.rows.size(), expected.rows.size());
+  constexpr std::size_t trials = CellSamples::trials;
+  std::vector<std::vector<double>> ranks, expected_ranks;
+  for (std::size_t k = 0; k < found.rows.size(); ++k) {
+    const auto own = testing_support::sample_moments(found.rows[k]),
+               other = testing_support::sample_moments(expected.rows[k]);
+    EXPECT_LT(testing_support::mean_departure(own, other, trials), testing_support::million_to_one_of_z) << k;
+    EXPECT_LT(testing_support::variance_departure(own, other, trials), testing_support::million_to_one_of_z) << k;
+    EXPECT_LT(testing_support::two_sample_distance(found.rows[k], expected.rows[k]), testing_support::million_to_one)
+        << k;
+    ranks.push_back(testing_support::standard_ranks(found.rows[k]));
+    expected_ranks.push_back(testing_support::standard_ranks(expected.rows[k]));
+  }
+  const auto correlation = [&](const auto& of, std::size_t a, std::size_t b) {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < trials; ++t) sum += of[a][t] * of[b][t] / double(trials);
+    return sum;
+  };
+  const double slack = 5.5 * std::sqrt(2.0 / double(trials));  // of some thousand pairs one passes 5.5 once in 10⁴
+  for (std::size_t a = 0; a < ranks.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      EXPECT_NEAR(correlation(ranks, a, b), correlation(expected_ranks, a, b), slack) << a << ", " << b;
+}
+
+TEST(ReadingPosterior, DrawsMomentsOfCellsAsOfTheReadingsThatItWouldMake) {
+  const Series complete = table2::series();
+  const Series gaps =
+      testing_support::make_series({0, 10, 20, 30},
+                                   {{1, 2, 3, 4},
+                                    {1.5, none, 3.5, none},
+                                    {0.5, 2.5, 2.5, none},
+                                    {1.2, 2.2, none, none},
+                                    {0.9, none, none, 4.1},
+                                    {1.1, 2.1, 3.2, none}},
+                                   {{4, 5, none, 7},
+                                    {4.5, 5.5, none, 7.2},
+                                    {3.5, 4.5, none, none},
+                                    {3.9, none, none, none},
+                                    {4.1, 5.2, none, none},
+                                    {4.4, 5.1, none, none}});  // cells of 6, 4, 4, 2, 6, 5, 0 and 2 readings
+  const ReadingNoise white{.reading = 0.3},
+      all{.reading = 0.3, .run = 0.2, .target = 0.1, .up_down_correlation = -0.5, .target_direction = 0.1};
+  for (const Series* series : {&complete, &gaps})
+    for (const ReadingNoise& noise : {white, all}) {
+      SCOPED_TRACE(series == &complete ? "complete" : "with gaps");
+      expect_same_cells(*series, noise);
+    }
+}
+
+TEST(ReadingPosterior, DrawsMomentsOfCellsOfThreeAndOfOne) {
+  const ReadingNoise white{.reading = 0.5};
+  expect_same_cells(testing_support::make_series({0, 10, 20}, {{1, 2, 3}, {1.5, 2.5, 3.5}, {0.2, 2.5, 2.1}},
+                                                 {{4, 5, none}, {none, none, none}, {none, none, 5}}),
+                    white);
+}
+
+TEST(ReadingPosterior, DrawsMomentsOfCellsLessWhatIsTakenAway) {
+  const ReadingPosterior::TakeAway slope = [](std::size_t place, numeric::Rows<double> readings) {
+    for (std::size_t j = 0; j < readings.values.size() / readings.stride; ++j)
+      for (double& x : readings.row(j, readings.stride)) x -= 0.4 * double(j) + 0.1 * double(place);
+  };
+  expect_same_cells(testing_support::make_series({0, 10, 20}, {{1, 2, 3}, {1.5, none, 3.5}, {0.2, 2.5, 2.1}},
+                                                 {{4, 5, 6}, {4.2, 5.2, 6.2}, {4.1, 5.4, 5.9}}),
+                    {.reading = 0.3, .run = 0.1}, slope);
 }
 
 TEST(ReadingPosterior, GivesASingleApproachTheUncertaintyOfItsNoise) {

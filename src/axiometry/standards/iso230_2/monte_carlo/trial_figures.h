@@ -11,8 +11,9 @@
 
 #include "axiometry/standards/iso230_2/monte_carlo/monte_carlo.h"
 
-/// Figures of a test that are no parameters of clause 3, as those of other rules, carried through the same trials: each
-/// trial is a complete test that may have happened, and they are evaluated of it as of the one that was measured.
+/// Figures of a test that are no parameters of clause 3, as those of other rules, carried through trials of the same
+/// distribution: each is a complete test that may have happened, and they are evaluated of it as of the one that was
+/// measured.
 namespace axiometry::iso230_2 {
 
 struct TrialFigure {
@@ -25,12 +26,20 @@ struct TrialFigure {
   bool of_single_readings = false;
 };
 
+/// Figures that are wanted of a trial.
+struct WantedFigures {
+  bool of_moments = true;
+  bool of_single_readings = true;
+
+  bool has(const TrialFigure& figure) const { return figure.of_single_readings ? of_single_readings : of_moments; }
+};
+
 struct TrialFigures {
   std::vector<TrialFigure> figures;
-  /// All figures of one trial, in that order; those that it leaves alone keep the measured value. Pure, called from
-  /// several threads. Where trials are of the long run, the series has two readings in each cell, with the cell's mean
-  /// and s.
-  std::function<void(const Series& trial, std::span<double> values)> evaluate;
+  /// The wanted ones of one trial, in the order of all; those that it leaves alone keep the measured value. Pure,
+  /// called from several threads. Where none of single readings is wanted, the trial may have any readings that have
+  /// the cell's mean and s, and of the long run two in each cell.
+  std::function<void(const Series& trial, const WantedFigures& wanted, std::span<double> values)> evaluate;
 };
 
 /// As MonteCarlo, of other figures.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The trials of trials.h where means and estimators of the cells are all that is asked of the readings: these are never
-// kept, and each cell stays in the nearest cache until it is done.
+// kept, if they are made at all, and each cell stays in the nearest cache until it is done.
 #include <cmath>
 #include <optional>
 
@@ -10,9 +10,31 @@
 
 namespace axiometry::iso230_2 {
 
-/// x̄ and s of every cell that has readings: of the readings drawn, less the drift, moved by the errors of length and
-/// by those of the station, in this order.
+/// x̄ and s of every cell that has readings: of what perfect instruments would have read, less the drift, moved by the
+/// errors of length and by those of the station, in this order.
+///
+/// Where each reading has noise of its own no reading is drawn: mean and squares are, which takes fewer numbers. Else
+/// the readings of a trial follow from the shifts of runs and targets and from the drift, so that they are as quickly
+/// made.
 void TrialModel::draw_cell_moments(std::uint64_t place, numeric::Rows<double> means,
+                                   numeric::Rows<double> estimators) const {
+  const ReadingPosterior& posterior = posteriors_[place % posteriors_.size()];
+  if (!posterior.independent_noise()) return take_cell_moments(place, means, estimators);
+  std::optional<DriftPosterior::Drawn> drift;
+  ReadingPosterior::TakeAway take_away;
+  if (drift_) {
+    drift = drift_->draw(drift_key(place), chunk);
+    take_away = [&](std::size_t cell, numeric::Rows<double> readings) {
+      drift_->subtract_from_cell(*drift, cell, readings);
+    };
+  }
+  posterior.draw_moments(posterior_key(place), {means, estimators}, take_away);
+  add_length_errors(place, 1, means);
+  add_station_errors(place, 1, means);
+}
+
+/// The same of readings that are made, one cell after the other.
+void TrialModel::take_cell_moments(std::uint64_t place, numeric::Rows<double> means,
                                    numeric::Rows<double> estimators) const {
   const std::vector<double> lengths = length_errors_.empty() ? std::vector<double>{} : length_errors(place);
   const std::vector<double> squares = station_ ? station_squares(place) : std::vector<double>{};

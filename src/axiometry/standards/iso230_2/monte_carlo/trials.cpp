@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "axiometry/numeric/moments.h"
@@ -250,47 +249,15 @@ void TrialModel::add_displacement_errors(std::uint64_t place, numeric::Rows<doub
   }
 }
 
-/// A trial at a time, as a test of its own; not finite where that would be none. Readings that were not measured are
-/// in no trial either.
-void TrialModel::evaluate_figures(numeric::Rows<const double> readings, std::size_t runs,
-                                  numeric::Rows<double> outputs) const {
-  const auto& figures = options_.figures->figures;
-  const std::vector<Position> targets(series_.targets().begin(), series_.targets().end());
-  std::vector<double> deviations(2 * targets.size() * runs), values(figures.size());
-  for (std::size_t t = 0; t < chunk; ++t) {
-    for (std::size_t row = 0; row < deviations.size(); ++row) deviations[row] = readings.row(row, chunk)[t];
-    const auto trial = Series::make_dense(targets, runs, deviations);
-    for (std::size_t k = 0; k < values.size(); ++k)
-      values[k] = trial ? figures[k].value : std::numeric_limits<double>::quiet_NaN();
-    if (trial) options_.figures->evaluate(*trial, values);
-    for (std::size_t k = 0; k < values.size(); ++k) outputs.row(k, chunk)[t] = values[k];
-  }
-}
+bool TrialModel::draws_readings_alone() const { return is_long_run(options_) && options_.type_a == TypeA::resampled; }
 
-/// Two readings μ ± σ/√2 have the mean μ and, with divisor n − 1, the estimator σ; a cell of one reading has μ.
-void TrialModel::evaluate_figures(numeric::Rows<const double> means, numeric::Rows<const double> estimators,
-                                  numeric::Rows<double> outputs) const {
-  constexpr std::size_t runs = 2;
-  const std::size_t targets = series_.target_count();
-  std::vector<double> readings(2 * targets * runs * chunk, std::numeric_limits<double>::quiet_NaN());
-  const numeric::Rows<double> rows{readings, chunk};
-  for (std::size_t c = 0; c < 2 * targets; ++c) {
-    const std::size_t count = series_.count(c % targets, static_cast<Direction>(c / targets));
-    for (std::size_t t = 0; t < chunk && count > 0; ++t) {
-      const double mean = means.row(c, chunk)[t];
-      const double half = count > 1 ? estimators.row(c, chunk)[t] / std::numbers::sqrt2 : 0.0;
-      rows.row(c * runs, chunk)[t] = mean + half;
-      if (count > 1) rows.row(c * runs + 1, chunk)[t] = mean - half;
-    }
-  }
-  evaluate_figures(numeric::Rows<const double>(rows), runs, outputs);
-}
+bool TrialModel::draws_moments_alone() const { return is_long_run(options_) && !draws_readings_alone(); }
 
-TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place) const {
+TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place, bool as_readings) const {
   const bool long_run = is_long_run(options_);
   const ReadingPosterior& posterior = posteriors_[place % posteriors_.size()];
   DrawnCells drawn;
-  if (long_run && options_.type_a != TypeA::resampled) {
+  if (draws_moments_alone()) {
     drawn.means.resize(layout_.cell_rows() * chunk);
     drawn.estimators.resize(layout_.cell_rows() * chunk);
     const numeric::Rows<double> mean_rows{drawn.means, chunk}, estimator_rows{drawn.estimators, chunk};
@@ -305,7 +272,7 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place) const {
     add_station_errors(place, 1, mean_rows);
     return drawn;
   }
-  if (!long_run && options_.figures == nullptr) {
+  if (!long_run && !as_readings) {
     drawn.means.resize(layout_.cell_rows() * chunk);
     drawn.estimators.resize(layout_.cell_rows() * chunk);
     draw_cell_moments(place, {drawn.means, chunk}, {drawn.estimators, chunk});
@@ -326,30 +293,30 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place) const {
 }
 
 void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
+  if (options_.figures != nullptr) return draw_figures(place, outputs);
   const DrawnCells drawn = draw_cells(place);
   const numeric::Rows<const double> readings{drawn.readings, chunk}, means{drawn.means, chunk},
       estimators{drawn.estimators, chunk};
-  const bool of_cells = drawn.readings.empty();
-  if (options_.figures != nullptr && of_cells)
-    evaluate_figures(means, estimators, outputs);
-  else if (options_.figures != nullptr)
-    evaluate_figures(readings, series_.run_count(), outputs);
-  else if (of_cells)
+  if (drawn.readings.empty())
     evaluate_batch(layout_, CellMoments<double>{means, estimators}, chunk, outputs);
   else
     evaluate_batch(layout_, readings, chunk, outputs);
 }
 
 void TrialModel::operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const {
-  std::vector<double> drawn(output_count() * chunk);
+  std::vector<double> last;
   for (std::size_t begin = 0; begin < outputs.trials; begin += chunk) {
     const std::uint64_t place = block * (uncertainty::block_size / chunk) + begin / chunk;
-    draw_chunk(place, numeric::Rows<double>{drawn, chunk});
-    add_displacement_errors(place, numeric::Rows<double>{drawn, chunk});
     const std::size_t count = std::min(chunk, outputs.trials - begin);
-    for (std::size_t p = 0; p < output_count(); ++p)
-      std::copy_n(drawn.begin() + static_cast<std::ptrdiff_t>(p * chunk), count,
-                  outputs.row(p).begin() + static_cast<std::ptrdiff_t>(begin));
+    numeric::Rows<double> drawn{outputs.values.subspan(begin), outputs.trials};
+    if (count < chunk) {  // fewer are wanted than are drawn
+      last.resize(output_count() * chunk);
+      drawn = {last, chunk};
+    }
+    draw_chunk(place, drawn);
+    add_displacement_errors(place, drawn);
+    for (std::size_t p = 0; p < output_count() && count < chunk; ++p)
+      std::ranges::copy(drawn.row(p, count), outputs.row(p).begin() + static_cast<std::ptrdiff_t>(begin));
   }
 }
 

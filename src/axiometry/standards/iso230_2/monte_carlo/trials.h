@@ -79,18 +79,23 @@ class TrialModel {
   void draw_t_scaled(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> sds) const;
   void draw_resampled(std::uint64_t place, numeric::Rows<double> readings) const;
   bool is_between_places(std::size_t output) const;
-  void evaluate_figures(numeric::Rows<const double> readings, std::size_t runs, numeric::Rows<double> outputs) const;
-  void evaluate_figures(numeric::Rows<const double> means, numeric::Rows<const double> estimators,
+  void evaluate_figures(numeric::Rows<const double> readings, std::size_t runs, const WantedFigures& wanted,
                         numeric::Rows<double> outputs) const;
+  void evaluate_figures(numeric::Rows<const double> means, numeric::Rows<const double> estimators,
+                        const WantedFigures& wanted, numeric::Rows<double> outputs) const;
+  void draw_figures(std::uint64_t place, numeric::Rows<double> outputs) const;
+  bool draws_readings_alone() const;  ///< runs are resampled
+  bool draws_moments_alone() const;   ///< of the long run
   /// What the axis did in the trials of a chunk: readings, or what evaluate_batch() takes of cells.
   struct DrawnCells {
     std::vector<double> readings;           ///< empty where means are drawn
     std::vector<double> means, estimators;  ///< empty where readings are
   };
-  DrawnCells draw_cells(std::uint64_t place) const;
+  DrawnCells draw_cells(std::uint64_t place, bool as_readings = false) const;
   std::vector<double> mean_of_cell(const DrawnCells& drawn, std::size_t target, Direction direction) const;
   std::vector<double> displacements(std::uint64_t place) const;
   void draw_cell_moments(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> estimators) const;
+  void take_cell_moments(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> estimators) const;
   void draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const;
 
   const Series& series_;
