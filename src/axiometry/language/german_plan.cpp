@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase plan_rows[] = {
     {"Approaches", "Anfahrten"},
     {"Axis travel", "Verfahrweg"},
     {"Choice of the targets (5.2)", "Wahl der Zielpositionen (5.2)"},
@@ -139,6 +139,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_plan{rows};
+const std::span<const Phrase> german_plan{plan_rows};
 
 }  // namespace axiometry::language

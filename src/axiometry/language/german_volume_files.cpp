@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase volume_files_rows[] = {
     {"found a line without its error or without the way its readings are positive, expected both",
      "eine Gerade ohne ihre Abweichung oder ohne die Richtung, in der ihre Messwerte positiv sind; erwartet: beides"},
     {"found a plan of a rotary axis or of a line in space, expected one of a linear axis",
@@ -161,6 +161,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_volume_files = rows;
+const std::span<const Phrase> german_volume_files = volume_files_rows;
 
 }  // namespace axiometry::language
