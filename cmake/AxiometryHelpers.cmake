@@ -92,16 +92,17 @@ function(axiometry_lightly_optimised target)
   endif()
 endfunction()
 
-# axiometry_unity_build(TARGET [HEADERS header...]): compiles once what is common: the headers that most sources of the
-# target include, and these; and the sources of each folder as one, so that a template is instantiated once for all of
-# them. For that a name of an anonymous namespace stands for one thing in its folder; where each source has the same
-# names, such as the read() of every format, they are in a namespace with the name of the source. Sources never rely on
-# it: without the option it does nothing.
+# axiometry_unity_build(TARGET [HEADERS header...] [HALVES folder...]): compiles once what is common: the headers that
+# most sources of the target include, and these; and the sources of each folder as one, so that a template is instantiated
+# once for all of them. For that a name of an anonymous namespace stands for one thing in its folder; where each source
+# has the same names, such as the read() of every format, they are in a namespace with the name of the source. A folder
+# that is compiled last and takes long makes HALVES, so that one core does not wait for the other at the end. Sources
+# never rely on it: without the option it does nothing.
 function(axiometry_unity_build target)
   if(NOT AXIOMETRY_UNITY_BUILD)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;HALVES")
   target_precompile_headers(
     ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
     <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
@@ -118,8 +119,16 @@ function(axiometry_unity_build target)
     get_filename_component(folder ${folder} DIRECTORY)
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
     if(source MATCHES "\\.cpp$" AND folder MATCHES "^(src|apps|tests)")
-      string(MAKE_C_IDENTIFIER ${folder} folder)
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+      string(MAKE_C_IDENTIFIER ${folder} group)
+      if(folder IN_LIST arg_HALVES)
+        set(beside ${sources})
+        list(FILTER beside INCLUDE REGEX "/${folder}/[^/]*\\.cpp$")
+        list(LENGTH beside count)
+        list(FIND beside ${source} place)
+        math(EXPR half "2 * ${place} / ${count} + 1")
+        string(APPEND group _${half})
+      endif()
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
   endforeach()
 endfunction()
