@@ -56,6 +56,20 @@ function(axiometry_library target export_name)
     target_link_options(${target} PRIVATE -Wl,--version-script=${symbols} -Wl,-z,relro,-z,now -Wl,-z,noexecstack)
     set_target_properties(${target} PROPERTIES LINK_DEPENDS ${symbols})
   endif()
+  axiometry_sources(${target} ${ARGN})
+endfunction()
+
+# axiometry_objects(TARGET LIBRARY FOLDER...): the sources of these folders, which are compiled in a way of their own, as
+# a part of that library.
+function(axiometry_objects target library)
+  add_library(${target} OBJECT)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  axiometry_sources(${target} ${ARGN})
+  target_sources(${library} PRIVATE $<TARGET_OBJECTS:${target}>)
+endfunction()
+
+# axiometry_sources(TARGET FOLDER...): what axiometry_library() and axiometry_objects() have in common.
+function(axiometry_sources target)
   foreach(folder IN LISTS ARGN)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/axiometry/${folder}/*.cpp)
     list(FILTER sources EXCLUDE REGEX "_(test|bench)\\.cpp$")
@@ -78,16 +92,17 @@ function(axiometry_lightly_optimised target)
   endif()
 endfunction()
 
-# axiometry_unity_build(TARGET [HEADERS header...] [APART folder...]): compiles once what is common: the headers that most
-# sources of the target include, and these; and the sources of each folder as one, so that a template is instantiated
-# once for all of them. For that a name of an anonymous namespace stands for one thing in its folder. Folders in or below
-# which sources give their own meaning to the same names, such as the read() of every format, stay APART. Sources never
-# rely on it: without the option it does nothing.
+# axiometry_unity_build(TARGET [HEADERS header...] [HALVES folder...]): compiles once what is common: the headers that
+# most sources of the target include, and these; and the sources of each folder as one, so that a template is instantiated
+# once for all of them. For that a name of an anonymous namespace stands for one thing in its folder; where each source
+# has the same names, such as the read() of every format, they are in a namespace with the name of the source. A folder
+# that is compiled last and takes long makes HALVES, so that one core does not wait for the other at the end. Sources
+# never rely on it: without the option it does nothing.
 function(axiometry_unity_build target)
   if(NOT AXIOMETRY_UNITY_BUILD)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;APART")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;HALVES")
   target_precompile_headers(
     ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
     <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
@@ -103,16 +118,17 @@ function(axiometry_unity_build target)
     get_filename_component(folder ${source} ABSOLUTE)
     get_filename_component(folder ${folder} DIRECTORY)
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
-    set(apart NO)
-    foreach(above IN LISTS arg_APART)
-      string(FIND "${folder}/" "${above}/" at)
-      if(at EQUAL 0)
-        set(apart YES)
+    if(source MATCHES "\\.cpp$" AND folder MATCHES "^(src|apps|tests)")
+      string(MAKE_C_IDENTIFIER ${folder} group)
+      if(folder IN_LIST arg_HALVES)
+        set(beside ${sources})
+        list(FILTER beside INCLUDE REGEX "/${folder}/[^/]*\\.cpp$")
+        list(LENGTH beside count)
+        list(FIND beside ${source} place)
+        math(EXPR half "2 * ${place} / ${count} + 1")
+        string(APPEND group _${half})
       endif()
-    endforeach()
-    if(source MATCHES "\\.cpp$" AND NOT apart AND folder MATCHES "^(src|apps|tests)")
-      string(MAKE_C_IDENTIFIER ${folder} folder)
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
   endforeach()
 endfunction()

@@ -22,7 +22,7 @@ def headers(build):
     found, objects, ours = set(), 0, False
     for line in listing.splitlines():
         if line and not line.startswith(" "):
-            ours = line.startswith("CMakeFiles/axiometry_core.dir/")
+            ours = line.startswith(("CMakeFiles/axiometry_core.dir/", "CMakeFiles/axiometry_simulation.dir/"))
             objects += ours
         elif ours and line.strip():
             found.add((build / line.strip()).resolve())

@@ -14,8 +14,6 @@ std::span<const EmbeddedFile> pairs_files();  // generated
 
 namespace {
 
-constexpr std::string_view no_break_space = "\u00a0";
-
 /// First letters that take an elision; of an h those that are mute in words of metrology.
 constexpr auto elided =
     std::to_array<std::string_view>({"a", "e", "i", "o",       "u",    "y",     "à",    "â",     "ê",      "é",     "è",

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase calibrations_rows[] = {
     {"calibration", "Kalibrierung"},
     {"curves: {0}", "curves: {0}"},
     {"drift: {0}", "drift: {0}"},
@@ -67,6 +67,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_calibrations = rows;
+const std::span<const Phrase> german_calibrations = calibrations_rows;
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase capture_rows[] = {
     {"a continuous recording of {0#} samples gave {1#} of the {2#} lengths of the plan",
      "eine fortlaufende Aufzeichnung von {0} Abtastwerten ergab {1} der {2} Längen des Plans"},
     {"arrived {0#} at {1#}, expected {2}; not used", "Ankunft {0} bei {1}; erwartet: {2}; nicht verwendet"},
@@ -328,6 +328,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_capture{rows};
+const std::span<const Phrase> german_capture{capture_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase claims_rows[] = {
     {"1 point not stated", "1 Punkt nicht angegeben"},
     {"1 point of clauses 4 and 5 was not stated or not kept; see Claims.",
      "1 Punkt der Abschnitte 4 und 5 war nicht angegeben oder nicht eingehalten; siehe Aussagen."},
@@ -109,6 +109,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_claims{rows};
+const std::span<const Phrase> german_claims{claims_rows};
 
 }  // namespace axiometry::language

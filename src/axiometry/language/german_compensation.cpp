@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase compensation_rows[] = {
     {"A number in the file", "Eine Zahl der Datei"},
     {"A prediction, not a measurement: only a re-test proves it.",
      "Eine Vorhersage, keine Messung: Erst eine Nachprüfung beweist sie."},
@@ -338,6 +338,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_compensation = rows;
+const std::span<const Phrase> german_compensation = compensation_rows;
 
 }  // namespace axiometry::language

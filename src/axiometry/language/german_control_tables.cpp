@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase control_tables_rows[] = {
     {"a larger --magnification or a shorter --step", "ein größeres --magnification oder ein kürzeres --step"},
     {"a larger --magnification, a shorter --step, or --largest 127 where the control takes more",
      "ein größeres --magnification, ein kürzeres --step, oder --largest 127, wo die Steuerung mehr annimmt"},
@@ -288,6 +288,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_control_tables = rows;
+const std::span<const Phrase> german_control_tables = control_tables_rows;
 
 }  // namespace axiometry::language

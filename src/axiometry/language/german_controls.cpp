@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase controls_rows[] = {
     {"24 bits of an entry.", "24 Bit eines Eintrags."},
     {"A number is added to the command (forward, then reverse): a positive one moves the axis in the positive "
      "direction.",
@@ -382,6 +382,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_controls = rows;
+const std::span<const Phrase> german_controls = controls_rows;
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase corrections_rows[] = {
     {"Air humidity", "Luftfeuchte"},
     {"Air pressure", "Luftdruck"},
     {"Air temperature", "Lufttemperatur"},
@@ -81,6 +81,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_corrections{rows};
+const std::span<const Phrase> german_corrections{corrections_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase error_motions_rows[] = {
     {"A line for each of {0#} stretch.", "Eine Linie für {0} Strecke."},
     {"A line for each of {0#} stretches.", "Je eine Linie für {0} Strecken."},
     {"Acceleration", "Beschleunigung"},
@@ -214,6 +214,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_error_motions{rows};
+const std::span<const Phrase> german_error_motions{error_motions_rows};
 
 }  // namespace axiometry::language

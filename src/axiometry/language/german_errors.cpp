@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase errors_rows[] = {
     {"Is a directory", "ist ein Verzeichnis"},
     {"No space left on device", "kein Platz auf dem Datenträger"},
     {"No such file or directory", "Datei oder Verzeichnis nicht vorhanden"},
@@ -287,6 +287,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_errors{rows};
+const std::span<const Phrase> german_errors{errors_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase fields_rows[] = {
     {"1 when the instrument shows lengths in vacuum wavelengths; wanted for the correction for the air.",
      "1, wenn das Messgerät Längen in Vakuumwellenlängen anzeigt; nötig für die Korrektur um die Luft."},
     {"API laser, averages", "API-Laser, Mittelwerte"},
@@ -267,6 +267,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_fields{rows};
+const std::span<const Phrase> german_fields{fields_rows};
 
 }  // namespace axiometry::language

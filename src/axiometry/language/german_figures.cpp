@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase figures_rows[] = {
     {"All runs {0#}", "Alle Läufe {0}"},
     {"Annex A, ± {0#}", "Anhang A, ± {0}"},
     {"Approach ↑ and reading", "Anfahrt ↑ und Messwert"},
@@ -92,6 +92,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_figures{rows};
+const std::span<const Phrase> german_figures{figures_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase files_rows[] = {
     {"1 line above the table told nothing that is known and was passed over",
      "1 Zeile über der Tabelle sagte nichts Bekanntes und wurde übergangen"},
     {"a column counts them from {0#}", "eine Spalte zählt sie ab {0}"},
@@ -330,6 +330,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_files{rows};
+const std::span<const Phrase> german_files{files_rows};
 
 }  // namespace axiometry::language

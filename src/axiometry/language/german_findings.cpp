@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase findings_rows[] = {
     {"--correct air=ciddor", "--correct air=ciddor"},
     {"--correct air=ciddor with temperature, pressure and humidity of the air",
      "--correct air=ciddor mit Temperatur, Druck und Feuchte der Luft"},
@@ -395,6 +395,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_findings{rows};
+const std::span<const Phrase> german_findings{findings_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase known_positions_rows[] = {
     {"Anywhere between the first target and the last: within {0#}.",
      "Überall zwischen erstem und letztem Ziel: innerhalb von {0}."},
     {"At each target about 95 % of approaches or more will end within {0#} of their position, once the zero is shifted "
@@ -56,6 +56,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_known_positions{rows};
+const std::span<const Phrase> german_known_positions{known_positions_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase length_captures_rows[] = {
     {"Nothing goes wrong", "Nichts geht schief"},
     {"One dead path for all lengths, each within the noise",
      "Eine Totstrecke für alle Längen, jede innerhalb des Rauschens"},
@@ -38,6 +38,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_length_captures = rows;
+const std::span<const Phrase> german_length_captures = length_captures_rows;
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase length_refusals_rows[] = {
     {"NAME=box:X,Y,Z:X,Y,Z, NAME=sphere:X,Y,Z:RADIUS or NAME=cylinder:X,Y,Z:RADIUS:HEIGHT in mm, with extent",
      "NAME=box:X,Y,Z:X,Y,Z, NAME=sphere:X,Y,Z:RADIUS oder NAME=cylinder:X,Y,Z:RADIUS:HEIGHT in mm, mit Ausdehnung"},
     {"a direction of the reflector", "eine Richtung des Reflektors"},
@@ -296,6 +296,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_length_refusals = rows;
+const std::span<const Phrase> german_length_refusals = length_refusals_rows;
 
 }  // namespace axiometry::language

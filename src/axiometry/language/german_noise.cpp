@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase noise_rows[] = {
     {"Agreed", "Vereinbart"},
     {"An agreed limit is exceeded", "Ein vereinbarter Grenzwert ist überschritten"},
     {"Change per hour, during the test", "Änderung je Stunde, während der Prüfung"},
@@ -339,6 +339,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_noise{rows};
+const std::span<const Phrase> german_noise{noise_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase periodic_rows[] = {
     {"Amplitude", "Amplitude"},
     {"Amplitude over period of the deviations at {0#} target positions, with the chosen period marked.",
      "Amplitude der Abweichungen an {0} Zielpositionen über der Periode, die gewählte Periode markiert."},
@@ -106,6 +106,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_periodic{rows};
+const std::span<const Phrase> german_periodic{periodic_rows};
 
 }  // namespace axiometry::language

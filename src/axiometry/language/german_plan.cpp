@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase plan_rows[] = {
     {"Approaches", "Anfahrten"},
     {"As planned not yet in accordance with {0#}, see Findings",
      "Wie geplant noch nicht in Übereinstimmung mit {0}, siehe Feststellungen"},
@@ -145,6 +145,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_plan{rows};
+const std::span<const Phrase> german_plan{plan_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase profile_rows[] = {
     {"all ↑", "alle ↑"},
     {"all ↓", "alle ↓"},
     {"columns were read after the import profile {0=}, SHA-256 {1=}",
@@ -82,6 +82,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_profile{rows};
+const std::span<const Phrase> german_profile{profile_rows};
 
 }  // namespace axiometry::language

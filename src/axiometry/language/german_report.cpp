@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase report_rows[] = {
     {"*) A parameter for machine acceptance by 8.2; this test: {0}.",
      "*) Kennwert für die Abnahme nach 8.2; diese Prüfung: {0}."},
     {"*) May serve as a basis for machine acceptance (8.2).",
@@ -281,6 +281,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_report{rows};
+const std::span<const Phrase> german_report{report_rows};
 
 }  // namespace axiometry::language

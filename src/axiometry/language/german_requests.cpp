@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase requests_rows[] = {
     {"acceleration: {0}", "Beschleunigung: {0}"},
     {"area: {0}", "Arbeitsbereich: {0}"},
     {"boolean", "Wahrheitswert"},
@@ -180,6 +180,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_requests{rows};
+const std::span<const Phrase> german_requests{requests_rows};
 
 }  // namespace axiometry::language

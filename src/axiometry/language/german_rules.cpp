@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase rules_rows[] = {
     {"1 s about the mean of both directions, without the first run",
      "1 s um das Mittel beider Richtungen, ohne den ersten Lauf"},
     {"1 s in place of 4 s", "1 s statt 4 s"},
@@ -187,6 +187,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_rules{rows};
+const std::span<const Phrase> german_rules{rules_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase scatter_rows[] = {
     {"found an outlier at target {0#} run {1#}: a reading of {2#}, which lies {3#} above what the other "
      "readings of target and run let expect ({4#}); {5}, and nothing is removed",
      "ein Ausreißer an Zielposition {0}, Durchlauf {1}: ein Messwert von {2}, der {3} über dem liegt, was "
@@ -76,6 +76,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_scatter{rows};
+const std::span<const Phrase> german_scatter{scatter_rows};
 
 }  // namespace axiometry::language

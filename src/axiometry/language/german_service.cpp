@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase service_rows[] = {
     {"A guard band of a chosen width on either side", "Ein Sicherheitsabstand gewählter Breite auf beiden Seiten"},
     {"Dead path of the laser beam", "Totstrecke des Laserstrahls"},
     {"Differential thermal expansion", "Thermische Differenzdehnung"},
@@ -195,6 +195,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_service{rows};
+const std::span<const Phrase> german_service{service_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase simulation_rows[] = {
     {"A few µm of everything; curves without a pattern", "Von allem wenige µm; Kurven ohne Muster"},
     {"A jagged curve that ↑ and ↓ share; its period shows only at targets closer than it",
      "Eine gezackte Kurve, die ↑ und ↓ teilen; ihre Periode zeigt sich nur an dichteren Zielpositionen"},
@@ -55,6 +55,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_simulation{rows};
+const std::span<const Phrase> german_simulation{simulation_rows};
 
 }  // namespace axiometry::language

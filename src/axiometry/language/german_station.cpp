@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase station_rows[] = {
     {"95 % below", "95\u00a0% unter"},
     {"A histogram of all residuals that other readings check, and the normal distribution that they follow when the "
      "stated uncertainty is right.",
@@ -298,6 +298,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_station{rows};
+const std::span<const Phrase> german_station{station_rows};
 
 }  // namespace axiometry::language

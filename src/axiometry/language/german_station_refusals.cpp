@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase station_refusals_rows[] = {
     {"a better station to be suggested", "der Wunsch nach einer besseren Station"},
     {"a rule for diagonals from the station", "eine Regel für Diagonalen von der Station aus"},
     {"a safe radius about the station", "ein Sicherheitsradius um die Station"},
@@ -193,6 +193,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_station_refusals = rows;
+const std::span<const Phrase> german_station_refusals = station_refusals_rows;
 
 }  // namespace axiometry::language

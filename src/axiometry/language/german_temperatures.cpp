@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase temperatures_rows[] = {
     {"What is not known", "Was nicht bekannt ist"},
     {"an agreed limit was exceeded, and nobody can say whether that was during the test",
      "ein vereinbarter Grenzwert wurde überschritten, und niemand kann sagen, ob das während der Prüfung war"},
@@ -110,6 +110,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_temperatures{rows};
+const std::span<const Phrase> german_temperatures{temperatures_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase terminal_rows[] = {
     {"Amplitudes of the harmonics in", "Amplituden der Harmonischen in"},
     {"Departs from Annex C; no result for acceptance.", "Weicht von Anhang C ab; kein Ergebnis für die Abnahme."},
     {"Errors can cancel along a diagonal: a small E proves little alone.",
@@ -110,6 +110,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_terminal{rows};
+const std::span<const Phrase> german_terminal{terminal_rows};
 
 }  // namespace axiometry::language

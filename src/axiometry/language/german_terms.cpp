@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase terms_rows[] = {
     {"Annex A", "Anhang A"},
     {"Annex B", "Anhang B"},
     {"Annex C", "Anhang C"},
@@ -112,6 +112,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_terms{rows};
+const std::span<const Phrase> german_terms{terms_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase tracking_rows[] = {
     {"1 line conforms", "1 Linie konform"},
     {"1 line does not conform", "1 Linie nicht konform"},
     {"1 line is undecided", "1 Linie unentschieden"},
@@ -289,6 +289,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_tracking{rows};
+const std::span<const Phrase> german_tracking{tracking_rows};
 
 }  // namespace axiometry::language

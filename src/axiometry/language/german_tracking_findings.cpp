@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase tracking_findings_rows[] = {
     {"Axes count as straight and without rotations: what straightness and angular errors (with the tool's offset as "
      "lever) add along these lines is taken for scale or squareness. The result holds for the place of the lines",
      "Die Achsen gelten als gerade und ohne Drehungen: Was Geradheits- und Winkelabweichungen (mit dem Werkzeugversatz "
@@ -347,6 +347,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_tracking_findings{rows};
+const std::span<const Phrase> german_tracking_findings{tracking_findings_rows};
 
 }  // namespace axiometry::language

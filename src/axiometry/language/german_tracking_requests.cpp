@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase tracking_requests_rows[] = {
     {"break_threshold_mm: {0}", "break_threshold_mm: {0}"},
     {"find_breaks: {0}", "find_breaks: {0}"},
     {"found a form without a plan, expected the files lengths and plan",
@@ -102,6 +102,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_tracking_requests{rows};
+const std::span<const Phrase> german_tracking_requests{tracking_requests_rows};
 
 }  // namespace axiometry::language

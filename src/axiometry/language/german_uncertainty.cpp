@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase uncertainty_rows[] = {
     {"A single approach has no scatter: there the known noise counts alone",
      "Eine einzelne Anfahrt hat keine Streuung: dort zählt allein das bekannte Rauschen"},
     {"Above 2 000 mm the annex has no formula for repeatability: (A.11) and (A.14) are used all the same, and nothing "
@@ -392,6 +392,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_uncertainty{rows};
+const std::span<const Phrase> german_uncertainty{uncertainty_rows};
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase volume_files_rows[] = {
     {"displacements differ by direction, by up to {0#} of {1=}: the errors hold their mean, and what is made of them "
      "has no reversal",
      "Verschiebungen hängen von der Richtung ab, um bis zu {0} bei {1}: Die Abweichungen enthalten ihren Mittelwert, "
@@ -188,6 +188,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_volume_files = rows;
+const std::span<const Phrase> german_volume_files = volume_files_rows;
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase volume_plan_rows[] = {
     {"1 station leaves little to see a wrong one by; four or more are usual",
      "1 Station lässt kaum erkennen, ob eine falsch ist; vier oder mehr sind üblich"},
     {"A run is one program: one station with one tool. Between programs the instrument is moved or the "
@@ -87,6 +87,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_volume_plan = rows;
+const std::span<const Phrase> german_volume_plan = volume_plan_rows;
 
 }  // namespace axiometry::language

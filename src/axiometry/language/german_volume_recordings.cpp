@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase volume_recordings_rows[] = {
     {"Found", "Gefunden"},
     {"Lengths out of continuous recordings are means over the rests that were matched to the points of the "
      "plan.",
@@ -85,6 +85,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_volume_recordings = rows;
+const std::span<const Phrase> german_volume_recordings = volume_recordings_rows;
 
 }  // namespace axiometry::language

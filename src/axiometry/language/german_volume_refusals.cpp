@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase volume_refusals_rows[] = {
     {"at {0#} of {1#} points the readings do not tell all components, which are left empty",
      "an {0} von {1} Punkten bestimmen die Messwerte nicht alle Komponenten; diese sind leer gelassen"},
     {"found 0 targets, expected two or more", "0 Zielpositionen; erwartet: zwei oder mehr"},
@@ -281,6 +281,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_volume_refusals = rows;
+const std::span<const Phrase> german_volume_refusals = volume_refusals_rows;
 
 }  // namespace axiometry::language

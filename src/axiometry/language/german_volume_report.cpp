@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase volume_report_rows[] = {
     {"Added to the commanded position: a positive value moves the axis in the positive direction.",
      "Zur befohlenen Position addiert: Ein positiver Wert bewegt die Achse in positiver Richtung."},
     {"At / mm", "Bei / mm"},
@@ -294,6 +294,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_volume_report = rows;
+const std::span<const Phrase> german_volume_report = volume_report_rows;
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase volumetric_findings_rows[] = {
     {"all lengths have the same tool point, so that a rotation of an axis that nothing but the tool lies behind cannot "
      "be told from its straightness; three tools whose points form a triangle tell all (a short and a long one, and "
      "one "
@@ -267,6 +267,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_volumetric_findings = rows;
+const std::span<const Phrase> german_volumetric_findings = volumetric_findings_rows;
 
 }  // namespace axiometry::language

@@ -8,8 +8,6 @@
 namespace axiometry::language {
 namespace {
 
-constexpr std::string_view no_break_space = "\u00a0";
-
 PlaceKind kind_of(std::string_view mark) {
   if (mark == "?") return PlaceKind::optional_text;
   if (mark == "#") return PlaceKind::amount;

@@ -167,9 +167,9 @@ void add_rest(std::vector<Instruction>& list, long dwell, const ProgramOptions& 
   if (dwell > before) list.push_back(Dwell{dwell - before});
 }
 
-class Writer {
+class ScriptWriter {
  public:
-  Writer(const ProgramOptions& options, const ControlLimits& limits)
+  ScriptWriter(const ProgramOptions& options, const ControlLimits& limits)
       : options_(options), limits_(limits), loops_left_(options.unrolled ? 0 : limits.loops) {}
 
   /// Everything that the plan's axes do.
@@ -371,7 +371,7 @@ Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& op
   script.inch = options.unit == LengthUnit::inch;
   script.heading =
       several ? headlines(plans, options, script.frame.remark) : headlines(plans.front(), options, script.frame.remark);
-  Writer writer(options, limits);
+  ScriptWriter writer(options, limits);
   for (std::size_t k = 0; k < plans.size(); ++k) {
     const Plan& plan = plans[k];
     auto spelling = make_spelling(plan, options, limits);

@@ -30,9 +30,9 @@ struct Block {
   bool numbered = false;
 };
 
-class Writer {
+class WordWriter {
  public:
-  Writer(const WordControl& control, const WorkFrame& frame) : c_(control), frame_(frame) {}
+  WordWriter(const WordControl& control, const WorkFrame& frame) : c_(control), frame_(frame) {}
 
   void lines(const Lines& templates, bool numbered, std::string_view number = "") {
     for (std::string_view line : templates)
@@ -156,7 +156,7 @@ struct Wording {
 };
 
 std::string worded(const WordControl& control, const Script& script, const Wording& wording) {
-  Writer writer(control, script.frame);
+  WordWriter writer(control, script.frame);
   writer.lines(control.head, false, wording.number);
   // The comments first, so that they are read before anything moves.
   for (const std::string& line : script.heading) writer(Remark{line});

@@ -10,8 +10,6 @@
 namespace axiometry::simulation {
 namespace {
 
-constexpr double nodes_per_correlation = 8.0;
-
 SlowProcess pitch_walk(const PitchError& pitch, const Plan& plan, std::uint64_t seed) {
   if (!pitch.walk) return {};
   const Reach way = reach(plan);

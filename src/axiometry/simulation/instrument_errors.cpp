@@ -13,7 +13,6 @@ namespace {
 
 constexpr double steps_max = 1e7;
 constexpr double drift_step_s = 1.0;
-constexpr double nodes_per_correlation = 8.0;
 constexpr double reference_celsius = 20.0;  // ISO 1
 
 std::vector<double> uniform(std::uint64_t seed, Stream stream, std::size_t count) {

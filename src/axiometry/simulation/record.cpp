@@ -43,7 +43,7 @@ class Selection {
   std::array<bool, strip> kept_;
 };
 
-Result<void> check(const RecordingRequest& recording) {
+Result<void> check_recording(const RecordingRequest& recording) {
   if (!(recording.rate >= 0.001 && recording.rate <= 1e7))
     return fail(fmt::format("found a rate of {} samples a second, expected 0.001 to 10000000", recording.rate));
   if (!(recording.drop_out_probability >= 0.0 && recording.drop_out_probability < 1.0))
@@ -137,7 +137,7 @@ class Recorder {
 
 Result<std::size_t> count_samples(const Request& request, const RecordingRequest& recording) {
   AXIOMETRY_TRY_VOID(check_sound(request.axis, request.plan));
-  AXIOMETRY_TRY_VOID(check(recording));
+  AXIOMETRY_TRY_VOID(check_recording(recording));
   AXIOMETRY_TRY(const Timeline timeline, Timeline::make(request.plan, request.axis, request.departures));
   AXIOMETRY_TRY(const std::size_t total, total_of(timeline, recording));
   if (recording.gaps.empty() && recording.drop_out_probability == 0.0) return total;
@@ -150,7 +150,7 @@ Result<std::size_t> count_samples(const Request& request, const RecordingRequest
 
 Result<TrueRecording> record(const Request& request, const RecordingRequest& recording, const SampleSink& sink) {
   AXIOMETRY_TRY_VOID(check_sound(request.axis, request.plan));
-  AXIOMETRY_TRY_VOID(check(recording));
+  AXIOMETRY_TRY_VOID(check_recording(recording));
   AXIOMETRY_TRY(const Timeline timeline, Timeline::make(request.plan, request.axis, request.departures));
   AXIOMETRY_TRY(const InstrumentErrors instrument,
                 InstrumentErrors::make(request.axis.instrument, request.plan, timeline, request.seed));

@@ -25,6 +25,9 @@ enum Stream : std::uint64_t {
   stream_drop_out,
 };
 
+/// Nodes of a stationary process within the length or time over which it is correlated.
+inline constexpr double nodes_per_correlation = 8.0;
+
 /// A random function of one coordinate, drawn at even nodes and straight between them; outside it keeps the end's
 /// value.
 class SlowProcess {

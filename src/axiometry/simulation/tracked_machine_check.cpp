@@ -19,7 +19,7 @@ Result<void> check_length(double mm, std::string_view what, bool signed_too, dou
   return fail(fmt::format("found {} of {:g} mm, expected {:g} to {:g} mm", what, mm, least, most_mm));
 }
 
-Result<void> check_relative(RelativeLength x, std::string_view what, bool signed_too = true) {
+Result<void> check_ratio(RelativeLength x, std::string_view what, bool signed_too = true) {
   const double value = x.in_um_per_m() * 1e-6, least = signed_too ? -relative_most : 0.0;
   if (value >= least && value <= relative_most) return {};
   return fail(fmt::format("found {} of {:g} µm/m, expected {:g} to {:g} µm/m", what, x.in_um_per_m(), least * 1e6,
@@ -45,15 +45,15 @@ Result<void> check_sound(const TrackedMachine& machine) {
     const auto of = [&](std::string_view what) { return fmt::format("{} of {}", what, axis_names[a]); };
     AXIOMETRY_TRY_VOID(check_length(machine.origin_mm[a], of("the origin"), true, place_most_mm));
     AXIOMETRY_TRY_VOID(check_length(machine.offset_mm[a], of("the offset"), true));
-    AXIOMETRY_TRY_VOID(check_relative(machine.scale[a], of("a scale error")));
-    AXIOMETRY_TRY_VOID(check_relative(machine.warming[a], of("a growing scale error")));
+    AXIOMETRY_TRY_VOID(check_ratio(machine.scale[a], of("a scale error")));
+    AXIOMETRY_TRY_VOID(check_ratio(machine.warming[a], of("a growing scale error")));
     AXIOMETRY_TRY_VOID(check_length(machine.backlash[a].in_mm(), of("the play"), true));
     AXIOMETRY_TRY_VOID(check_length(machine.repeatability[a].in_mm(), of("the repeatability"), false));
     AXIOMETRY_TRY_VOID(check_length(machine.growth[a].in_mm(), of("the growth"), true));
   }
-  AXIOMETRY_TRY_VOID(check_relative(machine.C0Y, "a squareness C0Y"));
-  AXIOMETRY_TRY_VOID(check_relative(machine.B0Z, "a squareness B0Z"));
-  AXIOMETRY_TRY_VOID(check_relative(machine.A0Z, "a squareness A0Z"));
+  AXIOMETRY_TRY_VOID(check_ratio(machine.C0Y, "a squareness C0Y"));
+  AXIOMETRY_TRY_VOID(check_ratio(machine.B0Z, "a squareness B0Z"));
+  AXIOMETRY_TRY_VOID(check_ratio(machine.A0Z, "a squareness A0Z"));
   for (const MotionWave& w : machine.waves) AXIOMETRY_TRY_VOID(check_wave(w));
   const double time = machine.growth_time.in_s();
   if (!(time > 0.0) || !std::isfinite(time))
@@ -67,8 +67,8 @@ Result<void> check_sound(const VirtualTracker& tracker) {
         check_length(tracker.station_mm[a], fmt::format("the station's {}", axis_names[a]), true, place_most_mm));
   if (tracker.dead_path_mm) AXIOMETRY_TRY_VOID(check_length(*tracker.dead_path_mm, "a dead path", true, place_most_mm));
   AXIOMETRY_TRY_VOID(check_length(tracker.noise.in_mm(), "noise", false));
-  AXIOMETRY_TRY_VOID(check_relative(tracker.noise_per_length, "noise in proportion to the length", false));
-  AXIOMETRY_TRY_VOID(check_relative(tracker.scale_error, "the instrument's scale error"));
+  AXIOMETRY_TRY_VOID(check_ratio(tracker.noise_per_length, "noise in proportion to the length", false));
+  AXIOMETRY_TRY_VOID(check_ratio(tracker.scale_error, "the instrument's scale error"));
   AXIOMETRY_TRY_VOID(check_length(tracker.resolution.in_mm(), "a resolution", false));
   for (std::size_t k = 0; k < tracker.breaks.size(); ++k) {
     AXIOMETRY_TRY_VOID(check_length(tracker.breaks[k].jump_mm, "the jump of a broken beam", true, place_most_mm));

@@ -16,6 +16,7 @@
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
+namespace csv_long {
 namespace {
 
 constexpr std::size_t block_size = std::size_t{256} << 10;  // stays in the second-level cache
@@ -204,18 +205,19 @@ target_mm,direction,run,deviation_um
 )";
 
 }  // namespace
+}  // namespace csv_long
 
 extern const Format csv_long_format;
 const Format csv_long_format = {
     .id = "csv-long",
     .title = "CSV, one reading per row",
     .extensions = ".csv .txt .tsv",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
-    .holds_many = holds_many,
-    .read_many = read_many,
-    .write = write,
+    .manual = csv_long::manual,
+    .recognise = csv_long::recognise,
+    .read = csv_long::read,
+    .holds_many = csv_long::holds_many,
+    .read_many = csv_long::read_many,
+    .write = csv_long::write,
 };
 
 }  // namespace axiometry::formats

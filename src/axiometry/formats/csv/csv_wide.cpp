@@ -19,6 +19,7 @@
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
+namespace csv_wide {
 namespace {
 
 using Directions = std::array<std::size_t, 2>;
@@ -302,16 +303,17 @@ target_mm,direction,run1_um,run2_um
 )";
 
 }  // namespace
+}  // namespace csv_wide
 
 extern const Format csv_wide_format;
 const Format csv_wide_format = {
     .id = "csv-wide",
     .title = "CSV, one column per run",
     .extensions = ".csv .txt .tsv",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
-    .write = write,
+    .manual = csv_wide::manual,
+    .recognise = csv_wide::recognise,
+    .read = csv_wide::read,
+    .write = csv_wide::write,
 };
 
 }  // namespace axiometry::formats

@@ -17,6 +17,7 @@
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {
+namespace api_pos {
 namespace {
 
 enum class Block { bidirectional, forward, reverse };
@@ -151,15 +152,16 @@ Position       Reverse Directional Avg Error
 )";
 
 }  // namespace
+}  // namespace api_pos
 
 extern const Format api_pos_format;
 const Format api_pos_format = {
     .id = "api-pos",
     .title = "API laser, averages",
     .extensions = ".pos",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
+    .manual = api_pos::manual,
+    .recognise = api_pos::recognise,
+    .read = api_pos::read,
 };
 
 }  // namespace axiometry::formats

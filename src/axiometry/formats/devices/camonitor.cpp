@@ -20,6 +20,7 @@
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {
+namespace camonitor {
 namespace {
 
 // Parts of names, in lower case. What stands before the last colon is mostly the name of the control's computer.
@@ -168,9 +169,7 @@ class Reader {
   }
 
   Result<void> find_roles() {
-    std::vector<std::size_t> set_points;
-    std::vector<std::size_t> marked;
-    std::vector<std::size_t> others;
+    std::vector<std::size_t> set_points, marked, others;
     for (std::size_t k = 0; k < log_.variables.size(); ++k) {
       if (k == *log_.test_number || !varies(k)) continue;
       if (is_set_point(log_.variables[k])) {
@@ -386,15 +385,16 @@ IOC:TestNumber  2026-01-31 10:00:06.000000 1102
 )";
 
 }  // namespace
+}  // namespace camonitor
 
 extern const Format camonitor_format;
 const Format camonitor_format = {
     .id = "camonitor",
     .title = "EPICS camonitor log of an ecmc test",
     .extensions = ".log .txt",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
+    .manual = camonitor::manual,
+    .recognise = camonitor::recognise,
+    .read = camonitor::read,
 };
 
 }  // namespace axiometry::formats

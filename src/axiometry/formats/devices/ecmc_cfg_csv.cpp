@@ -10,6 +10,7 @@
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
+namespace ecmc_cfg_csv {
 namespace {
 
 Result<Test> read(std::string_view bytes) {
@@ -64,15 +65,16 @@ cycle,direction,target,selected_reference_slot,selected_reference_pv,reference_m
 )";
 
 }  // namespace
+}  // namespace ecmc_cfg_csv
 
 extern const Format ecmc_cfg_csv_format;
 const Format ecmc_cfg_csv_format = {
     .id = "ecmc-cfg-csv",
     .title = "ecmc_cfg_tool, CSV",
     .extensions = ".csv",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
+    .manual = ecmc_cfg_csv::manual,
+    .recognise = ecmc_cfg_csv::recognise,
+    .read = ecmc_cfg_csv::read,
 };
 
 }  // namespace axiometry::formats

@@ -15,6 +15,7 @@
 #include "axiometry/model/fields.h"
 
 namespace axiometry::formats {
+namespace ecmc_cfg_md {
 namespace {
 
 constexpr std::string_view heading = "## Raw Measured Points";
@@ -134,15 +135,16 @@ Selected reference for report/error columns: `IOC:LASER`
 )";
 
 }  // namespace
+}  // namespace ecmc_cfg_md
 
 extern const Format ecmc_cfg_md_format;
 const Format ecmc_cfg_md_format = {
     .id = "ecmc-cfg-md",
     .title = "ecmc_cfg_tool, report",
     .extensions = ".md",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
+    .manual = ecmc_cfg_md::manual,
+    .recognise = ecmc_cfg_md::recognise,
+    .read = ecmc_cfg_md::read,
 };
 
 }  // namespace axiometry::formats

@@ -18,6 +18,7 @@
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {
+namespace ecmc_dat {
 namespace {
 
 constexpr std::string_view target_key = "TGT_DATA";
@@ -252,15 +253,16 @@ REF_DATA_BWD[1,1]=.0011
 )";
 
 }  // namespace
+}  // namespace ecmc_dat
 
 extern const Format ecmc_dat_format;
 const Format ecmc_dat_format = {
     .id = "ecmc-dat",
     .title = "ecmc ISO 230 data",
     .extensions = ".dat",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
+    .manual = ecmc_dat::manual,
+    .recognise = ecmc_dat::recognise,
+    .read = ecmc_dat::read,
 };
 
 }  // namespace axiometry::formats

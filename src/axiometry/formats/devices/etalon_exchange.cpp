@@ -12,6 +12,7 @@
 #include "axiometry/formats/text/text_lines.h"
 
 namespace axiometry::formats {
+namespace etalon_exchange {
 namespace {
 
 std::optional<std::string_view> block_name(std::string_view content) {
@@ -130,17 +131,18 @@ Gridpoints = {
 )";
 
 }  // namespace
+}  // namespace etalon_exchange
 
 extern const Format etalon_exchange_format;
 const Format etalon_exchange_format = {
     .id = "etalon-exchange",
     .title = "Etalon exchange format, positioning errors",
     .extensions = ".exc .txt",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
-    .holds_many = holds_many,
-    .read_many = read_many,
+    .manual = etalon_exchange::manual,
+    .recognise = etalon_exchange::recognise,
+    .read = etalon_exchange::read,
+    .holds_many = etalon_exchange::holds_many,
+    .read_many = etalon_exchange::read_many,
 };
 
 }  // namespace axiometry::formats

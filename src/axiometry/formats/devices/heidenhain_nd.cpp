@@ -19,6 +19,7 @@
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {
+namespace heidenhain_nd {
 namespace {
 
 constexpr std::uint64_t point_limit = 1000;    // the largest read-outs have 200
@@ -284,15 +285,16 @@ COMP. NO. 003 =   ---------- =   ----------
 )";
 
 }  // namespace
+}  // namespace heidenhain_nd
 
 extern const Format heidenhain_nd_format;
 const Format heidenhain_nd_format = {
     .id = "heidenhain-nd",
     .title = "HEIDENHAIN ND read-out, compensation table",
     .extensions = ".txt",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
+    .manual = heidenhain_nd::manual,
+    .recognise = heidenhain_nd::recognise,
+    .read = heidenhain_nd::read,
 };
 
 }  // namespace axiometry::formats

@@ -14,6 +14,7 @@
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
+namespace isg_csv {
 namespace {
 
 std::string blank_separated(std::string_view content) {
@@ -195,17 +196,18 @@ X      EXX     EYX     EZX
 )";
 
 }  // namespace
+}  // namespace isg_csv
 
 extern const Format isg_csv_format;
 const Format isg_csv_format = {
     .id = "isg-csv",
     .title = "ISG table of volumetric errors, positioning errors",
     .extensions = ".csv .txt",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
-    .holds_many = holds_many,
-    .read_many = read_many,
+    .manual = isg_csv::manual,
+    .recognise = isg_csv::recognise,
+    .read = isg_csv::read,
+    .holds_many = isg_csv::holds_many,
+    .read_many = isg_csv::read_many,
 };
 
 }  // namespace axiometry::formats

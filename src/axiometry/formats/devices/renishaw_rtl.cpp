@@ -22,6 +22,7 @@
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {
+namespace renishaw_rtl {
 namespace {
 
 constexpr std::size_t target_limit = 1'000'000;
@@ -301,15 +302,16 @@ EOF::
 )";
 
 }  // namespace
+}  // namespace renishaw_rtl
 
 extern const Format renishaw_rtl_format;
 const Format renishaw_rtl_format = {
     .id = "renishaw-rtl",
     .title = "Renishaw laser, linear or angular",
     .extensions = ".rtl .rta",
-    .manual = manual,
-    .recognise = recognise,
-    .read = read,
+    .manual = renishaw_rtl::manual,
+    .recognise = renishaw_rtl::recognise,
+    .read = renishaw_rtl::read,
 };
 
 }  // namespace axiometry::formats

@@ -7,8 +7,6 @@ namespace {
 
 using json::Value;
 
-Value text(std::string_view description) { return object({{"type", or_null("string")}, {"description", description}}); }
-
 Value whole_number(int minimum, int maximum, std::string_view description) {
   return object({{"type", "integer"}, {"minimum", minimum}, {"maximum", maximum}, {"description", description}});
 }
@@ -63,13 +61,13 @@ Value further() {
 Value properties() {
   const Value cycles = Value::array({"standard", "step", "pilgrim", "unidirectional", "user-defined"});
   return object({
-      {"$schema", text("For editors; ignored.")},
+      {"$schema", text_schema("For editors; ignored.")},
       {"format", object({{"enum", Value::array({"axiometry-plan/1", Value()})}})},
-      {"standard", text("Standard whose terms the plan uses: ISO 230-2:2014, or ISO 230-6:2002 along a diagonal.")},
-      {"clause", text("Clause that describes the test: 5.3.2 to 5.3.5, Annex B or Annex C; absent when none does.")},
-      {"title", text("Which test of several this is.")},
-      {"machine", text("Name of the machine, for the printed sheet and for comments in part programs.")},
-      {"date", text("Date on which the plan was made, ISO 8601 preferred.")},
+      {"standard", text_schema("Standard whose terms the plan uses: ISO 230-2:2014, or ISO 230-6:2002 along a diagonal.")},
+      {"clause", text_schema("Clause that describes the test: 5.3.2 to 5.3.5, Annex B or Annex C; absent when none does.")},
+      {"title", text_schema("Which test of several this is.")},
+      {"machine", text_schema("Name of the machine, for the printed sheet and for comments in part programs.")},
+      {"date", text_schema("Date on which the plan was made, ISO 8601 preferred.")},
       {"axis", axis()},
       {"cycle", object({{"enum", cycles}, {"description", "Order of the approaches (5.3.2, Annex B)."}})},
       {"targets", object({{"type", "array"},

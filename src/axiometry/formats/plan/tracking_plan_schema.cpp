@@ -8,21 +8,18 @@ namespace {
 
 using json::Value;
 
-constexpr double farthest_mm = 1e9;
-
-Value text(std::string_view description) { return object({{"type", or_null("string")}, {"description", description}}); }
-
-Value number(double minimum, double maximum, std::string_view description) {
+Value number_or_null(double minimum, double maximum, std::string_view description) {
   return object(
       {{"type", or_null("number")}, {"minimum", minimum}, {"maximum", maximum}, {"description", description}});
 }
 
 Value vector(std::string_view description) {
-  return object({{"type", "array"},
-                 {"items", object({{"type", "number"}, {"minimum", -farthest_mm}, {"maximum", farthest_mm}})},
-                 {"minItems", 3},
-                 {"maxItems", 3},
-                 {"description", description}});
+  return object(
+      {{"type", "array"},
+       {"items", object({{"type", "number"}, {"minimum", -tracking_farthest_mm}, {"maximum", tracking_farthest_mm}})},
+       {"minItems", 3},
+       {"maxItems", 3},
+       {"description", description}});
 }
 
 Value closed(Value properties, Value required, std::string_view description) {
@@ -56,43 +53,46 @@ Value station() {
 
 Value limits() {
   return closed(
-      object({{"range_least_mm", number(0, farthest_mm, "Shortest distance of the instrument.")},
-              {"range_most_mm", number(0, farthest_mm, "Longest distance of the instrument.")},
-              {"elevation_lowest_deg", number(-90, 90, "Of the beam above the plane of X and Y.")},
-              {"elevation_highest_deg", number(-90, 90, "Of the beam above the plane of X and Y.")},
+      object({{"range_least_mm", number_or_null(0, tracking_farthest_mm, "Shortest distance of the instrument.")},
+              {"range_most_mm", number_or_null(0, tracking_farthest_mm, "Longest distance of the instrument.")},
+              {"elevation_lowest_deg", number_or_null(-90, 90, "Of the beam above the plane of X and Y.")},
+              {"elevation_highest_deg", number_or_null(-90, 90, "Of the beam above the plane of X and Y.")},
               {"reflector_axis", vector("Where the reflector looks, from the spindle.")},
-              {"incidence_most_deg", number(0, 180, "Between the beam and the reflector's axis.")},
-              {"safe_radius_mm", number(0, farthest_mm, "Nothing of the machine comes nearer to the station.")},
-              {"line_least_mm", number(0, farthest_mm, "A shorter line is not worth a test.")}}),
+              {"incidence_most_deg", number_or_null(0, 180, "Between the beam and the reflector's axis.")},
+              {"safe_radius_mm",
+               number_or_null(0, tracking_farthest_mm, "Nothing of the machine comes nearer to the station.")},
+              {"line_least_mm", number_or_null(0, tracking_farthest_mm, "A shorter line is not worth a test.")}}),
       Value::array(), "What instrument and reflector can do.");
 }
 
 Value obstacle() {
   return closed(
-      object({{"name", text("What it is.")},
+      object({{"name", text_schema("What it is.")},
               {"box", box("With edges along X, Y, Z.")},
-              {"sphere",
-               closed(object({{"centre_mm", vector("Centre.")}, {"radius_mm", number(0, farthest_mm, "Radius.")}}),
-                      Value::array({"centre_mm", "radius_mm"}), "A ball.")},
+              {"sphere", closed(object({{"centre_mm", vector("Centre.")},
+                                        {"radius_mm", number_or_null(0, tracking_farthest_mm, "Radius.")}}),
+                                Value::array({"centre_mm", "radius_mm"}), "A ball.")},
               {"cylinder", closed(object({{"base_mm", vector("Middle of the lower end.")},
-                                          {"radius_mm", number(0, farthest_mm, "Radius.")},
-                                          {"height_mm", number(0, farthest_mm, "Height.")}}),
+                                          {"radius_mm", number_or_null(0, tracking_farthest_mm, "Radius.")},
+                                          {"height_mm", number_or_null(0, tracking_farthest_mm, "Height.")}}),
                                   Value::array({"base_mm", "radius_mm", "height_mm"}), "Upright, along Z.")}}),
       Value::array(), "One of box, sphere, cylinder, at rest in the station's coordinates.");
 }
 
 Value setup() {
-  return closed(object({{"travel", box("Where the axes may stand.")},
-                        {"tool_offset_mm", vector("From where the axes stand to the centre of the reflector.")},
-                        {"station", station()},
-                        {"limits", limits()},
-                        {"ranging", closed(object({{"constant_um", number(0, farthest_mm, "a, in µm.")},
-                                                   {"per_length_um_per_m", number(0, farthest_mm, "b, in µm/m.")}}),
-                                           Value::array(), "Expanded uncertainty (k = 2) of a length L: a + b·L.")},
-                        {"obstacles", list_of(obstacle(), "What stands in the way of reflector and beam.")}}),
-                Value::array({"travel"}),
-                "Machine, instrument and what stands about. Without a station: an interferometer that is aligned with "
-                "each line in turn.");
+  return closed(
+      object(
+          {{"travel", box("Where the axes may stand.")},
+           {"tool_offset_mm", vector("From where the axes stand to the centre of the reflector.")},
+           {"station", station()},
+           {"limits", limits()},
+           {"ranging", closed(object({{"constant_um", number_or_null(0, tracking_farthest_mm, "a, in µm.")},
+                                      {"per_length_um_per_m", number_or_null(0, tracking_farthest_mm, "b, in µm/m.")}}),
+                              Value::array(), "Expanded uncertainty (k = 2) of a length L: a + b·L.")},
+           {"obstacles", list_of(obstacle(), "What stands in the way of reflector and beam.")}}),
+      Value::array({"travel"}),
+      "Machine, instrument and what stands about. Without a station: an interferometer that is aligned with "
+      "each line in turn.");
 }
 
 Value line() {
@@ -103,8 +103,8 @@ Value line() {
 }
 
 Value lost() {
-  return closed(object({{"id", text("Of the line.")}, {"reason", text("Why it cannot be measured.")}}), Value::array(),
-                "A line that cannot be measured from this station.");
+  return closed(object({{"id", text_schema("Of the line.")}, {"reason", text_schema("Why it cannot be measured.")}}),
+                Value::array(), "A line that cannot be measured from this station.");
 }
 
 Value ignored(std::string_view type) {
@@ -126,11 +126,11 @@ Value tracking_plan_schema() {
        {"title", "Axiometry tracking plan"},
        {"description", "A test of several lines in space with a tracking interferometer."},
        {"type", "object"},
-       {"properties", object({{"$schema", text("For editors; ignored.")},
+       {"properties", object({{"$schema", text_schema("For editors; ignored.")},
                               {"format", object({{"const", tracking_plan_format_name}})},
-                              {"title", text("Which test this is.")},
-                              {"machine", text("Name of the machine.")},
-                              {"date", text("Date on which the plan was made.")},
+                              {"title", text_schema("Which test this is.")},
+                              {"machine", text_schema("Name of the machine.")},
+                              {"date", text_schema("Date on which the plan was made.")},
                               {"setup", setup()},
                               {"lines", object({{"type", "array"}, {"items", line()}})},
                               {"lost", list_of(lost(), "Lines that cannot be measured from this station.")},

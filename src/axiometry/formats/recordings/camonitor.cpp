@@ -13,6 +13,7 @@
 #include "axiometry/formats/recordings/time_text.h"
 
 namespace axiometry::formats {
+namespace camonitor {
 namespace {
 
 /// Name, time stamp and value of one line, or nothing.
@@ -97,15 +98,16 @@ IOC:Axis1-PosAct 2026-11-21 12:00:00.200000 -4.9999
 )";
 
 }  // namespace
+}  // namespace camonitor
 
 extern const Recording camonitor_recording;
 const Recording camonitor_recording = {
     .id = "camonitor-stream",
     .title = "camonitor log (EPICS)",
     .extensions = ".log .txt",
-    .manual = manual,
-    .recognise = recognise,
-    .open = open,
+    .manual = camonitor::manual,
+    .recognise = camonitor::recognise,
+    .open = camonitor::open,
 };
 
 }  // namespace axiometry::formats

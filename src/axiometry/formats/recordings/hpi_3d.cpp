@@ -15,6 +15,7 @@
 #include "axiometry/formats/recordings/hpi_frames.h"
 
 namespace axiometry::formats {
+namespace hpi_3d {
 namespace {
 
 using hpi::Frame;
@@ -316,15 +317,16 @@ AA B0 0A  00 08 69 2D 50 3C 27 94 00 00 00 00  86      air: 21.53 °C, 45 %, 101
 )";
 
 }  // namespace
+}  // namespace hpi_3d
 
 extern const Recording hpi_3d_recording;
 const Recording hpi_3d_recording = {
     .id = "hpi-3d",
     .title = "Lasertex HPI-3D (µLine) serial stream",
     .extensions = ".raw .bin",
-    .manual = manual,
-    .recognise = recognise,
-    .open = open,
+    .manual = hpi_3d::manual,
+    .recognise = hpi_3d::recognise,
+    .open = hpi_3d::open,
 };
 
 }  // namespace axiometry::formats

@@ -15,6 +15,7 @@
 #include "axiometry/formats/recording.h"
 
 namespace axiometry::formats {
+namespace npy {
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
@@ -238,15 +239,16 @@ numpy.save("run.npy", numpy.column_stack([time_s, position_mm]))
 )";
 
 }  // namespace
+}  // namespace npy
 
 extern const Recording npy_recording;
 const Recording npy_recording = {
     .id = "npy",
     .title = "NumPy array of time and position",
     .extensions = ".npy",
-    .manual = manual,
-    .recognise = recognise,
-    .open = open,
+    .manual = npy::manual,
+    .recognise = npy::recognise,
+    .open = npy::open,
 };
 
 }  // namespace axiometry::formats

@@ -16,6 +16,7 @@
 #include "axiometry/formats/recordings/rtx_header.h"
 
 namespace axiometry::formats {
+namespace renishaw_rtx {
 namespace {
 
 constexpr std::size_t rtx_number = sizeof(double);
@@ -155,15 +156,16 @@ EOF::
 )";
 
 }  // namespace
+}  // namespace renishaw_rtx
 
 extern const Recording renishaw_rtx_recording;
 const Recording renishaw_rtx_recording = {
     .id = "renishaw-rtx",
     .title = "Renishaw laser, dynamic",
     .extensions = ".rtx",
-    .manual = manual,
-    .recognise = recognise,
-    .open = open,
+    .manual = renishaw_rtx::manual,
+    .recognise = renishaw_rtx::recognise,
+    .open = renishaw_rtx::open,
 };
 
 }  // namespace axiometry::formats

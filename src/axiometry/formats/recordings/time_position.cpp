@@ -12,6 +12,7 @@
 #include "axiometry/formats/recordings/time_text.h"
 
 namespace axiometry::formats {
+namespace time_position {
 namespace {
 
 constexpr std::size_t columns_looked_at = 16;  // for one that may be the position
@@ -136,15 +137,16 @@ time_s,position_mm
 )";
 
 }  // namespace
+}  // namespace time_position
 
 extern const Recording time_position_recording;
 const Recording time_position_recording = {
     .id = "time-position",
     .title = "Text with time and position",
     .extensions = ".csv .txt",
-    .manual = manual,
-    .recognise = recognise,
-    .open = open,
+    .manual = time_position::manual,
+    .recognise = time_position::recognise,
+    .open = time_position::open,
 };
 
 }  // namespace axiometry::formats

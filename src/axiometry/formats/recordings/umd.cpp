@@ -18,6 +18,7 @@
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
+namespace umd {
 namespace {
 
 constexpr std::size_t narrow = 8, wide = 16;                // columns of one axis and of three
@@ -276,15 +277,16 @@ Minimalist Homodyne Test:
 )";
 
 }  // namespace
+}  // namespace umd
 
 extern const Recording umd_recording;
 const Recording umd_recording = {
     .id = "umd",
     .title = "µMD0/1/2 serial stream",
     .extensions = ".txt .log .raw",
-    .manual = manual,
-    .recognise = recognise,
-    .open = open,
+    .manual = umd::manual,
+    .recognise = umd::recognise,
+    .open = umd::open,
 };
 
 }  // namespace axiometry::formats

@@ -163,6 +163,10 @@ Value object(std::initializer_list<std::pair<std::string_view, Value>> members) 
 
 Value or_null(std::string_view type) { return Value::array({type, "null"}); }
 
+Value text_schema(std::string_view description) {
+  return object({{"type", or_null("string")}, {"description", description}});
+}
+
 Value metadata_group_schema(std::string_view group) {
   Value members = Value::object();
   for (const Field& field : metadata_fields())

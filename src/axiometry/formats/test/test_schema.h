@@ -23,6 +23,9 @@ json::Value object(std::initializer_list<std::pair<std::string_view, json::Value
 /// The kinds that an item may have which may also be null.
 json::Value or_null(std::string_view type);
 
+/// JSON Schema of a text that may be null.
+json::Value text_schema(std::string_view description);
+
 /// JSON Schema of one group of metadata, "axis", as an object that has no other members.
 json::Value metadata_group_schema(std::string_view group);
 

@@ -20,7 +20,7 @@ using namespace std::string_view_literals;
 unsigned byte_at(std::string_view bytes, std::size_t k) { return static_cast<unsigned char>(bytes[k]); }
 
 /// Nothing when a byte has no meaning in the encoding, or when this system does not know it.
-std::optional<std::string> converted(std::string_view bytes, const char* encoding) {
+std::optional<std::string> from_encoding(std::string_view bytes, const char* encoding) {
   const iconv_t converter = iconv_open("UTF-8", encoding);
   if (converter == reinterpret_cast<iconv_t>(-1)) return std::nullopt;
   std::string input(bytes);
@@ -78,7 +78,7 @@ bool ends_lines_in_cr(std::string_view text) { return text.contains('\r') && !te
 Result<DecodedText> decoded_text(std::string_view bytes) {
   DecodedText result{std::string(bytes), "UTF-8"};
   if (const char* utf16 = utf16_of(bytes)) {
-    auto text = converted(bytes, utf16);
+    auto text = from_encoding(bytes, utf16);
     if (!text)
       return fail(fmt::format("found {} text that is cut or broken, expected whole characters", utf16), {1, 1});
     result = {std::move(*text), "UTF-16"};
@@ -94,7 +94,7 @@ Result<DecodedText> decoded_text(std::string_view bytes) {
       {"GBK", "GBK"}, {"WINDOWS-1252", "Windows-1252"}, {"ISO-8859-1", "Latin-1"}};
   for (const auto& [name, title] : pages) {
     if (title == "GBK" && !looks_like_gbk(result.text)) continue;
-    if (auto decoded = converted(result.text, name)) {
+    if (auto decoded = from_encoding(result.text, name)) {
       result.text = std::move(*decoded);
       result.encoding = title;
       return result;
@@ -114,7 +114,7 @@ Result<DecodedText> decoded_as(std::string_view bytes, std::string_view encoding
   for (const auto& [title, name] : names) {
     if (title != encoding) continue;
     const char* marked = title == "UTF-16" ? utf16_of(bytes) : nullptr;
-    auto text = converted(bytes, marked != nullptr ? marked : name);
+    auto text = from_encoding(bytes, marked != nullptr ? marked : name);
     if (!text) break;
     AXIOMETRY_TRY(DecodedText result, decoded_text(*text));
     result.encoding = title;

@@ -16,19 +16,19 @@
 namespace axiometry::formats {
 namespace {
 
-enum Role : std::size_t { role_x, role_y, role_z, role_length, role_count };
-constexpr std::array<std::string_view, role_count> canonical = {"x_mm", "y_mm", "z_mm", "length_difference_mm"};
-std::optional<Role> role_of(std::string_view name) {
-  if (name == "x") return role_x;
-  if (name == "y") return role_y;
-  if (name == "z") return role_z;
-  if (is_length_difference(name)) return role_length;
+enum PointRole : std::size_t { point_role_x, point_role_y, point_role_z, point_role_length, point_role_count };
+constexpr std::array<std::string_view, point_role_count> point_heads = {"x_mm", "y_mm", "z_mm", "length_difference_mm"};
+std::optional<PointRole> point_role_of(std::string_view name) {
+  if (name == "x") return point_role_x;
+  if (name == "y") return point_role_y;
+  if (name == "z") return point_role_z;
+  if (is_length_difference(name)) return point_role_length;
   return std::nullopt;
 }
 
-struct Columns {
-  std::array<std::optional<std::size_t>, role_count> at;
-  std::array<const Unit*, role_count> unit{};
+struct PointColumns {
+  std::array<std::optional<std::size_t>, point_role_count> at;
+  std::array<const Unit*, point_role_count> unit{};
   std::size_t count = 0;
   std::size_t needed = 0;  ///< up to the last one that is read
   std::size_t line = 0;
@@ -37,15 +37,15 @@ struct Columns {
   std::vector<std::string> passed_over;
 };
 
-Result<Columns> columns_of(std::string_view text, std::size_t line) {
-  Columns columns;
+Result<PointColumns> point_columns_of(std::string_view text, std::size_t line) {
+  PointColumns columns;
   columns.line = line;
   columns.delimiter = delimiter_of(text);
   AXIOMETRY_TRY(const std::vector<CsvCell> heads, split_row(text, columns.delimiter, line));
   columns.count = heads.size();
   for (std::size_t k = 0; k < heads.size(); ++k) {
     const TableHead named = table_head(heads[k].text);
-    const auto role = role_of(named.name);
+    const auto role = point_role_of(named.name);
     if (!role) {
       const bool is_axis = named.name == "axes x" || named.name == "axes y" || named.name == "axes z";
       columns.has_axes = columns.has_axes || is_axis;
@@ -57,26 +57,26 @@ Result<Columns> columns_of(std::string_view text, std::size_t line) {
                   {line, heads[k].column});
     columns.at[*role] = k;
     columns.needed = k + 1;
-    AXIOMETRY_TRY(columns.unit[*role], length_unit(heads[k], named, canonical[*role], line));
+    AXIOMETRY_TRY(columns.unit[*role], length_unit(heads[k], named, point_heads[*role], line));
   }
-  for (std::size_t role = 0; role < role_count; ++role)
+  for (std::size_t role = 0; role < point_role_count; ++role)
     if (!columns.at[role])
       return fail(
-          fmt::format("found no column {}, expected a header with {}", canonical[role], fmt::join(canonical, ", ")),
+          fmt::format("found no column {}, expected a header with {}", point_heads[role], fmt::join(point_heads, ", ")),
           {line, 1});
   return columns;
 }
 
-Result<LocationPoint> point_of(const std::vector<CsvCell>& cells, const Columns& columns, NumberReader& numbers,
+Result<LocationPoint> point_of(const std::vector<CsvCell>& cells, const PointColumns& columns, NumberReader& numbers,
                                std::size_t line) {
-  std::array<double, role_count> value{};
-  for (std::size_t role = 0; role < role_count; ++role) {
+  std::array<double, point_role_count> value{};
+  for (std::size_t role = 0; role < point_role_count; ++role) {
     const CsvCell& cell = cells[*columns.at[role]];
     const TextPosition at{line, cell.column};
     AXIOMETRY_TRY(const double number, numbers.read(cell.text, at));
     AXIOMETRY_TRY(value[role], length_in_mm(*columns.unit[role], number, cell.text, at));
   }
-  return LocationPoint{{value[role_x], value[role_y], value[role_z]}, value[role_length]};
+  return LocationPoint{{value[point_role_x], value[point_role_y], value[point_role_z]}, value[point_role_length]};
 }
 
 }  // namespace
@@ -85,12 +85,12 @@ Result<LocationPointsFile> read_location_points(std::string_view bytes) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
   LocationPointsFile file;
   for (const SourceRemark& remark : encoding_remarks(decoded)) file.remarks.push_back(remark.message);
-  std::optional<Columns> columns;
+  std::optional<PointColumns> columns;
   std::optional<NumberReader> numbers;
   AXIOMETRY_TRY_VOID(for_table_lines(decoded.text, [&](const TableLine& line) -> Result<void> {
     if (line.content.starts_with('#')) return {};
     if (!columns) {
-      AXIOMETRY_TRY(columns, columns_of(line.text, line.number));
+      AXIOMETRY_TRY(columns, point_columns_of(line.text, line.number));
       numbers.emplace(columns->delimiter);
       file.has_axes = columns->has_axes;
       if (!columns->passed_over.empty()) file.remarks.push_back(passed_over(columns->passed_over));
@@ -110,7 +110,7 @@ Result<LocationPointsFile> read_location_points(std::string_view bytes) {
     AXIOMETRY_TRY(file.points.emplace_back(), point_of(cells, *columns, *numbers, line.number));
     return {};
   }));
-  if (!columns) return fail(fmt::format("found no header, expected one with {}", fmt::join(canonical, ", ")), {1, 1});
+  if (!columns) return fail(fmt::format("found no header, expected one with {}", fmt::join(point_heads, ", ")), {1, 1});
   return file;
 }
 

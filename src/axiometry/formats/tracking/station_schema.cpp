@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/tracking/station_json.h"
 
@@ -7,14 +8,13 @@ namespace {
 
 using json::Value;
 
-constexpr double farthest_mm = 1e9;
-
 Value place(std::string_view description) {
-  return object({{"type", "array"},
-                 {"items", object({{"type", "number"}, {"minimum", -farthest_mm}, {"maximum", farthest_mm}})},
-                 {"minItems", 3},
-                 {"maxItems", 3},
-                 {"description", description}});
+  return object(
+      {{"type", "array"},
+       {"items", object({{"type", "number"}, {"minimum", -tracking_farthest_mm}, {"maximum", tracking_farthest_mm}})},
+       {"minItems", 3},
+       {"maxItems", 3},
+       {"description", description}});
 }
 
 Value matrix(std::string_view description) {

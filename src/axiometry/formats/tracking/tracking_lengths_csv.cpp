@@ -26,7 +26,7 @@ namespace {
 constexpr double position_slack_mm = 0.05;
 constexpr double segment_most = 1e6;
 
-enum Role : std::size_t {
+enum LengthsRole : std::size_t {
   line_role,
   target_role,
   direction_role,
@@ -37,7 +37,7 @@ enum Role : std::size_t {
   roles
 };
 
-std::optional<Role> role_of(const TableHead& head) {
+std::optional<LengthsRole> lengths_role_of(const TableHead& head) {
   if (head.name == "line") return line_role;
   if (head.name == "target" || head.name == "position" || head.name == "target position") return target_role;
   if (head.name == "direction" || head.name == "dir" || head.name == "approach") return direction_role;
@@ -48,7 +48,7 @@ std::optional<Role> role_of(const TableHead& head) {
   return std::nullopt;
 }
 
-struct Columns {
+struct LengthsColumns {
   std::array<std::optional<std::size_t>, roles> at;
   const Unit* length_unit = nullptr;
   const Unit* position_unit = nullptr;  // null: targets by number
@@ -61,7 +61,7 @@ struct Columns {
   bool labelled() const { return at[line_role] || at[target_role] || at[direction_role] || at[run_role]; }
 };
 
-Result<void> check_labels(const Columns& columns) {
+Result<void> check_labels(const LengthsColumns& columns) {
   const auto missing = [&](std::string_view name) {
     return fail(fmt::format("found no column {}, expected line, target, direction, run and length_difference_mm, or "
                             "length_difference_mm alone for lengths in the order of the program",
@@ -75,8 +75,8 @@ Result<void> check_labels(const Columns& columns) {
   return {};
 }
 
-Result<Columns> columns_of(std::string_view header, std::size_t line) {
-  Columns columns;
+Result<LengthsColumns> lengths_columns_of(std::string_view header, std::size_t line) {
+  LengthsColumns columns;
   columns.line = line;
   columns.delimiter = delimiter_of(header);
   AXIOMETRY_TRY(const std::vector<CsvCell> heads, split_row(header, columns.delimiter, line));
@@ -84,7 +84,7 @@ Result<Columns> columns_of(std::string_view header, std::size_t line) {
   if (columns.count == 1) columns.delimiter = ';';  // nothing to part: a comma is the decimal mark
   for (std::size_t k = 0; k < heads.size(); ++k) {
     const TableHead named = table_head(heads[k].text);
-    const auto role = role_of(named);
+    const auto role = lengths_role_of(named);
     if (!role) {
       if (!heads[k].text.empty()) columns.passed_over.push_back(heads[k].text);
       continue;
@@ -108,7 +108,7 @@ Result<Columns> columns_of(std::string_view header, std::size_t line) {
 /// Rows below the header, one after the other.
 class Reader {
  public:
-  Reader(const TrackingPlan& plan, Columns columns)
+  Reader(const TrackingPlan& plan, LengthsColumns columns)
       : plan_(plan), columns_(std::move(columns)), numbers_(columns_.delimiter) {}
 
   Result<void> row(const TableLine& line, TrackingLengths& lengths) {
@@ -228,7 +228,7 @@ class Reader {
   }
 
   const TrackingPlan& plan_;
-  Columns columns_;
+  LengthsColumns columns_;
   NumberReader numbers_;
   std::map<Place, std::size_t> approaches_;
   std::map<std::pair<Place, std::size_t>, std::size_t> seen_;
@@ -254,7 +254,7 @@ Result<TrackingLengths> read_tracking_lengths(std::string_view bytes, const Trac
   AXIOMETRY_TRY_VOID(for_table_lines(decoded.text, [&](const TableLine& line) -> Result<void> {
     if (line.content.starts_with('#')) return take_comment(line.content, line.number, lengths.metadata);
     if (reader) return reader->row(line, lengths);
-    AXIOMETRY_TRY(Columns columns, columns_of(line.text, line.number));
+    AXIOMETRY_TRY(LengthsColumns columns, lengths_columns_of(line.text, line.number));
     lengths.in_program_order = !columns.labelled();
     if (!columns.passed_over.empty()) lengths.remarks.push_back({false, passed_over(columns.passed_over)});
     reader.emplace(plan, std::move(columns));

@@ -23,7 +23,6 @@ using volumetric::MachineModel;
 constexpr double farthest_mm = 1e9;
 constexpr double travel_least_mm = 1.0;
 constexpr std::size_t names_most = 256;  // of tools, of stations
-constexpr std::array<std::string_view, 3> axis_names = {"X", "Y", "Z"};
 
 Result<void> check_near(Vector3 at, const Value& value) {
   for (std::size_t k = 0; k < 3; ++k)
@@ -36,20 +35,20 @@ Result<TravelBox> travel_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "travel_mm"));
   TravelBox travel;
   for (std::size_t a = 0; a < 3; ++a) {
-    AXIOMETRY_TRY(const Value* range, members.required(axis_names[a]));
-    AXIOMETRY_TRY(const std::vector<Value>* ends, items_in(*range, axis_names[a]));
+    AXIOMETRY_TRY(const Value* range, members.required(linear_axis_names[a]));
+    AXIOMETRY_TRY(const std::vector<Value>* ends, items_in(*range, linear_axis_names[a]));
     if (ends->size() != 2)
-      return fail(
-          fmt::format("found {} numbers for the travel of {}, expected its two ends", ends->size(), axis_names[a]),
-          range->at());
-    AXIOMETRY_TRY(travel.lowest_mm[a], number_in(ends->front(), axis_names[a]));
-    AXIOMETRY_TRY(travel.highest_mm[a], number_in(ends->back(), axis_names[a]));
+      return fail(fmt::format("found {} numbers for the travel of {}, expected its two ends", ends->size(),
+                              linear_axis_names[a]),
+                  range->at());
+    AXIOMETRY_TRY(travel.lowest_mm[a], number_in(ends->front(), linear_axis_names[a]));
+    AXIOMETRY_TRY(travel.highest_mm[a], number_in(ends->back(), linear_axis_names[a]));
     if (!(travel.highest_mm[a] - travel.lowest_mm[a] >= travel_least_mm) ||
         std::abs(travel.lowest_mm[a]) > farthest_mm || std::abs(travel.highest_mm[a]) > farthest_mm)
       return fail(
           fmt::format(
               "found a travel of {} from {} to {} mm, expected its lower end first, 1 mm at least, within 1e9 mm",
-              axis_names[a], format_exact(travel.lowest_mm[a]), format_exact(travel.highest_mm[a])),
+              linear_axis_names[a], format_exact(travel.lowest_mm[a]), format_exact(travel.highest_mm[a])),
           range->at());
   }
   AXIOMETRY_TRY_VOID(members.finish());
@@ -99,7 +98,7 @@ Result<void> take_instrument(const Value& value, MachineModel& machine) {
 Result<void> take_functional_points(const Value& value, MachineModel& machine) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "functional_point_mm"));
   for (std::size_t a = 0; a < 3; ++a) {
-    AXIOMETRY_TRY_VOID(members.take(axis_names[a], machine.functional_point_mm[a]));
+    AXIOMETRY_TRY_VOID(members.take(linear_axis_names[a], machine.functional_point_mm[a]));
     AXIOMETRY_TRY_VOID(check_near(machine.functional_point_mm[a], value));
   }
   return members.finish();
@@ -155,7 +154,7 @@ Value machine_value(const MachineModel& machine) {
   value.add("chain", machine.chain.text());
   Value& travel = value.add("travel_mm", Value::object());
   for (std::size_t a = 0; a < 3; ++a)
-    travel.add(axis_names[a], Value::array({machine.travel.lowest_mm[a], machine.travel.highest_mm[a]}));
+    travel.add(linear_axis_names[a], Value::array({machine.travel.lowest_mm[a], machine.travel.highest_mm[a]}));
   Value& tools = value.add("tools_mm", Value::object());
   for (const volumetric::Tool& tool : machine.tools) tools.add(tool.name, vector_value(tool.offset_mm));
   if (!machine.stations.empty()) {
@@ -172,7 +171,7 @@ Value machine_value(const MachineModel& machine) {
       std::ranges::any_of(machine.functional_point_mm, [](const Vector3& c) { return !(c == Vector3{}); });
   if (has_points) {
     Value& points = value.add("functional_point_mm", Value::object());
-    for (std::size_t a = 0; a < 3; ++a) points.add(axis_names[a], vector_value(machine.functional_point_mm[a]));
+    for (std::size_t a = 0; a < 3; ++a) points.add(linear_axis_names[a], vector_value(machine.functional_point_mm[a]));
   }
   return value;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,9 @@
 
 /// The machine of a volumetric calibration (machine.json).
 namespace axiometry::formats {
+
+/// The linear axes, as members of objects name them.
+inline constexpr std::array<std::string_view, 3> linear_axis_names = {"X", "Y", "Z"};
 
 /// At least
 ///   {"chain": "XFYZ", "travel_mm": {"X": [0, 1000], "Y": [0, 600], "Z": [-500, 0]}, "tools_mm": {"T1": [0, 0, -150]}}

@@ -28,7 +28,6 @@ constexpr std::size_t coefficients_most = 4000;
 constexpr double coefficient_most = 1e6;  // µm, µrad: a metre
 constexpr double variance_most = 1e15;
 constexpr double range_slack_mm = 0.02;
-constexpr std::array<std::string_view, 3> axis_names = {"X", "Y", "Z"};
 constexpr std::array<std::string_view, 3> reversal_names = {"none", "constant", "curves"};
 constexpr std::array<CurveKind, 3> kinds = {CurveKind::spline, CurveKind::legendre, CurveKind::nodes};
 
@@ -111,14 +110,14 @@ Value error_model_value(const ErrorModel& model) {
   value.add("reversal", reversal_names[static_cast<std::size_t>(c.reversal())]);
   Value& curves = value.add("curves", Value::object());
   for (std::size_t a = 0; a < 3; ++a) {
-    Value& axis = curves.add(axis_names[a], Value::object());
+    Value& axis = curves.add(linear_axis_names[a], Value::object());
     axis.add("kind", volumetric::curve_kind_name(c.basis(a).kind()));
     axis.add("size", c.basis(a).size());
     axis.add("range_mm", Value::array({c.basis(a).lower_mm(), c.basis(a).upper_mm()}));
   }
   Value& observed = value.add("observed_mm", Value::object());
   for (std::size_t a = 0; a < 3; ++a)
-    observed.add(axis_names[a], Value::array({model.observed().lowest_mm[a], model.observed().highest_mm[a]}));
+    observed.add(linear_axis_names[a], Value::array({model.observed().lowest_mm[a], model.observed().highest_mm[a]}));
   value.add("coefficients", list(model.parts().values));
   const std::size_t n = c.raw();
   std::vector<double> lower;
@@ -144,10 +143,10 @@ Result<ErrorModel> error_model_from(const Value& value) {
   std::vector<CurveBasis> bases;
   TravelBox observed;
   for (std::size_t a = 0; a < 3; ++a) {
-    AXIOMETRY_TRY(const Value* axis, axes.required(axis_names[a]));
+    AXIOMETRY_TRY(const Value* axis, axes.required(linear_axis_names[a]));
     AXIOMETRY_TRY(const CurveBasis basis, basis_from(*axis));
     bases.push_back(basis);
-    AXIOMETRY_TRY(const Value* ends_member, observed_axes.required(axis_names[a]));
+    AXIOMETRY_TRY(const Value* ends_member, observed_axes.required(linear_axis_names[a]));
     AXIOMETRY_TRY(const std::vector<double> ends, numbers_in(*ends_member, "observed_mm", 2));
     observed.lowest_mm[a] = ends[0];
     observed.highest_mm[a] = ends[1];
@@ -159,7 +158,7 @@ Result<ErrorModel> error_model_from(const Value& value) {
       return fail(
           fmt::format("found ranges of {} that do not lie in one another, expected readings within curves within "
                       "the travel",
-                      axis_names[a]),
+                      linear_axis_names[a]),
           ends_member->at());
   }
   const Coefficients coefficients({bases[0], bases[1], bases[2]}, reversal);

@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace fagor {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Fagor 8055, ISO language
@@ -63,17 +64,20 @@ constexpr WordControl control = {
 };
 
 }  // namespace
+}  // namespace fagor
 
 extern const Dialect fagor_dialect;
 const Dialect fagor_dialect = {
     .id = "fagor",
     .title = "Fagor 8055 (ISO)",
     .extension = ".pim",
-    .manual = manual,
+    .manual = fagor::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(fagor::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(fagor::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

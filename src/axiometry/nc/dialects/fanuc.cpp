@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace fanuc {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Fanuc
@@ -45,17 +46,20 @@ Try in single block first: the start blocks, the first two targets, and the firs
 constexpr const WordControl& control = fanuc_like;
 
 }  // namespace
+}  // namespace fanuc
 
 extern const Dialect fanuc_dialect;
 const Dialect fanuc_dialect = {
     .id = "fanuc",
     .title = "Fanuc (custom macro B)",
     .extension = ".nc",
-    .manual = manual,
+    .manual = fanuc::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(fanuc::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(fanuc::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

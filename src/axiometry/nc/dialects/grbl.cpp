@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace grbl {
 namespace {
 
 constexpr std::string_view manual = R"manual(# grbl 1.1 and grblHAL
@@ -42,17 +43,20 @@ constexpr WordControl control = {
 };
 
 }  // namespace
+}  // namespace grbl
 
 extern const Dialect grbl_dialect;
 const Dialect grbl_dialect = {
     .id = "grbl",
     .title = "grbl 1.1 and grblHAL",
     .extension = ".nc",
-    .manual = manual,
+    .manual = grbl::manual,
     .axes = "X Y Z A B C",
     .has_loops = false,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(grbl::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(grbl::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace haas {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Haas
@@ -47,17 +48,20 @@ constexpr WordControl control = [] {
 }();
 
 }  // namespace
+}  // namespace haas
 
 extern const Dialect haas_dialect;
 const Dialect haas_dialect = {
     .id = "haas",
     .title = "Haas",
     .extension = ".nc",
-    .manual = manual,
+    .manual = haas::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(haas::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(haas::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -12,6 +12,7 @@
 #include "axiometry/nc/script.h"
 
 namespace axiometry::nc {
+namespace heidenhain {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Heidenhain TNC, Klartext
@@ -137,17 +138,18 @@ Result<std::string> write(std::span<const Plan> plans, const ProgramOptions& opt
 }
 
 }  // namespace
+}  // namespace heidenhain
 
 extern const Dialect heidenhain_dialect;
 const Dialect heidenhain_dialect = {
     .id = "heidenhain",
     .title = "Heidenhain TNC, Klartext",
     .extension = ".h",
-    .manual = manual,
+    .manual = heidenhain::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = write,
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_walked(tour, o); },
+    .write = heidenhain::write,
+    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return heidenhain::write_walked(tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace iso6983 {
 namespace {
 
 constexpr std::string_view manual = R"manual(# ISO 6983, as most controls that resemble Fanuc's read it
@@ -44,17 +45,20 @@ constexpr WordControl control = {
 };
 
 }  // namespace
+}  // namespace iso6983
 
 extern const Dialect iso6983_dialect;
 const Dialect iso6983_dialect = {
     .id = "iso6983",
     .title = "ISO 6983 (Fanuc-compatible, without macros)",
     .extension = ".nc",
-    .manual = manual,
+    .manual = iso6983::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = false,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(iso6983::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(iso6983::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

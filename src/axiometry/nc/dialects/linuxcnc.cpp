@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace linuxcnc {
 namespace {
 
 constexpr std::string_view manual = R"manual(# LinuxCNC
@@ -48,17 +49,20 @@ constexpr WordControl control = {
 };
 
 }  // namespace
+}  // namespace linuxcnc
 
 extern const Dialect linuxcnc_dialect;
 const Dialect linuxcnc_dialect = {
     .id = "linuxcnc",
     .title = "LinuxCNC",
     .extension = ".ngc",
-    .manual = manual,
+    .manual = linuxcnc::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(linuxcnc::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(linuxcnc::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace mazak_eia {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Mazak, EIA/ISO programs
@@ -40,17 +41,20 @@ constexpr WordControl control = [] {
 }();
 
 }  // namespace
+}  // namespace mazak_eia
 
 extern const Dialect mazak_eia_dialect;
 const Dialect mazak_eia_dialect = {
     .id = "mazak-eia",
     .title = "Mazak (EIA/ISO)",
     .extension = ".eia",
-    .manual = manual,
+    .manual = mazak_eia::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(mazak_eia::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(mazak_eia::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace mitsubishi {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Mitsubishi
@@ -39,17 +40,20 @@ constexpr WordControl control = [] {
 }();
 
 }  // namespace
+}  // namespace mitsubishi
 
 extern const Dialect mitsubishi_dialect;
 const Dialect mitsubishi_dialect = {
     .id = "mitsubishi",
     .title = "Mitsubishi M70, M80, M700, M800",
     .extension = ".prg",
-    .manual = manual,
+    .manual = mitsubishi::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(mitsubishi::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(mitsubishi::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace okuma {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Okuma OSP
@@ -49,17 +50,20 @@ constexpr WordControl control = {
 };
 
 }  // namespace
+}  // namespace okuma
 
 extern const Dialect okuma_dialect;
 const Dialect okuma_dialect = {
     .id = "okuma",
     .title = "Okuma OSP",
     .extension = ".min",
-    .manual = manual,
+    .manual = okuma::manual,
     .axes = "X Y Z U V W A B C",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(okuma::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(okuma::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -3,6 +3,7 @@
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {
+namespace siemens_840d {
 namespace {
 
 constexpr std::string_view manual = R"manual(# Siemens SINUMERIK 840D
@@ -57,17 +58,20 @@ constexpr WordControl control = {
 };
 
 }  // namespace
+}  // namespace siemens_840d
 
 extern const Dialect siemens_840d_dialect;
 const Dialect siemens_840d_dialect = {
     .id = "siemens-840d",
     .title = "Siemens SINUMERIK 840D",
     .extension = ".mpf",
-    .manual = manual,
+    .manual = siemens_840d::manual,
     .axes = "X Y Z U V W A B C, with or without a number (X1)",
     .has_loops = true,
-    .write = [](std::span<const Plan> plans, const ProgramOptions& o) { return write_word_program(control, plans, o); },
-    .write_tour = [](const PointTour& tour, const ProgramOptions& o) { return write_word_program(control, tour, o); },
+    .write = [](std::span<const Plan> plans,
+                const ProgramOptions& o) { return write_word_program(siemens_840d::control, plans, o); },
+    .write_tour = [](const PointTour& tour,
+                     const ProgramOptions& o) { return write_word_program(siemens_840d::control, tour, o); },
 };
 
 }  // namespace axiometry::nc

@@ -38,6 +38,7 @@
 
 namespace axiometry::report {
 
+namespace csv {
 namespace {
 
 struct Line {
@@ -251,8 +252,9 @@ Result<std::string> set(const Document& document, const Options& options) {
 }
 
 }  // namespace
+}  // namespace csv
 
 extern const Writer csv_writer;
-const Writer csv_writer = {"csv", "Parameters and positions as CSV", &write, &set};
+const Writer csv_writer = {"csv", "Parameters and positions as CSV", &csv::write, &csv::set};
 
 }  // namespace axiometry::report

@@ -15,11 +15,8 @@
 
 namespace axiometry::report {
 
+namespace html {
 namespace {
-
-using html::css_string;
-using html::escaped;
-using html::rich;
 
 constexpr std::size_t rows_kept_together = 30;  // in print, where they fit on a page
 
@@ -133,8 +130,8 @@ void append_rows(std::string& out, const Table& table) {
 std::size_t characters_across(const Table& table) {
   std::size_t all = 0;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    std::size_t widest = html::length(plain_text(table.columns[c].head));
-    for (const auto& row : table.rows) widest = std::max(widest, html::length(plain_text(row[c].text)));
+    std::size_t widest = length(plain_text(table.columns[c].head));
+    for (const auto& row : table.rows) widest = std::max(widest, length(plain_text(row[c].text)));
     all += widest + (table.columns[c].opens_group ? 2 : 1);
   }
   return all;
@@ -243,8 +240,9 @@ Result<std::string> set(const Document& document, const Options& options) {
 }
 
 }  // namespace
+}  // namespace html
 
 extern const Writer html_writer;
-const Writer html_writer = {"html", "Web page, self-contained, prints on A4", &write, &set};
+const Writer html_writer = {"html", "Web page, self-contained, prints on A4", &html::write, &html::set};
 
 }  // namespace axiometry::report

@@ -16,6 +16,7 @@
 
 namespace axiometry::report {
 
+namespace pdf {
 namespace {
 
 using namespace pdf;
@@ -122,8 +123,9 @@ Result<std::string> set(const Document& document, const Options& options) {
 }
 
 }  // namespace
+}  // namespace pdf
 
 extern const Writer pdf_writer;
-const Writer pdf_writer = {"pdf", "PDF, A4", &write, &set};
+const Writer pdf_writer = {"pdf", "PDF, A4", &pdf::write, &pdf::set};
 
 }  // namespace axiometry::report

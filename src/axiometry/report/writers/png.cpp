@@ -16,6 +16,7 @@
 #include "axiometry/report/writer.h"
 
 namespace axiometry::report {
+namespace png {
 namespace {
 
 constexpr double dots_per_inch = 200.0;
@@ -97,13 +98,14 @@ Result<std::string> set(const Document& document, const Options& options) {
 }
 
 }  // namespace
+}  // namespace png
 
 extern const Writer png_writer;
 const Writer png_writer = {
     .extension = "png",
     .title = "All figures as one picture, 200 dots per inch on white",
-    .write = write,
-    .set = set,
+    .write = png::write,
+    .set = png::set,
 };
 
 }  // namespace axiometry::report

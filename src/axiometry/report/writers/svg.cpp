@@ -9,6 +9,7 @@
 #include "axiometry/report/writer.h"
 
 namespace axiometry::report {
+namespace svg {
 namespace {
 
 std::string file(const Figure& figure) { return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + to_svg(figure); }
@@ -31,13 +32,14 @@ Result<std::string> set(const Document& document, const Options& options) {
 }
 
 }  // namespace
+}  // namespace svg
 
 extern const Writer svg_writer;
 const Writer svg_writer = {
     .extension = "svg",
     .title = "All figures as one scalable drawing, for word processors and drawing programs",
-    .write = write,
-    .set = set,
+    .write = svg::write,
+    .set = svg::set,
 };
 
 }  // namespace axiometry::report
