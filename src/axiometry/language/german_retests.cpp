@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase retests_rows[] = {
     {"found a re-test of another kind of axis", "eine Nachprüfung einer anderen Art von Achse"},
     {"found a test along a line that {0#} axes drive together (axis.line_direction), expected one of the axis that the "
      "table corrects",
@@ -121,6 +121,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_retests = rows;
+const std::span<const Phrase> german_retests = retests_rows;
 
 }  // namespace axiometry::language
