@@ -96,6 +96,9 @@ TEST(FindingOfRetest, CallsNothingWhatItShouldBeThatIsNot) {
   };
   EXPECT_EQ(id_of_retest(c), "retest-as-predicted");
   EXPECT_EQ(id_of_retest(c, {.above_expected = true}), "retest-more-left");
+  EXPECT_EQ(id_of_retest(acting(scaled(up, 0.9), scaled(down, 0.9))), "retest-as-predicted")
+      << "what changes from one day to the next, and leaves no more than was expected";
+  EXPECT_EQ(id_of_retest(acting(scaled(up, 0.9), scaled(down, 0.9)), {.above_expected = true}), "retest-otherwise");
   EXPECT_EQ(id_of_retest(acting(scaled(up, 0.8), scaled(down, 0.8))), "retest-otherwise");
   EXPECT_EQ(id_of_retest(acting(scaled(up, 1.2), scaled(down, 1.2))), "retest-otherwise");
   EXPECT_EQ(id_of_retest(acting(up, none)), "retest-one-direction");

@@ -73,6 +73,8 @@ constexpr Phrase claims_rows[] = {
      "{0} als Prüfdatum; erwartet: ein Tag wie {1}. Nichts, was vom Tag abhängt, konnte angesehen werden"},
     {"found {0} outside the axis travel, expected all targets within it",
      "{0} außerhalb des Verfahrwegs; erwartet: alle Zielpositionen innerhalb"},
+    {"found {0} outside the axis travel, expected all targets within it: do both count from one zero?",
+     "{0} außerhalb des Verfahrwegs; erwartet: alle Zielpositionen innerhalb. Zählen beide von einem Nullpunkt aus?"},
     {"kept", "eingehalten"},
     {"no value of the listed parameters {0#}", "kein Wert der aufgeführten Kennwerte {0}"},
     {"not all stated", "nicht alles angegeben"},

@@ -17,6 +17,8 @@ constexpr Phrase retests_rows[] = {
      "die Tabelle würde den Fehler der Achse verdoppeln: {0}"},
     {"found the test itself as its re-test, expected one with the table active",
      "die Prüfung selbst als ihre Nachprüfung; erwartet: eine mit aktiver Tabelle"},
+    {"no more is left than the table lets expect; the re-test shows {0#} ± {1#} (k = 2) of it",
+     "es bleibt nicht mehr, als die Tabelle erwarten lässt; die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr"},
     {"sampling points of a compensation (axis.compensation_points)",
      "Stützpunkte einer Kompensation (axis.compensation_points)"},
     {"the error has doubled, the re-test shows {0#} ± {1#} (k = 2) of the table: a sign mistake, or directions "

@@ -54,7 +54,12 @@ std::optional<double> AxisEnds::length_native() const {
 
 AxisEnds axis_ends(const Axis& axis) {
   AxisEnds ends{axis.travel_begin, axis.travel_end};
-  if (ends.lower && ends.upper && *ends.lower > *ends.upper) std::swap(ends.lower, ends.upper);
+  if (!ends.lower || !ends.upper || !(*ends.lower > *ends.upper)) return ends;
+  constexpr double turn_deg = 360.0;
+  if (axis.kind == AxisKind::rotary)  // from 350° on through 0° to 10°
+    ends.upper = Position::native(ends.upper->in_native() + turn_deg);
+  else
+    std::swap(ends.lower, ends.upper);
   return ends;
 }
 

@@ -147,6 +147,17 @@ TEST(Claims, OfTheTestFallWithAgreedSurroundingsOfWhichNobodyKnows) {
   EXPECT_TRUE(ids_against_tested(whole(), noted).empty());
 }
 
+TEST(Claims, TakeInitialsForSomebody) {
+  const auto reported = [](const char* inspector) {
+    axiometry::Test test = whole();
+    test.metadata.conditions.inspector = inspector;
+    return holds(test, ClaimKind::reported);
+  };
+  EXPECT_TRUE(reported("K. A."));
+  EXPECT_TRUE(reported("N.B."));
+  for (const char* nobody : {"k. A.", "n. b.", "N/A", "K.A", ""}) EXPECT_FALSE(reported(nobody)) << nobody;
+}
+
 TEST(Claims, OfTheTestTakeTemperaturesFromALogToo) {
   axiometry::Test test = whole();
   test.metadata.environment = {};

@@ -100,6 +100,14 @@ std::optional<Finding> both_ends_from_both_sides(const Case& c) {
       fmt::format("found an end of the measurement travel approached from one side, {}, expected both sides", ends));
 }
 
+/// Whether the targets would fit into the travel and most of them lie beside it.
+bool counts_from_elsewhere(const AxisEnds& ends, double first, double last, double room) {
+  if (!ends.lower || !ends.upper) return false;
+  const double lower = ends.lower->in_native(), upper = ends.upper->in_native();
+  const double inside = std::min(last, upper) - std::max(first, lower);
+  return last - first <= upper - lower + room && inside < 0.5 * (last - first);
+}
+
 std::optional<Finding> targets_within_axis_travel(const Case& c) {
   const AxisEnds ends = axis_ends(c.metadata.axis);
   const double first = c.target(0), last = c.target(c.series.target_count() - 1);
@@ -116,6 +124,12 @@ std::optional<Finding> targets_within_axis_travel(const Case& c) {
   };
   if (ends.lower) look("first", first, ends.lower->in_native() - first);
   if (ends.upper) look("last", last, last - ends.upper->in_native());
+  if (!outside.empty() && counts_from_elsewhere(ends, first, last, room))
+    return missing(
+        "targets-within-axis-travel", "3.2",
+        fmt::format("found {} outside the axis travel, expected all targets within it: do both count from one "
+                    "zero?",
+                    fmt::join(outside, " and ")));
   if (!outside.empty())
     return departure(
         "targets-within-axis-travel", "3.2",

@@ -154,6 +154,11 @@ TEST(Findings, DepartWhereTargetsLieOutsideTheAxisTravel) {
   EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"),
             "departure: found the first target at 0 mm and the last target at 500 mm outside the axis travel, expected "
             "all targets within it");
+  m.axis.travel_begin = Position::native(-500);
+  m.axis.travel_end = Position::native(0);
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"),
+            "missing: found the last target at 500 mm outside the axis travel, expected all targets within it: do both "
+            "count from one zero?");
   m.axis.travel_begin = Position::native(520);
   m.axis.travel_end = Position::native(-20);
   EXPECT_EQ(finding(assessed(proper(half_metre), m), "3.2"), "") << "ends are ends, whichever was stated first";
