@@ -50,6 +50,17 @@ SOURCES = [
     "app/dynamics/dynamic_reports.cpp",
     "app/tracking/polar_report.cpp", "app/tracking/tracker_list.cpp",
     "app/error_motions/motion_tables.cpp", "app/error_motions/motion_reports.cpp", "report/figures/axis_motion.cpp",
+    "formats/csv/csv_columns.cpp", "formats/csv/csv_long_contradictions.cpp", "formats/csv/csv_long_rows.cpp", "formats/csv/csv_preamble.cpp",
+    "formats/devices/camonitor_codes.cpp", "formats/devices/camonitor_log.cpp", "formats/devices/renishaw_rtl_conditions.cpp",
+    "formats/devices/renishaw_rtl_runs.cpp", "formats/plan/plan_json.cpp", "formats/plan/tracking_plan_json.cpp", "formats/recording.cpp",
+    "formats/recordings/line_reader.cpp", "formats/recordings/rtx_header.cpp", "formats/recordings/sample_columns.cpp",
+    "formats/recordings/stamp_judge.cpp", "formats/registry.cpp", "formats/table/generic_cells.cpp", "formats/table/generic_draft.cpp",
+    "formats/table/generic_read.cpp", "formats/table/generic_rules.cpp", "formats/table/generic_shape.cpp", "formats/table/generic_transposed.cpp",
+    "formats/test/metadata_json.cpp", "formats/text/approaches.cpp", "formats/text/csv_cells.cpp", "formats/text/decoded_text.cpp",
+    "formats/text/json_members.cpp", "formats/text/named_rows.cpp", "formats/text/series_order.cpp", "formats/text/units.cpp",
+    "formats/tracking/location_points_csv.cpp", "formats/tracking/station_json.cpp", "formats/tracking/tracking_setup_json.cpp",
+    "formats/volumetric/machine_json.cpp", "formats/volumetric/true_errors_json.cpp", "formats/volumetric/volumetric_plan_json.cpp",
+    "formats/volumetric/volumetric_result_json.cpp", "model/fields.cpp", "model/motion_series.cpp", "model/plan.cpp", "model/series.cpp",
 ]
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)+\'', re.S)
 SHORTEST = 12  # characters of a piece that says something by itself

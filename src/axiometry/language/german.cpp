@@ -47,7 +47,10 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_station_refusals,
                                  german_length_refusals,
                                  german_volume_files,
-                                 german_volume_refusals};
+                                 german_volume_refusals,
+                                 german_file_refusals,
+                                 german_recording_refusals,
+                                 german_plan_refusals};
   return tables;
 }
 

@@ -55,6 +55,10 @@ extern const std::span<const Phrase> german_length_refusals;   ///< lines and le
 extern const std::span<const Phrase> german_volume_files;      ///< files of volume, straightness, angles, simulations
 extern const std::span<const Phrase> german_volume_refusals;   ///< what else is refused of them
 
+extern const std::span<const Phrase> german_file_refusals;       ///< files of devices, tables of numbers
+extern const std::span<const Phrase> german_recording_refusals;  ///< continuous recordings
+extern const std::span<const Phrase> german_plan_refusals;       ///< plans, tests in JSON, series of readings
+
 /// All of them.
 std::span<const std::span<const Phrase>> german_tables();
 
