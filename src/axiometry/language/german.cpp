@@ -46,7 +46,10 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_station_refusals,
                                  german_length_refusals,
                                  german_volume_files,
-                                 german_volume_refusals};
+                                 german_volume_refusals,
+                                 german_refusals_verbs,
+                                 german_refusals_archive,
+                                 german_refusals_measure};
   return tables;
 }
 
