@@ -61,6 +61,23 @@ SOURCES = [
     "formats/tracking/location_points_csv.cpp", "formats/tracking/station_json.cpp", "formats/tracking/tracking_setup_json.cpp",
     "formats/volumetric/machine_json.cpp", "formats/volumetric/true_errors_json.cpp", "formats/volumetric/volumetric_plan_json.cpp",
     "formats/volumetric/volumetric_result_json.cpp", "model/fields.cpp", "model/motion_series.cpp", "model/plan.cpp", "model/series.cpp",
+    "app/cases/expression.cpp", "app/convert/convert.cpp", "app/evaluate/correction_text.cpp",
+    "app/evaluate/drift_recording.cpp", "app/evaluate/evaluate.cpp", "app/evaluate/tolerance_table.cpp",
+    "app/evaluate/tolerance_text.cpp", "app/files/amount_text.cpp", "app/files/number_list.cpp",
+    "app/files/store_address.cpp", "app/live/capture_service.cpp", "app/live/capture_source.cpp",
+    "app/live/live_source.cpp", "app/live/recording_spared.cpp", "app/live/simulated_lengths.cpp",
+    "app/plan/nc_program.cpp", "app/recordings/capture_session.cpp", "app/recordings/raw_log.cpp",
+    "app/results/outputs.cpp", "app/studies/lee_experiments.cpp", "app/tracking/evaluate_options.cpp",
+    "app/tracking/tracking_request.cpp", "app/volumetric/identify_options.cpp",
+    "app/workbench/calibration_evaluation.cpp", "app/workbench/measured_file.cpp", "app/workbench/workbench.cpp",
+    "app/workbench/workbench_state.cpp", "capture/dynamics/motion_course.cpp", "digest/time_stamp.cpp",
+    "nc/compensations/mitsubishi.cpp", "nc/word_program.cpp", "simulation/instrument_errors.cpp",
+    "simulation/record.cpp", "simulation/timeline.cpp", "simulation/tracked_machine.cpp",
+    "simulation/tracked_machine_check.cpp", "simulation/virtual_axis.cpp", "standards/error_motions/squareness.cpp",
+    "standards/iso230_2/inputs/inputs.cpp", "standards/iso230_2/periodic/periodic.cpp",
+    "standards/readings/air_refraction.cpp", "standards/readings/thermal_expansion.cpp",
+    "store/database/connection.cpp", "store/proof/seal.cpp", "tracking/lines/seven_lines.cpp",
+    "uncertainty/correlation.cpp", "uncertainty/monte_carlo.cpp", "uncertainty/propagate.cpp",
 ]
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)+\'', re.S)
 SHORTEST = 12  # characters of a piece that says something by itself

@@ -50,7 +50,10 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_volume_refusals,
                                  german_file_refusals,
                                  german_recording_refusals,
-                                 german_plan_refusals};
+                                 german_plan_refusals,
+                                 german_refusals_verbs,
+                                 german_refusals_archive,
+                                 german_refusals_measure};
   return tables;
 }
 

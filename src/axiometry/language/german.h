@@ -54,6 +54,9 @@ extern const std::span<const Phrase> german_station_refusals;  ///< stations: lo
 extern const std::span<const Phrase> german_length_refusals;   ///< lines and lengths of a tracking interferometer
 extern const std::span<const Phrase> german_volume_files;      ///< files of volume, straightness, angles, simulations
 extern const std::span<const Phrase> german_volume_refusals;   ///< what else is refused of them
+extern const std::span<const Phrase> german_refusals_verbs;    ///< commands, options, requests, refused
+extern const std::span<const Phrase> german_refusals_archive;  ///< the archive, its trail, seals, backups, refused
+extern const std::span<const Phrase> german_refusals_measure;  ///< programs, simulations, evaluations, refused
 
 extern const std::span<const Phrase> german_file_refusals;       ///< files of devices, tables of numbers
 extern const std::span<const Phrase> german_recording_refusals;  ///< continuous recordings

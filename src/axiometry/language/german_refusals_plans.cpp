@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase rows[] = {
+constexpr Phrase refusals_plans_rows[] = {
     {"an array of approaches", "eine Liste von Anfahrten"},
     {"an array of objects", "eine Liste von Objekten"},
     {"an array of plans", "eine Liste von Plänen"},
@@ -174,6 +174,6 @@ constexpr Phrase rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_plan_refusals = rows;
+const std::span<const Phrase> german_plan_refusals = refusals_plans_rows;
 
 }  // namespace axiometry::language
