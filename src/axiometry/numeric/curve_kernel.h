@@ -22,7 +22,7 @@ template <size_t registers>
   for (size_t r = 0; r < registers; ++r) store(values + first + r * lanes<Doubles>, sums[r]);
 }
 
-void draw(const CurveView& view, const double* normals, double* values) {
+[[gnu::always_inline]] inline void draw_curve(const CurveView& view, const double* normals, double* values) {
   constexpr size_t wide = 6;  // 12 places of two lanes, and 24 of four
   size_t first = 0;
   for (; first + wide * lanes<Doubles> <= view.places; first += wide * lanes<Doubles>)
@@ -37,6 +37,11 @@ void draw(const CurveView& view, const double* normals, double* values) {
     case 6: return draw_places<6>(view, normals, first, values);
     default: return;
   }
+}
+
+void draw(const CurveDraws& curves) {
+  for (size_t c = 0; c < curves.count; ++c)
+    draw_curve(curves.views[c], curves.normals + c * curves.normals_stride, curves.values + c * curves.values_stride);
 }
 
 }  // namespace

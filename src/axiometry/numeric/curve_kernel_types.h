@@ -19,9 +19,19 @@ struct CurveView {
   std::size_t stride = 0;           ///< m, filled up
 };
 
+/// Curves over the same places, each of its own means, deviations and columns.
+struct CurveDraws {
+  const CurveView* views = nullptr;
+  std::size_t count = 0;
+  const double* normals = nullptr;  ///< m for each curve …
+  std::size_t normals_stride = 0;   ///< … which begin so far apart
+  double* values = nullptr;         ///< out: `stride` or fewer for each curve, at least m …
+  std::size_t values_stride = 0;    ///< … which begin so far apart, at least `stride`
+};
+
 struct CurveKernel {
-  /// Adds in the order of the columns, beginning with 0; sets `stride` values or fewer, at least m.
-  void (*draw)(const CurveView& view, const double* normals, double* values);
+  /// Adds in the order of the columns, beginning with 0.
+  void (*draw)(const CurveDraws& curves);
 };
 
 /// The one for this target; contract: it is available.

@@ -206,21 +206,21 @@ void CurvePosterior::consider_hypotheses(const std::vector<double>& amplitudes) 
   kept_.assign(hypotheses_.size(), not_kept);
   for (std::size_t h = 0; h < hypotheses_.size(); ++h) {
     if (choice_.probability(h) < likely) continue;
-    kept_[h] = static_cast<std::uint32_t>(kept_coordinates_.size());
-    kept_coordinates_.push_back(coordinates_of(hypotheses_[h]));
+    kept_[h] = static_cast<std::uint32_t>(kept_coordinates_.size() / (2 * size()));
+    append_coordinates(hypotheses_[h], kept_coordinates_);
   }
 }
 
-CurvePosterior::Coordinates CurvePosterior::coordinates_of(const Hypothesis& hypothesis) const {
-  Coordinates found{std::vector<double>(size()), std::vector<double>(size())};
+void CurvePosterior::append_coordinates(const Hypothesis& hypothesis, std::vector<double>& numbers) const {
+  const std::size_t m = size(), begin = numbers.size();
+  numbers.resize(begin + 2 * m);
   const CurveAxes& axes = frame_->axes[hypothesis.length];
-  for (std::size_t k = 0; k < size(); ++k) {
+  for (std::size_t k = 0; k < m; ++k) {
     const double prior = hypothesis.smooth_variance * axes.smooth[k] + hypothesis.rough_variance;
     const double shrink = k < trend_terms_ ? 1.0 : prior / (prior + noise_variance_);
-    found.means[k] = shrink * coordinates_[hypothesis.length][k];
-    found.sds[k] = std::sqrt(shrink * noise_variance_);
+    numbers[begin + k] = shrink * coordinates_[hypothesis.length][k];
+    numbers[begin + m + k] = std::sqrt(shrink * noise_variance_);
   }
-  return found;
 }
 
 /// Of the coordinates beside the trend, up to a constant.
@@ -251,22 +251,27 @@ void CurvePosterior::draw(const Numbers& numbers, Rows<double> curves) const {
   }
 }
 
+/// First all choices: they are searched for by guesses, which would hold up what is between them.
 void CurvePosterior::draw_by_axes(const Numbers& numbers, Rows<double> curves) const {
-  const CurveKernel& kernel = curve_kernel_of(best_vector_target());
-  const std::size_t m = size();
-  std::vector<double> curve(frame_->stride);
-  std::vector<std::size_t> choices(numbers.choices.size());  // first all of them: they are searched for by guesses
-  for (std::size_t t = 0; t < choices.size(); ++t) choices[t] = choice_(numbers.choices[t]);
-  Coordinates rare;
-  for (std::size_t t = 0; t < choices.size(); ++t) {
-    const std::size_t chosen = choices[t];
-    if (kept_[chosen] == not_kept) rare = coordinates_of(hypotheses_[chosen]);
-    const Coordinates& own = kept_[chosen] == not_kept ? rare : kept_coordinates_[kept_[chosen]];
-    const std::vector<double>& columns = frame_->padded_columns[hypotheses_[chosen].length];
-    kernel.draw({own.means.data(), own.sds.data(), columns.data(), m, frame_->stride},
-                numbers.normals.subspan(t * numbers.stride, m).data(), curve.data());
-    for (std::size_t i = 0; i < m; ++i) curves.values[i * curves.stride + t] = curve[i];
+  const std::size_t m = size(), stride = frame_->stride, count = numbers.choices.size();
+  std::vector<CurveView> views(count);
+  std::vector<double> rare, values(count * stride);
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::size_t chosen = choice_(numbers.choices[t]);
+    const double* own = nullptr;
+    if (kept_[chosen] == not_kept) {
+      rare.reserve(count * 2 * m);  // so that none is moved
+      append_coordinates(hypotheses_[chosen], rare);
+      own = rare.data() + rare.size() - 2 * m;
+    } else {
+      own = kept_coordinates_.data() + kept_[chosen] * 2 * m;
+    }
+    views[t] = {own, own + m, frame_->padded_columns[hypotheses_[chosen].length].data(), m, stride};
   }
+  curve_kernel_of(best_vector_target())
+      .draw({views.data(), count, numbers.normals.data(), numbers.stride, values.data(), stride});
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t t = 0; t < count; ++t) curves.values[i * curves.stride + t] = values[t * stride + i];
 }
 
 /// Curves of one length together, as many as a filter follows at once; the last group is filled up with its first.

@@ -81,15 +81,12 @@ class CurvePosterior {
     double smooth_variance = 0.0;  ///< a²
     double rough_variance = 0.0;   ///< k²
   };
-  /// In the axes of a hypothesis: independent of each other.
-  struct Coordinates {
-    std::vector<double> means, sds;
-  };
   class StatesLikelihood;
 
   void consider_hypotheses(const std::vector<double>& amplitudes);
   double log_likelihood(const Hypothesis& hypothesis) const;
-  Coordinates coordinates_of(const Hypothesis& hypothesis) const;
+  /// In the axes of a hypothesis, independent of each other: appends m means and as many standard deviations.
+  void append_coordinates(const Hypothesis& hypothesis, std::vector<double>& numbers) const;
   void draw_by_axes(const Numbers& numbers, Rows<double> curves) const;
   void draw_by_states(const Numbers& numbers, Rows<double> curves) const;
 
@@ -103,7 +100,7 @@ class CurvePosterior {
   std::vector<Hypothesis> hypotheses_;
   static constexpr std::uint32_t not_kept = 0xffff'ffffu;
   std::vector<std::uint32_t> kept_;  ///< of every hypothesis: the number of its coordinates, or not_kept; of axes
-  std::vector<Coordinates> kept_coordinates_;
+  std::vector<double> kept_coordinates_;  ///< as append_coordinates() leaves them, one after the other
   WeightedChoice choice_;
 };
 
