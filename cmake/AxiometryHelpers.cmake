@@ -96,8 +96,8 @@ endfunction()
 # most sources of the target include, and these; and the sources of each folder as one, so that a template is instantiated
 # once for all of them. For that a name of an anonymous namespace stands for one thing in its folder; where each source
 # has the same names, such as the read() of every format, they are in a namespace with the name of the source. A folder
-# that is compiled last and takes long makes HALVES, so that one core does not wait for the other at the end. Sources
-# never rely on it: without the option it does nothing.
+# that is compiled last and takes long makes HALVES, so that one core does not wait for the other at the end. A source
+# that has a UNITY_GROUP keeps it. Sources never rely on any of it: without the option it does nothing.
 function(axiometry_unity_build target)
   if(NOT AXIOMETRY_UNITY_BUILD)
     return()
@@ -118,7 +118,8 @@ function(axiometry_unity_build target)
     get_filename_component(folder ${source} ABSOLUTE)
     get_filename_component(folder ${folder} DIRECTORY)
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
-    if(source MATCHES "\\.cpp$" AND folder MATCHES "^(src|apps|tests)")
+    get_source_file_property(group ${source} UNITY_GROUP)
+    if(source MATCHES "\\.cpp$" AND folder MATCHES "^(src|apps|tests)" AND NOT group)
       string(MAKE_C_IDENTIFIER ${folder} group)
       if(folder IN_LIST arg_HALVES)
         set(beside ${sources})
