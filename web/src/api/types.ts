@@ -1457,8 +1457,8 @@ export interface components {
                 /** @description Another one where it was evaluated again. */
                 result_sha256: string;
             }[];
-            /** @description As `axiometry tracking evaluate --json`, `axiometry volumetric identify --json` or the verb of its kind writes it, in the reader's language; docs/results.md explains it. */
-            result: Record<string, never>;
+            /** @description After its kind: of lines as `axiometry tracking evaluate --json`, of the 21 errors as `axiometry volumetric identify --json`, of the others as their verb writes it, in the reader's language; docs/results.md explains it. What an earlier version of the program wrote may lack members. */
+            result: components["schemas"]["TrackingEvaluation"] | components["schemas"]["VolumetricResult"] | components["schemas"]["MotionResult"];
         };
         /** @description A log of temperatures before and during the test (4.1), by the bytes of a document of the archive, with when the test was and what the parties agreed (7). */
         KeptTemperatures: {
