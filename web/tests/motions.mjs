@@ -112,4 +112,39 @@ export const motions = {
     await page.getByRole('button', { name: 'Take roll.csv away' }).click();
     await shows(page.locator('main'), /Not known without[\s\S]*EAX/);
   },
+
+  async 'motions: readings without positions get the places of their plan, of a file or of the archive'(world) {
+    const request = { axis: 'X', kind: 'linear', from: 0, to: 220, positions: [10, 100, 200], cycle: 'unidirectional', runs: 1, seed: 7, further: { error: 'EYX' } };
+    const { plan } = await world.api('POST', '/api/plans', { title: 'Straightness of X', axis: null, request });
+    assert.deepEqual(plan.errors, ['EYX']);
+    const page = await world.page();
+    await page.goto('/plans/1');
+    await shows(page.locator('.outcome'), /Errors\s*EYX/);
+    await shows(page.locator('.outcome'), 'can be followed');
+    assert.equal(await page.locator('.outcome').getByText('in accordance with ISO 230-2').count(), 0, 'the standard says nothing of it');
+    await page.goto('/motions');
+    const input = page.locator('.file-drop input[type=file]');
+    const text = (name, content) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(content) });
+    await input.setInputFiles(text('alone.csv', 'straightness_um\n0\n0.6\n0\n'));
+    await shows(page.locator('main'), 'no column position_mm');
+    await page.getByLabel('Add a plan of the archive').selectOption({ label: 'Straightness of X' });
+    await shows(page.locator('main'), /Straightness of X\.plan\.json.*plan/s);
+    await shows(page.locator('main'), /EYX.*alone\.csv/s);   // the plan names the error
+    await shows(page.locator('main'), /Straightness, range of the residuals\s*↑\s*0\.61/);
+    await page.getByRole('button', { name: 'Keep in the archive' }).click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Keep', exact: true }).click();
+    await page.getByRole('link', { name: /Kept as calibration 1/ }).click();
+    await shows(page.locator('h1'), 'EYX');
+    await page.goto('/motions');
+    await input.setInputFiles(text('other.csv', 'EZX_um\n0\n0.6\n0\n'));
+    await input.setInputFiles(text('x.json', JSON.stringify(plan)));
+    await shows(page.locator('main'), 'readings of EZX with a plan made for EYX');
+    await page.getByRole('button', { name: 'Take other.csv away' }).click();
+    await input.setInputFiles(text('first.csv', 'EYX_um\n0\n1\n2\n'));
+    await input.setInputFiles(text('second.csv', 'EXY_um\n0\n2\n4\n'));
+    await shows(page.locator('main'), 'for squareness: found 1, expected 2');
+    await input.setInputFiles(text('y.json', JSON.stringify({ ...plan, axis: { ...plan.axis, name: 'Y' }, errors: ['EXY'] })));
+    await shows(page.locator('main'), 'θ₂ − θ₁ + error of the square');
+    await shows(page.locator('main'), 'plan of line 2');
+  },
 };

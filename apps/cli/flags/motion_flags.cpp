@@ -7,10 +7,9 @@
 
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/source.h"
-#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/plan/plan.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/plan/plan_json.h"
 #include "cli/flags/option_text.h"
 
 namespace axiometry::cli {
@@ -91,12 +90,16 @@ void add_square_flags(const Verb& verb, error_motions::SquarenessOptions& square
 
 }  // namespace
 
-void add_motion_flags(const Verb& verb, std::string_view kind, std::vector<std::string>& files, MotionChoices& choices,
-                      std::string& plan) {
-  if (kind != "squareness")
-    verb->add_option("--plan", plan, "The plan after which readings alone were taken, in its order (axiometry plan)")
-        ->check(fault_of_empty_name)
-        ->type_name("FILE");
+void add_motion_flags(const Verb& verb, std::string_view kind, MotionFiles& given, MotionChoices& choices) {
+  verb->add_option("--plan", given.plans,
+                   kind == "squareness"
+                       ? "The plans after which readings alone were taken, in their order (axiometry plan); twice, for "
+                         "the first line and for the second"
+                       : "The plan after which readings alone were taken, in its order (axiometry plan)")
+      ->check(fault_of_empty_name)
+      ->type_name("FILE")
+      ->one_at_a_time();
+  std::vector<std::string>& files = given.readings;
   if (kind == "straightness") {
     files.resize(1);
     verb->add_option("FILE", files[0], "Readings as CSV, or - for the standard input")->required();
@@ -123,7 +126,8 @@ void add_motion_flags(const Verb& verb, std::string_view kind, std::vector<std::
   }
 }
 
-void check_motion_flags(std::string_view kind, const std::vector<std::string>& files, const MotionChoices& choices) {
+void check_motion_flags(std::string_view kind, const MotionFiles& given, const MotionChoices& choices) {
+  const auto& [files, plans] = given;
   if (choices.error && files.size() > 1)
     throw UsageError("--error", "found it with several files, expected one file, or # error: EAX in each");
   if (std::ranges::count(files, "-") > 1) {
@@ -131,6 +135,12 @@ void check_motion_flags(std::string_view kind, const std::vector<std::string>& f
       throw UsageError("SECOND", "found the standard input twice, expected a file for one of them");
     throw UsageError("FILE", "found the standard input twice, expected it once");
   }
+  const std::size_t plans_expected = kind == "squareness" ? 2 : 1;
+  if (!plans.empty() && plans.size() != plans_expected)
+    throw UsageError("--plan", fmt::format("found {}, expected {}", plans.size(),
+                                           plans_expected == 2 ? "2: for the first line and for the second" : "1"));
+  if (std::ranges::count(plans, "-") + std::ranges::count(files, "-") > 1)
+    throw UsageError("--plan", "found the standard input twice, expected it once");
   const auto& senses = choices.positive;
   if (senses.empty()) return;
   if (senses.size() != files.size())
@@ -142,11 +152,12 @@ void check_motion_flags(std::string_view kind, const std::vector<std::string>& f
                                                senses[0].text(), senses[1].text()));
 }
 
-Result<std::optional<Plan>> plan_of_motion(const std::string& file) {
-  if (file.empty()) return std::optional<Plan>();
-  AXIOMETRY_TRY(const std::string bytes, app::whole_file(file));
-  AXIOMETRY_TRY(Plan plan, app::in_file(formats::read_plan(bytes), file));
-  return std::optional(std::move(plan));
+Result<std::vector<Plan>> plans_of_motion(const std::vector<std::string>& files) {
+  std::vector<Plan> plans;
+  for (const std::string& file : files) {
+    AXIOMETRY_TRY(plans.emplace_back(), app::read_plan_file(file));
+  }
+  return plans;
 }
 
 Result<app::EvaluatedMotion> evaluated_motion(std::string_view kind, const std::vector<std::string>& files,

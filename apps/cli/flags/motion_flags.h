@@ -12,16 +12,20 @@
 /// `store` have too.
 namespace axiometry::cli {
 
-/// The files and all flags that `kind` has a use for ("straightness", "angles", "squareness").
-void add_motion_flags(const Verb& verb, std::string_view kind, std::vector<std::string>& files,
-                      app::MotionChoices& choices, std::string& plan);
+/// Names of files: of readings, and of --plan.
+struct MotionFiles {
+  std::vector<std::string> readings;
+  std::vector<std::string> plans;
+};
 
-/// The plan of --plan, when it is read; none where that was not given.
-Result<std::optional<Plan>> plan_of_motion(const std::string& file);
+/// The files and all flags that `kind` has a use for ("straightness", "angles", "squareness").
+void add_motion_flags(const Verb& verb, std::string_view kind, MotionFiles& files, app::MotionChoices& choices);
+
+/// Those of --plan, read; none where that was not given.
+Result<std::vector<Plan>> plans_of_motion(const std::vector<std::string>& files);
 
 /// Throws UsageError on flags that do not fit the number of files, and on the standard input twice.
-void check_motion_flags(std::string_view kind, const std::vector<std::string>& files,
-                        const app::MotionChoices& choices);
+void check_motion_flags(std::string_view kind, const MotionFiles& files, const app::MotionChoices& choices);
 
 /// The files read and evaluated.
 Result<app::EvaluatedMotion> evaluated_motion(std::string_view kind, const std::vector<std::string>& files,

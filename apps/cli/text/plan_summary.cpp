@@ -34,17 +34,20 @@ bool both_directions(const Plan& plan) {
 }
 
 std::string programme(const Plan& plan, const report::Options& options, const Terminal& terminal) {
-  std::string text = fmt::format("{} from {} to {}, {} {}, {} cycle{}", counted(plan.targets.size(), "target"),
-                                 report::shown_short(plan.targets.front().in_native(), options),
-                                 with_unit(plan.targets.back().in_native(), plan, options), counted(plan.runs, "run"),
-                                 both_directions(plan) ? "in both directions" : "in one direction",
-                                 cycle_name(plan.cycle), plan.clause.empty() ? "" : fmt::format(" ({})", plan.clause));
+  const std::string text =
+      fmt::format("{} from {} to {}, {} {}, {} cycle{}", counted(plan.targets.size(), "target"),
+                  report::shown_short(plan.targets.front().in_native(), options),
+                  with_unit(plan.targets.back().in_native(), plan, options), counted(plan.runs, "run"),
+                  both_directions(plan) ? "in both directions" : "in one direction", cycle_name(plan.cycle),
+                  plan.clause.empty() ? "" : fmt::format(" ({})", plan.clause));
   std::string details =
       fmt::format("Feed {}/min, dwell {} s, overrun {}", with_unit(plan.feed, plan, options),
                   report::shown_short(plan.dwell.in_s(), options), with_unit(plan.overrun.in_native(), plan, options));
   if (plan.warm_up_runs > 0) details += fmt::format(", {}", counted(plan.warm_up_runs, "warm-up run"));
   if (plan.seed) details += fmt::format(", seed {}", *plan.seed);
-  return report::translated(text, options) + "\n" + terminal.faint(report::translated(details, options)) + "\n\n";
+  const std::string errors = plan.errors.empty() ? "" : errors_text(plan) + ": ";
+  return errors + report::translated(text, options) + "\n" + terminal.faint(report::translated(details, options)) +
+         "\n\n";
 }
 
 std::string target_table(const Plan& plan, const report::Options& options, const Terminal& terminal) {
@@ -90,6 +93,15 @@ std::string conclusion(const app::PlannedTest& planned, const report::Options& o
   if (!planned.plan.further.empty())
     text += fmt::format(", {} of it over the whole travel", report::duration_text(planned.duration));
   text = said(text + ".") + " ";
+  const std::string_view label = cycle_label(planned.plan.cycle);
+  const std::string labelled = label.empty() ? "\n" : " " + terminal.bold(said(fmt::format("{}.", label))) + "\n";
+  if (!measures_positions(planned.plan)) {
+    const std::string errors = errors_text(planned.plan);
+    return text +
+           (planned.conforming() ? terminal.green(said(fmt::format("Plan for {}.", errors)))
+                                 : terminal.red(said(fmt::format("The axis cannot follow it for {}.", errors)))) +
+           labelled;
+  }
   const std::string edition = edition_of(planned.plan.axis);
   if (planned.in_accordance())
     text += terminal.green(said(fmt::format("Plan after {}.", edition)));
@@ -99,9 +111,7 @@ std::string conclusion(const app::PlannedTest& planned, const report::Options& o
   else
     text += terminal.red(said(
         fmt::format("Not a plan after {}: {}.", edition, counted(static_cast<std::size_t>(departures), "departure"))));
-  const std::string_view label = cycle_label(planned.plan.cycle);
-  if (!label.empty()) text += " " + terminal.bold(said(fmt::format("{}.", label)));
-  return text + "\n";
+  return text + labelled;
 }
 
 }  // namespace

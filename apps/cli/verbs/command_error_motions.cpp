@@ -15,8 +15,8 @@ namespace axiometry::cli {
 namespace {
 
 struct MotionArguments {
-  std::string kind, plan;
-  std::vector<std::string> files;
+  std::string kind;
+  MotionFiles files;
   app::MotionChoices choices;
   ExperimentArguments outputs;
 };
@@ -34,15 +34,15 @@ int run_motion(MotionArguments& arguments) {
   check_motion_flags(arguments.kind, arguments.files, arguments.choices);
   check_experiment_outputs(arguments.outputs);
   std::vector<app::InputFile> inputs;
-  for (const std::string& file : arguments.files) inputs.push_back({file, false});
-  if (!arguments.plan.empty()) inputs.push_back({arguments.plan, false});
+  for (const auto* list : {&arguments.files.readings, &arguments.files.plans})
+    for (const std::string& file : *list) inputs.push_back({file, false});
   app::OutputNames& names = arguments.outputs.outputs;
   names.inputs = app::InputFiles(inputs);
   if (const auto spared = app::check_inputs_spared(names); !spared) return failed(spared.error(), exit_usage);
-  auto plan = plan_of_motion(arguments.plan);
-  if (!plan) return failed(plan.error());
-  arguments.choices.plan = *std::move(plan);
-  const auto measured = evaluated_motion(arguments.kind, arguments.files, arguments.choices);
+  auto plans = plans_of_motion(arguments.files.plans);
+  if (!plans) return failed(plans.error());
+  arguments.choices.plans = *std::move(plans);
+  const auto measured = evaluated_motion(arguments.kind, arguments.files.readings, arguments.choices);
   if (!measured) return failed(measured.error());
   const app::Experiment experiment = app::present_motion(
       *measured, arguments.outputs.report, {.report = !names.reports.empty(), .json = !names.json.empty()});
@@ -58,7 +58,7 @@ void add_motion_verb(const Verb& program, const std::string& kind, const std::st
   Verb verb = program.add_subcommand(kind, description);
   auto a = std::make_shared<MotionArguments>();
   a->kind = kind;
-  add_motion_flags(*verb, kind, a->files, a->choices, a->plan);
+  add_motion_flags(*verb, kind, a->files, a->choices);
   add_experiment_flags(*verb, a->outputs);
   verb->callback([a, &exit_code] { exit_code = run_motion(*a); });
   verb->footer(footer);
@@ -83,7 +83,9 @@ void add_squareness(const Verb& program, int& exit_code) {
       R"(The squareness is the slope of the second line less that of the first, plus the error of the optical square.
 With --positive, or # positive: +Y above the columns of each file, it is that of the machine's axes, with its location
 error C0Y, B0Z or A0Z, which axiometry volumetric assemble takes as C0Y=square.json.
+With --plan, once for each line, the columns are straightness_um alone, a row for each approach in its order.
 Examples:
+  axiometry squareness x.csv y.csv --plan x.plan.json --plan y.plan.json --positive +Y,-X
   axiometry squareness x-in-y.csv y-in-x.csv --positive +Y,-X --json square.json
   axiometry squareness x-in-y.csv y-in-x.csv --square-error 0.4 --square-uncertainty 0.3
   axiometry squareness x-in-y.csv y-in-x.csv --reference end-points --json -)",

@@ -236,7 +236,10 @@ void add_evaluate(const Verb& program, int& exit_code) {
   axiometry evaluate test.csv --temperatures hall.csv --began 2026-03-02T09:00 --agreed-rate 0.5
   axiometry evaluate machines/ --tolerance-table limits.csv:'Machining centre' --report all.csv
   axiometry evaluate machines/ --json all.json --report all.csv --report 'reports/{name}.pdf'
-  zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv)");
+  zcat big.csv.gz | axiometry evaluate - --quiet --report all.csv
+
+Figures by other rules than ISO 230-2:2014 (earlier editions, VDI/DGQ 3441, JIS, GB/T) stand beside these in
+axiometry compare-rules test.csv --standard vdi-dgq-3441.)");
 }
 
 void add_uncertainty(const Verb& program, int& exit_code) {

@@ -18,8 +18,8 @@ namespace axiometry::cli {
 namespace {
 
 struct KeptMotionArguments {
-  std::string address, kind, plan;
-  std::vector<std::string> files;
+  std::string address, kind;
+  MotionFiles files;
   app::MotionChoices choices;
   AboutCalibration about;
 };
@@ -30,16 +30,16 @@ Result<int> keep_motion(const KeptMotionArguments& a) {
   calibration.kind = a.kind;
   calibration.options = app::to_json(a.choices);
   std::vector<std::string> bytes;
-  bytes.reserve(a.files.size());
-  for (const std::string& file : a.files) {
+  bytes.reserve(a.files.readings.size() + a.files.plans.size());  // what is kept points into it
+  for (const std::string& file : a.files.readings) {
     AXIOMETRY_TRY(std::string read, app::file_bytes(file));
     bytes.push_back(std::move(read));
     calibration.files.push_back({app::readings_role(bytes.size()), app::base_name(file), bytes.back()});
   }
-  std::string plan;
-  if (!a.plan.empty()) {
-    AXIOMETRY_TRY(plan, app::whole_file(a.plan));
-    calibration.files.push_back({"plan", app::base_name(a.plan), plan});
+  for (std::size_t k = 0; k < a.files.plans.size(); ++k) {
+    AXIOMETRY_TRY(std::string read, app::whole_file(a.files.plans[k]));
+    bytes.push_back(std::move(read));
+    calibration.files.push_back({app::plan_role(k + 1), app::base_name(a.files.plans[k]), bytes.back()});
   }
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {}));
   AXIOMETRY_TRY(const auto kept,
@@ -53,7 +53,7 @@ void add_kept_motion(const Verb& store, const char* kind, const char* descriptio
   made->kind = kind;
   Verb verb = store_verb(store, {kind, description}, exit_code, made, keep_motion);
   verb->footer(footer);
-  add_motion_flags(*verb, kind, made->files, made->choices, made->plan);
+  add_motion_flags(*verb, kind, made->files, made->choices);
   add_about_flags(*verb, made->about, "--of-instrument");
 }
 

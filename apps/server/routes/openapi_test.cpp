@@ -10,6 +10,7 @@
 
 #include "axiometry/app/live/capture_keeping.h"
 #include "axiometry/app/live/capture_service.h"
+#include "axiometry/app/temperatures/agreed_limits.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
@@ -85,6 +86,17 @@ void collect_references(const json::Value& value, std::set<std::string>& found) 
   for (const auto& [name, member] : value.members()) {
     if (name == "$ref" && member.is(json::Kind::text)) found.insert(member.text());
     collect_references(member, found);
+  }
+}
+
+TEST(OpenApi, bounds_what_was_agreed_on_temperatures_as_the_program_does) {
+  const json::Value* limits =
+      api_description().find("components")->find("schemas")->find("KeptTemperatures")->find("properties");
+  for (const auto& [name, least] :
+       {std::pair{"lowest_C", app::coldest_agreed_C}, std::pair{"highest_C", app::coldest_agreed_C},
+        std::pair{"rate_C_per_h", 0.0}, std::pair{"gradient_C", 0.0}}) {
+    EXPECT_EQ(limits->find(name)->find("minimum")->number(), least) << name;
+    EXPECT_EQ(limits->find(name)->find("maximum")->number(), app::most_agreed_C) << name;
   }
 }
 

@@ -308,10 +308,46 @@ TEST_F(CalibrationRoutes, keep_readings_alone_with_the_plan_that_they_were_taken
   EXPECT_THAT(
       refusal(keep({{"readings", "EYX_um\n0\n"}, {"plan", formats::write_plan(plan)}}, {{"kind", "straightness"}})),
       HasSubstr("found 1 readings, expected 3"));
-  EXPECT_THAT(
-      refusal(keep({{"readings", "EYX_um\n0\n"}, {"readings-2", "EXY_um\n0\n"}, {"plan", formats::write_plan(plan)}},
-                   {{"kind", "squareness"}})),
-      HasSubstr("found a plan, which squareness has no use for"));
+  plan.errors = {{'Z', 'X'}};
+  EXPECT_THAT(refusal(keep({{"readings", "EYX_um\n0\n0.6\n0\n"}, {"plan", formats::write_plan(plan)}},
+                           {{"kind", "straightness"}})),
+              HasSubstr("found readings of EYX with a plan made for EZX"));
+}
+
+TEST_F(CalibrationRoutes, keep_a_squareness_of_readings_alone_with_a_plan_for_each_line) {
+  Plan x;
+  x.axis.name = "X";
+  x.targets = {Position::native(0.0), Position::native(100.0), Position::native(200.0)};
+  x.cycle = TestCycle::unidirectional;
+  x.runs = 1;
+  x.overrun = Position::native(5.0);
+  x.feed = 1000.0;
+  Plan y = x;
+  y.axis.name = "Y";
+  const std::string of_x = formats::write_plan(x), of_y = formats::write_plan(y);
+  const std::string eyx = "EYX_um\n0\n1\n2\n", exy = "EXY_um\n0\n2\n4\n";
+  const Value kept = value_of(keep({{"readings", eyx}, {"readings-2", exy}, {"plan", of_x}, {"plan-2", of_y}},
+                                   {{"kind", "squareness"}, {"options", R"({"positive": ["+Y", "+X"]})"}}),
+                              201);
+  EXPECT_NEAR(*figure_of(kept, "C0Y", ""), -30.0, 1e-6);  // −(20 µm/m) − (10 µm/m)
+  EXPECT_EQ(send("GET", "/1/report.html").status, 200);   // found again from what is kept
+  const auto refused = [&](const Pairs& plans) {
+    Pairs files = {{"readings", eyx}, {"readings-2", exy}};
+    for (const auto& plan : plans) files.push_back(plan);
+    return refusal(keep(files, {{"kind", "squareness"}}));
+  };
+  EXPECT_THAT(refused({{"plan", of_x}}), HasSubstr("plans for squareness: found 1, expected 2"));
+  EXPECT_THAT(refused({{"plan", of_x}, {"plan-2", of_x}}), HasSubstr("found two plans of the axis \"X\""));
+  EXPECT_THAT(refused({{"plan", of_y}, {"plan-2", of_x}}), HasSubstr("found readings of EYX with a plan of the axis"));
+  EXPECT_THAT(refusal(keep({{"readings", eyx}, {"plan", of_x}, {"plan-2", of_y}}, {{"kind", "straightness"}})),
+              HasSubstr("found 2 plans, expected one"));
+  // A line that only its sense names is held against its plan all the same.
+  EXPECT_THAT(refusal(keep({{"readings", "# positive: +X\nstraightness_um\n0\n1\n2\n"},
+                            {"readings-2", "# positive: +Y\nstraightness_um\n0\n1\n2\n"},
+                            {"plan", of_x},
+                            {"plan-2", of_y}},
+                           {{"kind", "squareness"}})),
+              HasSubstr("found readings of EXY with a plan of the axis \"X\""));
 }
 
 TEST_F(CalibrationRoutes, compare_figures_of_one_unit_alone) {
@@ -361,6 +397,8 @@ TEST_F(MotionRoutes, tell_what_readings_are_and_keep_nothing) {
   const std::string eyx = readings(eyx_head, 0.02), exy = readings(exy_head, 0.01);
   EXPECT_EQ(value_of(look({{"readings", eyx}})).find("result")->text(), "straightness");
   EXPECT_EQ(value_of(look({{"readings", eyx}, {"readings-2", exy}})).find("result")->text(), "squareness");
+  EXPECT_THAT(refusal(look({{"readings", eyx}, {"readings-2", exy}, {"plan", "{}"}, {"plan-2", "{}"}})),
+              HasSubstr("found no member \"axis\" in the plan"));
   EXPECT_EQ(value_of(look({{"readings", readings("position_mm,run,direction,EAX_urad", 0.0)}})).find("result")->text(),
             "angles");
   EXPECT_THAT(refusal(look({{"readings", "no table"}})), HasSubstr("found no column position_mm"));

@@ -207,6 +207,8 @@ constexpr Phrase error_motions_rows[] = {
      "der verlangte Vorschub ist nicht angegeben (--feed): Wie weit die Achse davon entfernt ist, ist nicht bekannt"},
     {"the files do not both name their error: whether they are of one plane was not checked",
      "nicht beide Dateien nennen ihre Abweichung: Ob sie in einer Ebene liegen, wurde nicht geprüft"},
+    {"the plan names no error: it was made for positions",
+     "der Plan nennt keine Abweichung: Er ist für Positionen gemacht"},
     {"the readings are positive towards {0=}: their signs are turned",
      "die Messwerte sind positiv in Richtung {0}: ihre Vorzeichen sind umgekehrt"},
     {"{0#} less its line", "{0} ohne seine Gerade"},

@@ -16,6 +16,7 @@ constexpr Phrase files_rows[] = {
     {"a whole number", "eine ganze Zahl"},
     {"an array", "eine Liste"},
     {"an array of at least 2 target positions", "eine Liste von mindestens 2 Zielpositionen"},
+    {"an array of names such as \"EYX\"", "eine Liste von Namen wie \"EYX\""},
     {"an array of numbers", "eine Liste von Zahlen"},
     {"an array of runs", "eine Liste von Durchläufen"},
     {"an object", "ein Objekt"},

@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 
 namespace axiometry {
 namespace {
@@ -123,9 +125,30 @@ Result<void> check_line(const Plan& plan) {
 
 }  // namespace
 
+Result<void> check_errors(const Plan& plan) {
+  if (plan.errors.empty()) return {};
+  if (plan.axis.kind != AxisKind::linear || !plan.axis.line_direction.empty())
+    return fail(fmt::format("found {} in a plan of a rotary axis or of a line in space, expected one of a linear axis",
+                            errors_text(plan)));
+  for (std::size_t k = 0; k < plan.errors.size(); ++k) {
+    const MotionName& error = plan.errors[k];
+    if (!plan.axis.name.empty() && plan.axis.name != std::string(1, error.axis))
+      return fail(fmt::format("found the error {} in a plan of the axis {}, expected one of that axis", error.text(),
+                              text::quoted(plan.axis.name)));
+    if (error.axis != plan.errors[0].axis)
+      return fail(
+          fmt::format("found {} and {} in one plan, expected errors of one axis", plan.errors[0].text(), error.text()));
+    if (std::find(plan.errors.begin(), plan.errors.begin() + static_cast<std::ptrdiff_t>(k), error) !=
+        plan.errors.begin() + static_cast<std::ptrdiff_t>(k))
+      return fail(fmt::format("found {} twice in a plan, expected each error once", error.text()));
+  }
+  return {};
+}
+
 Result<void> check_sound(const Plan& plan) {
   AXIOMETRY_TRY_VOID(check_targets(plan));
   AXIOMETRY_TRY_VOID(check_line(plan));
+  AXIOMETRY_TRY_VOID(check_errors(plan));
   if (plan.runs == 0 || plan.runs > run_limit)
     return fail(fmt::format("found {} runs, expected 1 to {}", plan.runs, run_limit));
   AXIOMETRY_TRY_VOID(check_size("an overrun", plan.overrun.in_native()));
@@ -144,6 +167,22 @@ Result<void> check_sound(const Plan& plan) {
     AXIOMETRY_TRY_VOID(check_sound(part));
   }
   return {};
+}
+
+bool measures_positions(const Plan& plan) {
+  return plan.errors.empty() ||
+         std::ranges::any_of(plan.errors, [](const MotionName& e) { return e.coordinate == e.axis; });
+}
+
+std::string errors_text(const Plan& plan) {
+  std::string list;
+  for (const MotionName& error : plan.errors) list += (list.empty() ? "" : ", ") + error.text();
+  return list;
+}
+
+Result<void> check_measures_positions(const Plan& plan) {
+  if (measures_positions(plan)) return {};
+  return fail(fmt::format("found a plan made for {}, expected one of positions", errors_text(plan)));
 }
 
 std::vector<Approach> approaches(const Plan& plan) {

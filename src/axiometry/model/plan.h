@@ -12,6 +12,7 @@
 #include "axiometry/base/result.h"
 #include "axiometry/model/axis.h"
 #include "axiometry/model/metadata.h"
+#include "axiometry/model/motion_series.h"
 #include "axiometry/model/series.h"
 
 /// What shall be measured, before it is: the test programme of clause 5 as a value. standards/iso230_2_plan makes and
@@ -41,6 +42,8 @@ struct Plan {
   std::string machine;  ///< name, for comments in programs and the printed sheet; may be empty
   std::string date;     ///< on which it was made, "2026-11-21"; may be empty
   Axis axis;            ///< name, kind, travel, expected period, sampling points of the compensation
+  /// What is to be read at each stop, E of ISO 230-1: EYX, EAX; EXX are the positions. Empty: the positions alone.
+  std::vector<MotionName> errors;
   TestCycle cycle = TestCycle::standard;
   std::vector<Position> targets;      ///< P_i, strictly ascending
   std::size_t runs = 5;               ///< n, approaches to each target from each direction the cycle has
@@ -66,11 +69,24 @@ struct PlannedMove {
 
 /// Fails, naming what is wrong, when the plan cannot be walked: no target, targets not finite or not strictly
 /// ascending, |P| beyond 1e9, no run or more than 10 000, an overrun or a feed outside 1e-6 to 1e9, a dwell outside 0
-/// to 1e6 s, an invalid line in space (spatial_line()), a way in or out without such a line or beyond 1e9 mm, a
+/// to 1e6 s, errors of another axis than its own, of a rotary axis, of a line in space or one twice, an invalid line in
+/// space (spatial_line()), a way in or out without such a line or beyond 1e9 mm, a
 /// sequence missing in (or given without) the user-defined cycle, an approach of the sequence that is given
 /// twice or names a target or run that does not exist; also when this holds for a further plan.
 /// Whether it satisfies the standard is another question (standards/iso230_2/plan/plan.h).
 Result<void> check_sound(const Plan& plan);
+
+/// The part of this that is about its errors: straightness and rotations are those of a linear axis that moves alone.
+Result<void> check_errors(const Plan& plan);
+
+/// Whether positions of the axis are among what is to be read.
+bool measures_positions(const Plan& plan);
+
+/// "EYX, EAX"; "" of a plan of positions alone that does not say so.
+std::string errors_text(const Plan& plan);
+
+/// Fails on a plan that is made for other errors alone: what is read at its stops are no positions.
+Result<void> check_measures_positions(const Plan& plan);
 
 /// Every reading of the plan in the order in which it is taken. Needs a sound plan.
 ///

@@ -122,5 +122,38 @@ TEST(Plan, RefusesWhatCannotBeWalkedAndSaysWhy) {
             "found run 1 ↑ of target 1 a second time in the sequence, expected each once");
 }
 
+TEST(Plan, IsMadeForPositionsUnlessItSaysOtherwise) {
+  Plan plan = plan_of(TestCycle::standard, {0, 10}, 1);
+  EXPECT_TRUE(measures_positions(plan));
+  EXPECT_EQ(errors_text(plan), "");
+  plan.errors = {{'Y', 'X'}, {'A', 'X'}};
+  EXPECT_FALSE(measures_positions(plan));
+  EXPECT_EQ(errors_text(plan), "EYX, EAX");
+  const auto refused = check_measures_positions(plan);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "found a plan made for EYX, EAX, expected one of positions");
+  plan.errors.push_back({'X', 'X'});
+  EXPECT_TRUE(measures_positions(plan)) << "EXX are the positions of X";
+  EXPECT_TRUE(check_measures_positions(plan));
+}
+
+TEST(Plan, RefusesErrorsThatItsAxisDoesNotHave) {
+  const auto fault = [](const std::string& axis, std::vector<MotionName> errors, AxisKind kind = AxisKind::linear) {
+    Plan plan = plan_of(TestCycle::standard, {0, 10}, 1);
+    plan.axis.name = axis;
+    plan.axis.kind = kind;
+    plan.errors = std::move(errors);
+    const auto sound = check_sound(plan);
+    return sound ? std::string() : sound.error().message;
+  };
+  EXPECT_EQ(fault("X", {{'Y', 'X'}, {'C', 'X'}}), "");
+  EXPECT_EQ(fault("", {{'X', 'Y'}}), "");
+  EXPECT_EQ(fault("Y", {{'Y', 'X'}}), "found the error EYX in a plan of the axis \"Y\", expected one of that axis");
+  EXPECT_EQ(fault("", {{'Y', 'X'}, {'X', 'Y'}}), "found EYX and EXY in one plan, expected errors of one axis");
+  EXPECT_EQ(fault("X", {{'Y', 'X'}, {'Z', 'X'}, {'Y', 'X'}}), "found EYX twice in a plan, expected each error once");
+  EXPECT_EQ(fault("C", {{'Y', 'X'}}, AxisKind::rotary),
+            "found EYX in a plan of a rotary axis or of a line in space, expected one of a linear axis");
+}
+
 }  // namespace
 }  // namespace axiometry

@@ -153,9 +153,14 @@ export interface components {
             "lengths-2"?: string;
             /**
              * Format: binary
-             * @description Of lines; of the 21 errors the plan that was driven, which recordings need; of straightness and angles as in MotionForm.
+             * @description Of lines; of the 21 errors the plan that was driven, which recordings need; of straightness, angles and squareness as in MotionForm.
              */
             plan?: string;
+            /**
+             * Format: binary
+             * @description Of squareness, as in MotionForm.
+             */
+            "plan-2"?: string;
             /**
              * Format: binary
              * @description Of lines, as it was located.
@@ -1459,8 +1464,8 @@ export interface components {
                 /** @description Another one where it was evaluated again. */
                 result_sha256: string;
             }[];
-            /** @description As `axiometry tracking evaluate --json`, `axiometry volumetric identify --json` or the verb of its kind writes it, in the reader's language; docs/results.md explains it. */
-            result: Record<string, never>;
+            /** @description After its kind: of lines as `axiometry tracking evaluate --json`, of the 21 errors as `axiometry volumetric identify --json`, of the others as their verb writes it, in the reader's language; docs/results.md explains it. What an earlier version of the program wrote may lack members. */
+            result: components["schemas"]["TrackingEvaluation"] | components["schemas"]["VolumetricResult"] | components["schemas"]["MotionResult"];
         };
         /** @description A log of temperatures before and during the test (4.1), by the bytes of a document of the archive, with when the test was and what the parties agreed (7). */
         KeptTemperatures: {
@@ -2060,9 +2065,14 @@ export interface components {
             "readings-2"?: string;
             /**
              * Format: binary
-             * @description After which readings alone were taken, of straightness and angles: one column, a row for each approach.
+             * @description After which readings alone were taken: one column, a row for each approach. Of a squareness that of the first line.
              */
             plan?: string;
+            /**
+             * Format: binary
+             * @description Of a squareness, that of the second line.
+             */
+            "plan-2"?: string;
         };
         /** @description One file, evaluated; docs/results.md explains it. */
         MotionOfFile: {
@@ -2237,6 +2247,8 @@ export interface components {
                 /** @description Line in space, direction X/Y/Z. Where position grows along the line, of any length: 1 1 0 is the diagonal of X and Y. Several axes that move at once make a test after ISO 230-6. */
                 line_direction?: number[] | null;
             };
+            /** @description What is to be read at each stop, by the names of ISO 230-1: EYX is the straightness of X in the direction of Y, EAX its roll, EXX its positions. Absent or empty: the positions alone. */
+            errors?: string[] | null;
             /**
              * @description Order of the approaches (5.3.2, Annex B).
              * @enum {unknown}

@@ -11,16 +11,13 @@ import { bytes } from '../numbers';
 import { decimal, language } from '../settings';
 import { empty_form, motion_options, type MotionForm, type MotionKind, type MotionOptions } from './motions/form';
 import { MotionFields } from './motions/fields';
+import { files_of, looked_at, roles, type MotionFile } from './motions/files';
 import { held_motions } from './motions/held';
+import { PlanChoice } from './motions/plan_choice';
 import { t } from './motions/texts';
 import { MotionView } from './motions/view';
 
-/** Files under what they are for. */
-function roles(files: readonly File[]): Record<string, File> {
-  return Object.fromEntries(files.map((file, k) => [k === 0 ? 'readings' : `readings-${k + 1}`, file]));
-}
-
-function form_data(files: readonly File[], kind: MotionKind | null, options: MotionOptions): FormData {
+function form_data(files: readonly MotionFile[], kind: MotionKind | null, options: MotionOptions): FormData {
   const form = new FormData();
   if (kind !== null) form.append('kind', kind);
   form.append('options', JSON.stringify(options));
@@ -31,11 +28,11 @@ function form_data(files: readonly File[], kind: MotionKind | null, options: Mot
 interface Asked { result: MotionResult | null; error: ApiError | null; busy: boolean }
 
 /** Evaluates whenever files or options change; what an older request answers counts no more. */
-function use_motions(files: readonly File[], options: MotionOptions | null): Asked {
+function use_motions(files: readonly MotionFile[], options: MotionOptions | null): Asked {
   const [asked, set_asked] = useState<Asked>({ result: null, error: null, busy: false });
   const said = JSON.stringify(options);
   useEffect(() => {
-    if (files.length === 0) { set_asked({ result: null, error: null, busy: false }); return undefined; }
+    if (files_of(files, false).length === 0) { set_asked({ result: null, error: null, busy: false }); return undefined; }
     if (options === null) return undefined;
     const end = new AbortController();
     set_asked((before) => ({ ...before, busy: true }));
@@ -51,15 +48,19 @@ function use_motions(files: readonly File[], options: MotionOptions | null): Ask
 }
 
 export function MotionsPage() {
-  const [files, set_files] = useState<readonly File[]>(() => held_motions.peek());
+  const [files, set_files] = useState<readonly MotionFile[]>([]);
   const [form, set_form] = useState<MotionForm>(empty_form);
   const [kind, set_kind] = useState<MotionKind>('straightness');   // as the last files turned out to be
   const options = useMemo(() => motion_options(kind, form), [kind, form]);
   const asked = use_motions(files, options);
-  const add = (more: readonly File[]) => set_files((before) => [...before, ...more]);
+  const add = async (more: readonly File[]) => {
+    const looked = await Promise.all(more.map(looked_at));
+    set_files((before) => [...before, ...looked]);
+  };
   useEffect(() => {
+    void add(held_motions.peek());
     held_motions.value = [];
-    drop_taker.value = add;
+    drop_taker.value = (dropped) => void add(dropped);
     return () => { drop_taker.value = null; };
   }, []);
   useEffect(() => { if (asked.result) set_kind(asked.result.result); }, [asked.result]);
@@ -81,12 +82,13 @@ export function MotionsPage() {
       </div>
       <section class="panel">
         <p>{t('how')}</p>
-        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt" take={(file) => add([file])} />
+        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt,.json" take={(file) => void add([file])} />
         {files.length > 0 && (
           <ul class="plain-list">
-            {files.map((file, k) => (
+            {files.map(({ file, is_plan }, k) => (
               <li key={k} class="row">
                 <strong>{file.name}</strong> <span class="quiet small number">{bytes(file.size)}</span>
+                {is_plan && <span class="quiet small">{plan_sign(files, k, kind)}</span>}
                 <button type="button" class="plain" aria-label={t('take_away', { name: file.name })} onClick={() => set_files(files.filter((_, other) => other !== k))}>×</button>
               </li>
             ))}
@@ -95,6 +97,7 @@ export function MotionsPage() {
         {files.length > 0 && (
           <details open>
             <summary>{t('options')}</summary>
+            <PlanChoice take={(plan) => void add([plan])} />
             <MotionFields kind={kind} form={form} on_change={set_form} />
           </details>
         )}
@@ -108,7 +111,13 @@ export function MotionsPage() {
   );
 }
 
-function ReportButton({ files, kind, options, extension }: { files: readonly File[]; kind: MotionKind; options: MotionOptions; extension: string }) {
+/** Of a squareness it matters which line a plan is of: they are taken in the order in which they came. */
+function plan_sign(files: readonly MotionFile[], index: number, kind: MotionKind): string {
+  const n = files_of(files.slice(0, index + 1), true).length;
+  return kind === 'squareness' ? t('plan_of_line', { n }) : t('plan');
+}
+
+function ReportButton({ files, kind, options, extension }: { files: readonly MotionFile[]; kind: MotionKind; options: MotionOptions; extension: string }) {
   const [error, set_error] = useState<ApiError | null>(null);
   const make = () => {
     set_error(null);

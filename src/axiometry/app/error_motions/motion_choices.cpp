@@ -69,6 +69,19 @@ Result<void> take_names(JsonMembers& members, MotionChoices& choices) {
   return {};
 }
 
+/// Of squareness the lines are of two axes, each with its own plan; the angles of an axis are read at the same stops.
+Result<void> check_plans(bool square, const std::vector<Plan>& plans) {
+  if (plans.empty()) return {};
+  if (!square && plans.size() > 1) return fail(fmt::format("found {} plans, expected one", plans.size()));
+  if (!square) return {};
+  if (plans.size() != 2)
+    return fail(fmt::format("plans for squareness: found {}, expected 2, one for each line", plans.size()));
+  if (!plans[0].axis.name.empty() && plans[0].axis.name == plans[1].axis.name)
+    return fail(
+        fmt::format("found two plans of the axis {}, expected one of each axis", text::quoted(plans[0].axis.name)));
+  return {};
+}
+
 /// A choice that a kind has no use for is refused, not passed over.
 Result<void> check_choices(std::string_view kind, std::size_t files, const MotionChoices& c) {
   const auto refuse = [&](std::string_view what) {
@@ -78,7 +91,7 @@ Result<void> check_choices(std::string_view kind, std::size_t files, const Motio
   if (c.offset_mm && !angles) return refuse("offset_mm");
   if (c.square.square_error_arcsec && !square) return refuse("square_error_arcsec");
   if (c.square.square_uncertainty_arcsec && !square) return refuse("square_uncertainty_arcsec");
-  if (c.plan && square) return refuse("a plan");
+  AXIOMETRY_TRY_VOID(check_plans(square, c.plans));
   if (c.error && files > 1) return fail("found error with several files, expected one file, or # error: in each");
   if (c.reference == Reference::none && !angles) return refuse("the reference none");
   if (!c.positive.empty() && c.positive.size() != files)
@@ -96,6 +109,7 @@ Result<EvaluatedMotion> evaluated_square(std::span<const GivenFile> files, const
                                          const error_motions::MotionOptions& options) {
   SquarenessRequest request{.first = files[0].name, .second = files[1].name, .options = options};
   request.bytes = {files[0].bytes, files[1].bytes};
+  if (!choices.plans.empty()) request.plans = {choices.plans[0], choices.plans[1]};
   request.square = choices.square;
   if (!choices.positive.empty()) request.senses = {choices.positive[0], choices.positive[1]};
   AXIOMETRY_TRY(SquarenessMeasurement measured, measure_squareness(request));
@@ -161,7 +175,8 @@ Result<EvaluatedMotion> evaluate_motion(std::string_view kind, std::span<const G
   for (std::size_t k = 0; k < files.size(); ++k) {
     MotionRequest one{.file = files[k].name, .error = choices.error, .options = options};
     if (!choices.positive.empty()) one.sense = choices.positive[k];
-    one.plan = choices.plan;
+    if (!choices.plans.empty()) one.plan = choices.plans.front();
+    one.alone_with_plan = files.size() == 1;
     one.bytes = files[k].bytes;
     request.files.push_back(std::move(one));
   }

@@ -22,7 +22,7 @@ struct MotionChoices {
   std::optional<MotionName> error{};        ///< of a single file
   std::vector<ReadingSense> positive{};     ///< none, or one of each file
   std::optional<Vector3> offset_mm{};       ///< of angles
-  std::optional<Plan> plan{};               ///< of straightness and angles; no option but a file of its own
+  std::vector<Plan> plans{};                ///< none or one, of squareness one for each line; no options but files
   error_motions::SquarenessOptions square;  ///< of squareness; whether readings are in axes is found out
 };
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <utility>
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
@@ -114,8 +115,13 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
     return fail(fmt::format("found readings in {}, expected {}", motion_unit_symbol(file.unit),
                             angle ? "an angle, such as angle_urad" : "a length, such as straightness_um"));
   MeasuredMotion measured{.file = request.file, .error = file.error, .metadata = std::move(file.metadata)};
+  if (!measured.error && !request.error && request.plan && request.alone_with_plan)
+    measured.error = formats::error_of_plan(*request.plan, file.unit);
   AXIOMETRY_TRY_VOID(put_name(measured, request.error, angle));
+  if (request.plan) AXIOMETRY_TRY_VOID(formats::check_error_of_plan(measured.error, file.unit, *request.plan));
   for (const SourceRemark& remark : file.remarks) measured.remarks.push_back(remark.message);
+  if (request.plan && request.plan->errors.empty())
+    measured.remarks.emplace_back("the plan names no error: it was made for positions");
   AXIOMETRY_TRY_VOID(put_sense(measured, request.sense, file));
   AXIOMETRY_TRY_VOID(check_statements(measured, file.may_be_positions));
   AXIOMETRY_TRY(const MotionSeries series, MotionSeries::make(std::move(file.readings), file.unit, angle ? 2 : 3));
@@ -189,6 +195,8 @@ Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& reques
   second.file = request.second;
   first.bytes = request.bytes[0];
   second.bytes = request.bytes[1];
+  first.plan = request.plans[0];
+  second.plan = request.plans[1];
   if (request.senses) {
     const auto& [one, two] = *request.senses;
     first.sense = one;
@@ -201,6 +209,9 @@ Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& reques
   AXIOMETRY_TRY(s.first, measure_straightness(first));
   AXIOMETRY_TRY(s.second, measure_straightness(second));
   AXIOMETRY_TRY_VOID(name_by_senses(s));
+  for (const auto& [line, plan] : {std::pair{&s.first, &request.plans[0]}, std::pair{&s.second, &request.plans[1]}})
+    if (*plan)
+      AXIOMETRY_TRY_VOID(in_file(formats::check_error_of_plan(line->error, MotionUnit::um, **plan), line->file));
   if (s.first.error && s.second.error)
     AXIOMETRY_TRY_VOID(error_motions::check_square_pair(*s.first.error, *s.second.error));
   AXIOMETRY_TRY_VOID(check_one_machine(s.first, s.second));

@@ -22,6 +22,7 @@ struct MotionRequest {
   std::optional<ReadingSense> sense{};  ///< likewise which way its readings are positive
   error_motions::MotionOptions options;
   std::optional<Plan> plan{};               ///< after which readings alone were taken, read_planned_motion()
+  bool alone_with_plan = true;              ///< no other file is of the same plan: it may tell which error this is
   std::optional<std::string_view> bytes{};  ///< those of `file` where they are at hand; they must outlive the call
 };
 
@@ -44,10 +45,11 @@ struct MeasuredMotion {
   bool in_axes() const { return error && sense; }
 };
 
-/// Fails, with the file's name, as reading and MotionSeries::make() do, on readings of the other kind, on an error or a
-/// sense that contradicts the file's, on a sense along another coordinate than that of the error, on a file of another
-/// axis than the error's, on a gain or a reversed sign, which nobody applies here, and on lengths in a column
-/// "deviation" of which neither error nor sense is named: they may be those of positions.
+/// Where neither file nor request names the error, it is the only one of its kind that the plan is made for. Fails,
+/// with the file's name, as reading, MotionSeries::make() and formats::check_error_of_plan() do, on readings of the
+/// other kind, on an error or a sense that contradicts the file's, on a sense along another coordinate than that of the
+/// error, on a file of another axis than the error's, on a gain or a reversed sign, which nobody applies here, and on
+/// lengths in a column "deviation" of which neither error nor sense is named: they may be those of positions.
 Result<MeasuredMotion> measure_straightness(const MotionRequest& request);
 Result<MeasuredMotion> measure_angle(const MotionRequest& request);
 
@@ -55,6 +57,7 @@ Result<MeasuredMotion> measure_angle(const MotionRequest& request);
 struct SquarenessRequest {
   std::string first, second;
   std::array<std::optional<std::string_view>, 2> bytes{};  ///< likewise
+  std::array<std::optional<Plan>, 2> plans{};              ///< likewise, of each line its own
   std::optional<std::array<ReadingSense, 2>> senses{};     ///< of both lines; they name the errors too
   error_motions::MotionOptions options;
   error_motions::SquarenessOptions square;  ///< whether readings are in axes is found out

@@ -76,6 +76,15 @@ Result<void> put_name(const std::string& text, PlanRequestDraft& wish) {
   return {};
 }
 
+/// "EYX", or several with commas between.
+Result<void> put_error(const std::string& text, PlanRequestDraft& wish) {
+  for (const std::string_view part : text::split(text, ',')) {
+    AXIOMETRY_TRY(const MotionName error, motion_name(text::trim(part)));
+    wish.request.errors.push_back(error);
+  }
+  return {};
+}
+
 Result<void> put_kind(const std::string& text, PlanRequestDraft& wish) {
   if (text != "linear" && text != "rotary")
     return fail(fmt::format("found {}, expected linear or rotary", text::quoted(text)));
@@ -159,6 +168,10 @@ constexpr PlanOption plan_option_table[] = {
      "Axis travel (3.1). A rotary axis of exactly 360° is taken for one that turns without end, unless --soft-limits "
      "are given",
      of_axis, false, put_travel},
+    {"--error", "NAME",
+     "What is to be read at each stop where it is not the positions: EYX (straightness of X along Y), EAX (roll of X); "
+     "EXX are its positions; may be repeated",
+     of_axis, true, put_error},
     {"--soft-limits", "FROM:TO", "Of the control, where they are narrower than the travel", of_axis, false,
      put_stretch<&PlanRequest::soft_limits>},
     {"--period", "PERIOD",
@@ -212,7 +225,7 @@ constexpr PlanOption plan_option_table[] = {
 
 constexpr PlanOptionPair apart[] = {
     {"--periodic", "--period"}, {"--targets", "--interval"},  {"--targets", "--periodic"},
-    {"--cycle", "--periodic"},  {"--sequence", "--periodic"},
+    {"--cycle", "--periodic"},  {"--sequence", "--periodic"}, {"--error", "--periodic"},
 };
 
 Result<void> check_plan_names(const Plan& plan) {

@@ -257,5 +257,18 @@ TEST(NcProgramOfAPlan, IsWrittenForAPlanAtHandAndForItsParts) {
   EXPECT_THAT(nc_program_of(plan->planned.plan, request).error().message, HasSubstr("expected 1 to 2"));
 }
 
+TEST(PlanRequest, TakesErrorsOtherThanPositions) {
+  const auto plan = asked(with("\"period\": \"10\"", "\"error\": \"EYX, ebx\""));
+  ASSERT_TRUE(plan) << plan.error().to_string();
+  EXPECT_EQ(plan->planned.plan.errors, (std::vector<MotionName>{{'Y', 'X'}, {'B', 'X'}}));
+  const auto fault = [](const std::string& further) {
+    const auto refused = asked(with("\"period\": \"10\"", further));
+    return refused ? std::string() : refused.error().message;
+  };
+  EXPECT_THAT(fault("\"error\": \"yaw\""), HasSubstr("error: found the error \"yaw\""));
+  EXPECT_THAT(fault("\"error\": \"EXY\""), HasSubstr("in a plan of the axis \"X\""));
+  EXPECT_THAT(fault("\"error\": \"EYX\", \"periodic\": \"10\""), HasSubstr("found both error and periodic"));
+}
+
 }  // namespace
 }  // namespace axiometry::app

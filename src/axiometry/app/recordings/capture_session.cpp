@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
@@ -56,6 +57,12 @@ bool is_certain(std::string_view head, std::size_t before) {
   return std::ranges::any_of(formats::recording_table(), [head](const auto* r) { return r->recognise(head) == sure; });
 }
 
+/// Deviations are told from positions; what is read after another plan is none of them.
+Result<Plan> of_positions(Plan plan) {
+  AXIOMETRY_TRY_VOID(check_measures_positions(plan));
+  return plan;
+}
+
 Result<void> check_settling(const CaptureOptions& options, Duration dwell) {
   if (!options.settling || *options.settling < dwell) return {};
   return fail(fmt::format("found {} s of settling, expected less than the {} s the plan dwells at a target",
@@ -72,7 +79,7 @@ Result<Plan> load_plan(const std::string& file, std::size_t part) {
     plan.error().file = file;
     return plan;
   }
-  if (part == 1) return plan;
+  if (part == 1) return in_file(of_positions(*std::move(plan)), file);
   if (part == 0 || part > plan->further.size() + 1)
     return std::unexpected(
         Error{fmt::format("found part {} asked for, expected 1 to {}: the plan and those that belong "
@@ -80,11 +87,12 @@ Result<Plan> load_plan(const std::string& file, std::size_t part) {
                           part, plan->further.size() + 1),
               file,
               {}});
-  return plan->further[part - 2];
+  return in_file(of_positions(std::move(plan->further[part - 2])), file);
 }
 
 Result<CaptureSession> CaptureSession::open(Plan plan, const CaptureOptions& options) {
   CaptureSession session;
+  AXIOMETRY_TRY_VOID(check_measures_positions(plan));
   AXIOMETRY_TRY_VOID(session.open_stream(options, plan.axis.kind));
   const capture::StandstillOptions rest = rest_options(capture::standstill_options(plan), options);
   AXIOMETRY_TRY_VOID(check_settling(options, plan.dwell));

@@ -44,7 +44,7 @@ Result<Plan> load_plan(const std::string& file, std::size_t part);
 /// connection broke, not on when it is asked for.
 class CaptureSession {
  public:
-  /// Fails on options that contradict the plan or each other.
+  /// Fails on options that contradict the plan or each other, and as check_measures_positions() does.
   static Result<CaptureSession> open(Plan plan, const CaptureOptions& options);
   /// Lengths of the lines of a plan: `target_window` is how far a change of length may be from the expected one; zero,
   /// datum and part are refused. Readings are not handed on as they come: stops() knows them.

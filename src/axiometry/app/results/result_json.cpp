@@ -82,7 +82,7 @@ void add_conformity(Value& object, const Evaluated& evaluated) {
   table.add("travel_up_to", band.travel_max ? Value(band.travel_max->in_native()) : Value());
 }
 
-json::Value claims_to_json(const iso230_2::Claims& claims) {
+json::Value claims_to_json(const iso230_2::Claims& claims, const iso230_2::TestEnvironment* logged) {
   Value list = Value::array();
   for (const iso230_2::Claim& claim : claims) {
     Value& row = list.push(Value::object());
@@ -90,7 +90,7 @@ json::Value claims_to_json(const iso230_2::Claims& claims) {
     row.add("title", claim.title);
     row.add("holds", claim.holds());
     row.add("missing", findings_to_json(claim.against));
-    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::on_the_word_of_the_tester);
+    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(logged));
   }
   return list;
 }
@@ -205,7 +205,8 @@ json::Value to_json(const Evaluated& evaluated) {
   object.add("axis", std::move(axis));
   object.add("unit", deviation_unit_key(metadata.axis.kind));
   object.add("conforming", evaluated.assessment.conforming());
-  object.add("claims", claims_to_json(iso230_2::claims_of(evaluated.test, evaluated.assessment)));
+  object.add("claims", claims_to_json(iso230_2::claims_of(evaluated.test, evaluated.assessment),
+                                      evaluated.temperatures ? &evaluated.temperatures->environment : nullptr));
   if (!evaluated.assessment.label.empty()) object.add("label", evaluated.assessment.label);
   object.add("parameters", parameters_to_json(evaluated.assessment.evaluation.parameters));
   add_symbols(object, evaluated);

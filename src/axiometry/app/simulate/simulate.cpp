@@ -52,7 +52,12 @@ Plan standard_plan() {
 
 }  // namespace
 
-Result<Plan> simulation_plan(const std::string& file) { return file.empty() ? standard_plan() : read_plan_file(file); }
+Result<Plan> simulation_plan(const std::string& file) {
+  if (file.empty()) return standard_plan();
+  AXIOMETRY_TRY(Plan plan, read_plan_file(file));
+  AXIOMETRY_TRY_VOID(in_file(check_measures_positions(plan), file));
+  return plan;
+}
 
 Result<std::vector<simulation::PitchError::Node>> read_pitch_table(const std::string& file) {
   AXIOMETRY_TRY(const std::string text, whole_file(file));

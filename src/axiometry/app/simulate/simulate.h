@@ -9,7 +9,8 @@
 namespace axiometry::app {
 
 /// The plan in a file, or a standard one of a linear axis of 500 mm when the name is empty: 11 targets, 5 runs, a
-/// screw of 10 mm. Fails as formats::read_plan() does. Further plans of the file are not simulated.
+/// screw of 10 mm. Fails as formats::read_plan() and check_measures_positions() do. Further
+/// plans of the file are not simulated.
 Result<Plan> simulation_plan(const std::string& file);
 
 /// Reads the table of a file. Fails as parse_pitch_table() does.

@@ -15,6 +15,7 @@
 #include "axiometry/app/simulate/simulation_truth.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/simulation/presets.h"
 #include "tests/support/temporary_folder.h"
 
@@ -179,6 +180,19 @@ TEST_F(Simulated, AFileThatIsNoPlanIsNamed) {
   EXPECT_EQ(plan.error().file, path("plan.json"));
   EXPECT_GT(plan.error().at.line, 0u);
   EXPECT_FALSE(simulation_plan(path("none.json")));
+}
+
+TEST_F(Simulated, APlanMadeForOtherErrorsThanPositionsIsRefused) {
+  Plan plan = request.simulate.plan;
+  plan.errors = {{'Y', 'X'}};
+  std::ofstream(path("plan.json")) << formats::write_plan(plan);
+  const auto refused = simulation_plan(path("plan.json"));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().file, path("plan.json"));
+  EXPECT_NE(refused.error().message.find("made for EYX, expected one of positions"), std::string::npos);
+  plan.errors.push_back({'X', 'X'});
+  std::ofstream(path("plan.json")) << formats::write_plan(plan);
+  EXPECT_TRUE(simulation_plan(path("plan.json")));
 }
 
 }  // namespace

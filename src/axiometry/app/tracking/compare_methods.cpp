@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -215,8 +216,7 @@ Value methods_to_json(const ComparedMethods& compared) {
     item.add("trials_point_um", m.trials_point_um);
     item.add("told_by_angles", m.told_by_angles);
   }
-  Value& findings = object.add("findings", Value::array());
-  for (const std::string& finding : compared.findings) findings.push(finding);
+  object.add("findings", findings_value(compared.findings));
   object.add("program", program_to_json());
   return object;
 }
@@ -233,12 +233,13 @@ Result<ComparedMethods> compare_methods(const CompareMethodsRequest& request) {
   const double chance = 5.0 / std::sqrt(2.0 * static_cast<double>(request.trials));
   for (const MethodOutcome& m : compared.methods) {
     if (!m.failure.empty())
-      compared.findings.push_back(fmt::format("{}: {}", m.name, m.failure));
+      compared.findings.push_back({"methods-no-result", false, fmt::format("{}: {}", m.name, m.failure)});
     else if (std::abs(m.trials_point_um / m.u_point_um - 1.0) > chance)
       compared.findings.push_back(
-          fmt::format("{}: the trials scatter by {:.2f} times what is propagated: points bend by "
-                      "more than lengths are known, and no covariance can be trusted",
-                      m.name, m.trials_point_um / m.u_point_um));
+          {"methods-trials-scatter", true,
+           fmt::format("{}: the trials scatter by {:.2f} times what is propagated: points bend by "
+                       "more than lengths are known, and no covariance can be trusted",
+                       m.name, m.trials_point_um / m.u_point_um)});
   }
   return compared;
 }
@@ -261,8 +262,8 @@ Experiment present(const ComparedMethods& compared, const report::Options& optio
   document.sections.push_back(std::move(section));
   if (compared.findings.empty()) return experiment;
   report::Section findings{"findings", "Findings", false, {}};
-  for (const std::string& finding : compared.findings)
-    findings.blocks.emplace_back(report::Paragraph{report::sentence(finding), report::Tone::caution});
+  for (const NamedFinding& finding : compared.findings)
+    findings.blocks.emplace_back(report::Paragraph{report::sentence(finding.message), report::Tone::caution});
   document.sections.push_back(std::move(findings));
   return experiment;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
+#include "axiometry/model/named_finding.h"
 #include "axiometry/tracking/instruments/tracker_kinds.h"
 
 /// The study "why lengths without angles": the uncertainty of the same points, seen from the same stations, by polar
@@ -42,7 +43,7 @@ struct MethodOutcome {
 struct ComparedMethods {
   CompareMethodsRequest request;
   std::vector<MethodOutcome> methods;
-  std::vector<std::string> findings;
+  std::vector<NamedFinding> findings;
 };
 
 /// Fails on fewer than three points, more than 2000, no station or more than 20, a station within 1 mm of a point, and

@@ -201,7 +201,7 @@ TEST(AssembleResults, FindTheFieldOfTheMachineByEitherReferenceAndBackWithItsSig
     const testing_support::TemporaryFolder folder;
     const auto assembled = assemble_singles(measured_by_turned_sensors(m, folder, reference));
     ASSERT_TRUE(assembled) << assembled.error().to_string();
-    EXPECT_TRUE(assembled->made.findings.empty()) << assembled->made.findings.front();
+    EXPECT_TRUE(assembled->made.findings.empty()) << assembled->made.findings.front().message;
     for (const std::string& remark : assembled->remarks)
       EXPECT_THAT(remark, Not(HasSubstr("nothing states which way")));
     const Vector3 tool = m.machine.tools[0].offset_mm;

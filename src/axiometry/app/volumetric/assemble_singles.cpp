@@ -8,6 +8,7 @@
 
 #include "axiometry/app/error_motions/motion_tables.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/app/volumetric/single_reading.h"
@@ -55,8 +56,7 @@ Value singles_to_json(const Assembled& a) {
     value.add("equipment", item.equipment.empty() ? Value() : Value(item.equipment));
   }
   object.add("at", stands_to_json(a.request.stands));
-  Value& findings = object.add("findings", Value::array());
-  for (const std::string& finding : a.made.findings) findings.push(finding);
+  object.add("findings", findings_value(a.made.findings));
   Value& remarks = object.add("remarks", Value::array());
   for (const std::string& remark : a.remarks) remarks.push(remark);
   Value& machine = object.add("machine_source", Value::object());
@@ -194,8 +194,9 @@ Experiment present(const Assembled& a, const report::Options& options) {
   document.sections.push_back(curves_section(a, options));
   if (a.made.findings.empty() && a.remarks.empty()) return experiment;
   report::Section findings{"findings", "Findings", false, {}};
-  for (const auto* list : {&a.made.findings, &a.remarks})
-    for (const std::string& text : *list) findings.blocks.emplace_back(report::Paragraph{report::sentence(text)});
+  for (const NamedFinding& finding : a.made.findings)
+    findings.blocks.emplace_back(report::Paragraph{report::sentence(finding.message)});
+  for (const std::string& remark : a.remarks) findings.blocks.emplace_back(report::Paragraph{report::sentence(remark)});
   document.sections.push_back(std::move(findings));
   return experiment;
 }

@@ -116,11 +116,21 @@ Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSourc
   return EvaluatedCalibration(std::move(found));
 }
 
+/// "plan" and, of a squareness, "plan-2".
+std::vector<const CalibrationSource*> plans_among(std::span<const CalibrationSource> files) {
+  std::vector<const CalibrationSource*> plans;
+  for (std::size_t k = 1; k <= 2; ++k) {
+    const auto plan = std::ranges::find(files, plan_role(k), &CalibrationSource::role);
+    if (plan != files.end()) plans.push_back(&*plan);
+  }
+  return plans;
+}
+
 Result<EvaluatedCalibration> evaluated_motion(std::string_view kind, std::span<const CalibrationSource> files,
                                               const Value& options) {
   std::vector<GivenFile> given;
-  const auto plan = std::ranges::find(files, "plan", &CalibrationSource::role);
-  const std::size_t readings = files.size() - (plan == files.end() ? 0 : 1);
+  const std::vector<const CalibrationSource*> plans = plans_among(files);
+  const std::size_t readings = files.size() - plans.size();
   for (std::size_t k = 1; k <= readings; ++k) {
     const auto file = std::ranges::find(files, readings_role(k), &CalibrationSource::role);
     if (file == files.end())
@@ -129,8 +139,8 @@ Result<EvaluatedCalibration> evaluated_motion(std::string_view kind, std::span<c
     given.push_back({file->name, file->bytes});
   }
   AXIOMETRY_TRY(MotionChoices choices, motion_choices_from(options));
-  if (plan != files.end()) {
-    AXIOMETRY_TRY(choices.plan, in_file(formats::read_plan(plan->bytes), plan->name));
+  for (const CalibrationSource* plan : plans) {
+    AXIOMETRY_TRY(choices.plans.emplace_back(), in_file(formats::read_plan(plan->bytes), plan->name));
   }
   AXIOMETRY_TRY(EvaluatedMotion evaluated, evaluate_motion(kind, given, choices));
   return EvaluatedCalibration(std::move(evaluated));
@@ -245,17 +255,18 @@ int serious_among(const Findings& findings) {
 std::string lengths_role(std::size_t number) { return numbered_role("lengths", number); }
 std::string motion_kind_of_files(std::span<const CalibrationSource> files) {
   const auto first = std::ranges::find(files, readings_role(1), &CalibrationSource::role);
-  const auto plan_file = std::ranges::find(files, "plan", &CalibrationSource::role);
+  const std::vector<const CalibrationSource*> plans = plans_among(files);
   if (first == files.end()) return "straightness";
   std::optional<Plan> plan;
-  if (plan_file != files.end())
-    if (auto read = formats::read_plan(plan_file->bytes)) plan = *std::move(read);
+  if (!plans.empty())
+    if (auto read = formats::read_plan(plans.front()->bytes)) plan = *std::move(read);
   const auto readings =
       plan ? formats::read_planned_motion(first->bytes, *plan) : formats::read_motion_csv(first->bytes);
   if (readings && is_angle(readings->unit)) return "angles";
-  return files.size() - (plan_file == files.end() ? 0 : 1) == 2 ? "squareness" : "straightness";
+  return files.size() - plans.size() == 2 ? "squareness" : "straightness";
 }
 
+std::string plan_role(std::size_t number) { return numbered_role("plan", number); }
 std::string readings_role(std::size_t number) { return numbered_role("readings", number); }
 
 Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,

@@ -23,7 +23,7 @@ struct CalibrationSource {
   /// Of lines "lengths", "plan" and perhaps "station" and "tolerances" (of evaluate --tolerance-table); of the 21
   /// errors "lengths", of several "lengths-2" and so on, "machine", and "plan", which may stand for the machine. Of
   /// straightness "readings", of several angles and the two lines of a squareness "readings-2" and so on too, and
-  /// perhaps the "plan" of readings alone.
+  /// perhaps the "plan" of readings alone, of a squareness "plan-2" for its second line.
   std::string role;
   std::string name;
   std::string_view bytes;
@@ -33,8 +33,9 @@ using EvaluatedCalibration = std::variant<EvaluatedLines, IdentifiedMachine, Eva
 
 /// "lengths" of the first file of lengths, "lengths-2" of the second.
 std::string lengths_role(std::size_t number);
-/// Likewise "readings", "readings-2".
+/// Likewise "readings", "readings-2", and "plan", "plan-2".
 std::string readings_role(std::size_t number);
+std::string plan_role(std::size_t number);
 
 /// What the files are of where nobody says it: "squareness" of two files of straightness, else as the first says or its
 /// columns do; "straightness" of what cannot be read, which evaluate_calibration() then refuses.

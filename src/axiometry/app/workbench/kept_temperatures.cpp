@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/temperatures/agreed_limits.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -17,16 +18,15 @@ namespace {
 using formats::JsonMembers;
 using json::Value;
 
-constexpr double coldest_agreed = -60.0, most_agreed = 100.0;
 constexpr std::size_t most_roles = 64;  // sensors of a log
 
 Result<void> take_limit(JsonMembers& members, std::string_view name, double least, std::optional<double>& limit) {
   const Value* member = members.optional(name);
   if (member == nullptr) return {};
   AXIOMETRY_TRY(const double x, formats::number_in(*member, name));
-  if (x < least || x > most_agreed)
+  if (x < least || x > most_agreed_C)
     return fail(fmt::format("found {} = {}, expected a number from {} to {}", name, format_exact(x),
-                            format_exact(least), format_exact(most_agreed)),
+                            format_exact(least), format_exact(most_agreed_C)),
                 member->at());
   limit = x;
   return {};
@@ -99,8 +99,8 @@ Result<KeptTemperatures> kept_temperatures_from(const json::Value& value) {
   AXIOMETRY_TRY_VOID(take_line(members, "began", kept.began));
   AXIOMETRY_TRY_VOID(take_line(members, "ended", kept.ended));
   AXIOMETRY_TRY_VOID(take_roles(members, kept.roles));
-  AXIOMETRY_TRY_VOID(take_limit(members, "lowest_C", coldest_agreed, kept.lowest_C));
-  AXIOMETRY_TRY_VOID(take_limit(members, "highest_C", coldest_agreed, kept.highest_C));
+  AXIOMETRY_TRY_VOID(take_limit(members, "lowest_C", coldest_agreed_C, kept.lowest_C));
+  AXIOMETRY_TRY_VOID(take_limit(members, "highest_C", coldest_agreed_C, kept.highest_C));
   AXIOMETRY_TRY_VOID(take_limit(members, "rate_C_per_h", 0.0, kept.rate_C_per_h));
   AXIOMETRY_TRY_VOID(take_limit(members, "gradient_C", 0.0, kept.gradient_C));
   AXIOMETRY_TRY_VOID(members.finish());

@@ -41,9 +41,17 @@ Result<MotionFile> read_motion_csv(std::string_view bytes);
 /// The same of readings alone, one row for each approach in the order in which a plan takes them (approaches() of
 /// model/plan.h): position, direction and run are the plan's, its machine's name stands where the file has none. A cell
 /// that is empty keeps its place. Fails also on a column of position, direction or run, which might say otherwise, on
-/// more or fewer rows than the plan has approaches, on an error of another axis than the plan's, and on a plan of a
-/// rotary axis, of a line in space or with further plans. Needs a sound plan.
+/// more or fewer rows than the plan has approaches, as check_error_of_plan() does of the file's error, and on a plan of
+/// a rotary axis, of a line in space or with further plans. Needs a sound plan.
 Result<MotionFile> read_planned_motion(std::string_view bytes, const Plan& plan);
+
+/// Fails on an error of another axis than the plan's, on one that is not among those that the plan is made for, and
+/// where no error is known on a plan that is made for other kinds of errors alone. A plan that names no error fits all:
+/// it is one of positions, and the targets and the cycle are the same.
+Result<void> check_error_of_plan(const std::optional<MotionName>& error, MotionUnit unit, const Plan& plan);
+
+/// The only error of this kind that a plan is made for; nothing of several.
+std::optional<MotionName> error_of_plan(const Plan& plan, MotionUnit unit);
 
 /// A test of positions must not be read out of such a table: its E, R and A would be taken for those of the positions.
 /// Fails on a beginning of a file that names a straightness or a rotation: by `# error: EYX` above its first row, or by

@@ -181,5 +181,34 @@ TEST(MotionCsv, RefusesWhatItCannotUse) {
   }
 }
 
+TEST(MotionCsv, RefusesAPlanThatIsMadeForAnotherError) {
+  Plan plan = plan_of_two_targets();
+  const auto fault = [&](std::optional<MotionName> error, MotionUnit unit = MotionUnit::um) {
+    const auto checked = check_error_of_plan(error, unit, plan);
+    return checked ? std::string() : checked.error().message;
+  };
+  const MotionName eyx{'Y', 'X'}, ezx{'Z', 'X'}, eax{'A', 'X'};
+  EXPECT_EQ(fault(eyx), "") << "a plan of positions fits";
+  EXPECT_EQ(fault({}), "");
+  plan.errors = {ezx, eax};
+  EXPECT_EQ(fault(ezx), "");
+  EXPECT_EQ(fault(eax, MotionUnit::arcsec), "");
+  EXPECT_EQ(fault({}), "");
+  EXPECT_EQ(fault(eyx), "found readings of EYX with a plan made for EZX, EAX, expected one made for EYX");
+  EXPECT_EQ(error_of_plan(plan, MotionUnit::um), ezx);
+  EXPECT_EQ(error_of_plan(plan, MotionUnit::urad), eax);
+  plan.errors = {ezx, eyx};
+  EXPECT_EQ(error_of_plan(plan, MotionUnit::um), std::nullopt) << "either";
+  EXPECT_EQ(fault({}, MotionUnit::urad),
+            "found readings in µrad with a plan made for EZX, EYX, expected one made for a rotation such as EAX");
+  plan.errors = {eax, {'X', 'X'}};
+  EXPECT_EQ(fault({}),
+            "found readings in µm with a plan made for EAX, EXX, expected one made for a straightness such "
+            "as EYX");
+  const auto read = read_planned_motion("EYX_um\n1\n2\n3\n4\n5\n6\n7\n8\n", plan);
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().message, HasSubstr("found readings of EYX with a plan made for EAX, EXX"));
+}
+
 }  // namespace
 }  // namespace axiometry::formats

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -65,8 +66,7 @@ Result<std::size_t> count_from(std::string_view name, const Value& value) {
 /// A seed beyond 2⁵³ would not survive as a JSON number, so it stands as a text.
 Result<std::uint64_t> seed_from(std::string_view name, const Value& value) {
   if (value.is(Kind::number)) {
-    const double x = value.number();
-    if (x >= 0.0 && x < exact_whole_numbers && x == std::floor(x)) return static_cast<std::uint64_t>(x);
+    if (const auto count = count_from(name, value)) return *count;
   } else if (value.is(Kind::text)) {
     if (const auto seed = parse_count(value.text())) return *seed;
   }
@@ -82,10 +82,19 @@ Result<TestCycle> cycle_from(std::string_view name, const Value& value) {
   AXIOMETRY_TRY(const std::string word, text_from(name, value));
   for (TestCycle cycle : cycles)
     if (cycle_name(cycle) == word) return cycle;
-  std::vector<std::string_view> words;
-  for (TestCycle cycle : cycles) words.push_back(cycle_name(cycle));
+  const auto words = cycles | std::views::transform(cycle_name);
   return fail(fmt::format("found the cycle {}, expected one of {}", text::quoted(word), fmt::join(words, ", ")),
               value.at());
+}
+
+Result<std::vector<MotionName>> errors_from(std::string_view name, const Value& list) {
+  if (!list.is(Kind::array)) return wrong_kind(name, list, "an array of names such as \"EYX\"");
+  std::vector<MotionName> errors;
+  for (const Value& item : list.items()) {
+    AXIOMETRY_TRY(const std::string word, text_from(name, item));
+    AXIOMETRY_TRY(errors.emplace_back(), placed(motion_name(word), item.at()));
+  }
+  return errors;
 }
 
 Result<Axis> axis_from(std::string_view, const Value& value) {
@@ -267,6 +276,7 @@ constexpr Member members[] = {
     {"machine", take<&Plan::machine, text_from>},
     {"date", take<&Plan::date, text_from>},
     {"axis", put<&Plan::axis, axis_from>},
+    {"errors", put<&Plan::errors, errors_from>},
     {"cycle", take<&Plan::cycle, cycle_from>},
     {"targets", nullptr},
     {"runs", put<&Plan::runs, count_from>},
@@ -319,6 +329,7 @@ Result<Plan> plan_from(const Value& root, bool further) {
   if (const Value* sequence = given(root, "sequence")) {
     AXIOMETRY_TRY(plan.sequence, sequence_from(*sequence, targets));
   }
+  if (const Value* errors = given(root, "errors")) AXIOMETRY_TRY_VOID(placed(check_errors(plan), errors->at()));
   AXIOMETRY_TRY_VOID(plan.targets.empty() ? placed(check_sound(plan), root.find("targets")->at())
                                           : check_whole(plan, root));
   if (const Value* parts = given(root, "further")) {
@@ -360,6 +371,9 @@ Value plan_value(const Plan& plan) {
                                    std::pair{"machine", &plan.machine}, std::pair{"date", &plan.date}})
     if (!text->empty()) root.add(name, *text);
   root.add("axis", axis_value(plan.axis));
+  Value errors = Value::array();
+  for (const MotionName& error : plan.errors) errors.push(error.text());
+  if (!plan.errors.empty()) root.add("errors", std::move(errors));
   root.add("cycle", cycle_name(plan.cycle));
   Value& targets = root.add("targets", Value::array());
   for (Position p : plan.targets) targets.push(p.in_native());

@@ -25,6 +25,7 @@ void expect_same_plan(const Plan& a, const Plan& b) {
   of_a.axis = a.axis;
   of_b.axis = b.axis;
   for (const Field& field : metadata_fields()) EXPECT_EQ(field.get(of_a), field.get(of_b)) << field.key;
+  EXPECT_EQ(a.errors, b.errors);
   EXPECT_EQ(a.cycle, b.cycle);
   EXPECT_EQ(a.targets, b.targets);
   EXPECT_EQ(a.runs, b.runs);
@@ -271,6 +272,33 @@ TEST(PlanJson, TheSchemaInTheRepositoryIsTheOneTheProgramPrints) {
   std::stringstream text;
   text << stream.rdbuf();
   EXPECT_EQ(text.str(), json::dump(plan_schema()) + "\n");
+}
+
+TEST(PlanJson, SaysWhatErrorsItIsMadeForAndRefusesOthersWithTheirPlace) {
+  const auto plan_with = [](const std::string& errors, const std::string& axis = "X") {
+    return R"({"axis": {"name": ")" + axis + R"(", "kind": "linear"}, "cycle": "standard", "targets": [0, 10],
+ "runs": 1, "overrun": 1, "feed": 1000, "dwell_s": 1, "errors": )" +
+           errors + "}";
+  };
+  const auto plan = read_plan(plan_with(R"(["EYX", "eax"])"));
+  ASSERT_TRUE(plan) << plan.error().to_string();
+  EXPECT_EQ(plan->errors, (std::vector<MotionName>{{'Y', 'X'}, {'A', 'X'}}));
+  expect_same_plan(*read_plan(write_plan(*plan)), *plan);
+  for (const char* none : {"null", "[]"}) {
+    const auto of_positions = read_plan(plan_with(none));
+    ASSERT_TRUE(of_positions) << none;
+    EXPECT_EQ(write_plan(*of_positions).find("errors"), std::string::npos);
+  }
+  const auto fault = [&](const std::string& errors, const std::string& axis = "X") {
+    const auto read = read_plan(plan_with(errors, axis));
+    return read ? std::string() : read.error().to_string();
+  };
+  EXPECT_NE(fault(R"("EYX")").find("line 2:65: "), std::string::npos) << fault(R"("EYX")");
+  EXPECT_NE(fault("[1]").find("line 2:66: "), std::string::npos) << fault("[1]");
+  EXPECT_NE(fault(R"(["yaw"])").find("2:66: found the error \"yaw\""), std::string::npos) << fault(R"(["yaw"])");
+  EXPECT_NE(fault(R"(["EYX", "EYX"])").find("found EYX twice"), std::string::npos);
+  EXPECT_NE(fault(R"(["EYX"])", "Y").find("2:65: found the error EYX in a plan of the axis \"Y\""), std::string::npos)
+      << fault(R"(["EYX"])", "Y");
 }
 
 }  // namespace

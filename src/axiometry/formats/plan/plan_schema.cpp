@@ -34,6 +34,16 @@ Value approach() {
                  {"description", "Target by its place in targets (from 1), direction, run (from 1)."}});
 }
 
+Value errors() {
+  Value name = object({{"type", "string"}, {"pattern", "^[Ee][A-CX-Za-cx-z][X-Zx-z]$"}});
+  return object({{"type", or_null("array")},
+                 {"items", std::move(name)},
+                 {"uniqueItems", true},
+                 {"description",
+                  "What is to be read at each stop, by the names of ISO 230-1: EYX is the straightness of X in the "
+                  "direction of Y, EAX its roll, EXX its positions. Absent or empty: the positions alone."}});
+}
+
 Value way(std::string_view description) {
   Value coordinate = object({{"type", "number"}, {"minimum", -1e9}, {"maximum", 1e9}});
   Value point = object({{"type", "array"}, {"items", std::move(coordinate)}, {"minItems", 3}, {"maxItems", 3}});
@@ -71,6 +81,7 @@ Value properties() {
       {"machine", text_schema("Name of the machine, for the printed sheet and for comments in part programs.")},
       {"date", text_schema("Date on which the plan was made, ISO 8601 preferred.")},
       {"axis", axis()},
+      {"errors", errors()},
       {"cycle", object({{"enum", cycles}, {"description", "Order of the approaches (5.3.2, Annex B)."}})},
       {"targets", object({{"type", "array"},
                           {"items", object({{"type", "number"}, {"minimum", -1e9}, {"maximum", 1e9}})},

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include "axiometry/report/drawing/upper_case.h"
 #include "axiometry/report/pdf/cairo_painter.h"
 #include "axiometry/report/pdf/pdf_palette.h"
 #include "axiometry/report/pdf/pdf_table.h"
@@ -14,17 +15,6 @@
 namespace axiometry::report::pdf {
 
 namespace {
-
-/// Of ASCII letters and umlauts, as the kinds of documents have them: "ü" is C3 BC, "Ü" C3 9C.
-std::string upper_case(std::string text) {
-  char before = '\0';
-  for (char& c : text) {
-    const bool umlaut = before == '\xC3' && (c == '\xA4' || c == '\xB6' || c == '\xBC');
-    before = c;
-    if ((c >= 'a' && c <= 'z') || umlaut) c = static_cast<char>(c - 0x20);
-  }
-  return text;
-}
 
 constexpr double body_size = 9.0;
 constexpr double first_page_top = 36.0;  // no running head above the title

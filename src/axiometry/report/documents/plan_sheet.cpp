@@ -52,6 +52,7 @@ Facts programme_facts(const Plan& plan, Duration duration, double acceleration, 
   const auto [lowest, highest] = reach(plan);
   Facts facts{"Programme", {}};
   auto& list = facts.facts;
+  if (!plan.errors.empty()) list.push_back(fact("Errors", errors_text(plan)));
   list.push_back(fact("Test cycle", cycle_text(plan)));
   list.push_back(fact("Targets", fmt::format("{} from {} to {}", plan.targets.size(),
                                              shown_short(plan.targets.front().in_native(), options),
@@ -166,7 +167,15 @@ void append_programme(Document& document, const Plan& plan, Duration duration, d
   document.sections.push_back(std::move(targets));
 }
 
+/// A plan of other errors than positions, of which the standard says nothing.
+Notice status_of_errors(const PlanSubject& subject) {
+  const std::string errors = errors_text(subject.plan);
+  if (iso230_2::conforming(subject.findings)) return {Tone::good, plain(fmt::format("Plan for {}", errors)), {}};
+  return {Tone::bad, plain(fmt::format("The axis cannot follow this plan for {}, see Findings", errors)), {}};
+}
+
 Notice status(const PlanSubject& subject) {
+  if (!measures_positions(subject.plan)) return status_of_errors(subject);
   if (iso230_2::in_accordance(subject.findings))
     return {Tone::good, plain(fmt::format("Plan according to {}", subject.plan.standard)), {}};
   const bool departs = !iso230_2::conforming(subject.findings);
@@ -185,12 +194,16 @@ Document title_page(const PlanSubject& subject, const Options& options) {
   const Plan& plan = subject.plan;
   Document document;
   document.kind = "Test plan";
-  document.title = fmt::format("{} of {}", is_diagonal(plan.axis) ? "Displacement test" : "Positioning test",
+  const std::string_view test = !measures_positions(plan) ? "Test of error motions"
+                                : is_diagonal(plan.axis)  ? "Displacement test"
+                                                          : "Positioning test";
+  document.title = fmt::format("{} of {}", test,
                                plan.axis.name.empty()
                                    ? fmt::format("{} {}", is_diagonal(plan.axis) ? "a" : "an NC", word_for(plan.axis))
                                    : fmt::format("{} {}", word_for(plan.axis), plan.axis.name));
-  document.edition =
-      iso230_2::in_accordance(subject.findings) ? plan.standard : fmt::format("Terms of {}", plan.standard);
+  document.edition = measures_positions(plan) && iso230_2::in_accordance(subject.findings)
+                         ? plan.standard
+                         : fmt::format("Terms of {}", plan.standard);
   document.identity = {{plain(is_diagonal(plan.axis) ? "Diagonal" : "Axis"), text_cell(description_of(plan.axis))},
                        {plain("Machine"), verbatim_or_quiet(plan.machine)},
                        {plain("Date of plan"), verbatim_or_quiet(plan.date)},

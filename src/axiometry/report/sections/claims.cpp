@@ -4,6 +4,7 @@
 #include "axiometry/report/claim_text.h"
 #include "axiometry/report/finding_text.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/standards/environment/environment.h"
 
 namespace axiometry::report {
 namespace {
@@ -38,7 +39,8 @@ Section claim_section(const Subject& subject, const Options& options) {
       plain("What was not stated speaks against a claim as what departs from the standard does: absent is "
             "never the same as fine.")};
   if (claim(claims, iso230_2::ClaimKind::tested).holds())
-    table.notes.push_back(sentence(iso230_2::on_the_word_of_the_tester));
+    table.notes.push_back(sentence(
+        iso230_2::word_of_the_tester(subject.temperatures != nullptr ? &subject.temperatures->environment : nullptr)));
   section.blocks.emplace_back(std::move(table));
   return section;
 }

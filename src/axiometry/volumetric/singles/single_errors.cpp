@@ -69,8 +69,9 @@ class SingleAssembly {
                         single_axis_letters[a]));
       cut_[a] = cut;
       if (cut)
-        findings_.push_back(fmt::format("{}: only from {} to {} mm, where all its errors were read",
-                                        single_axis_letters[a], lower, upper));
+        findings_.push_back({"single-common-range", false,
+                             fmt::format("{}: only from {} to {} mm, where all its errors were read",
+                                         single_axis_letters[a], lower, upper)});
       AXIOMETRY_TRY(const CurveBasis basis,
                     CurveBasis::make(CurveKind::nodes, lower, upper, any ? std::max<std::size_t>(nodes, 2) - 1 : 1));
       bases_.push_back(basis);
@@ -250,7 +251,8 @@ class SingleAssembly {
       curve -= lever_effect(c, e, lacks);
       if (!lacks.empty()) {
         findings_.push_back(
-            fmt::format("{} has no number: at its line it holds {}, not measured", error_name(e), lacks));
+            {"single-rotation-lacking", false,
+             fmt::format("{} has no number: at its line it holds {}, not measured", error_name(e), lacks)});
         return;
       }
     }
@@ -271,8 +273,10 @@ class SingleAssembly {
       worst = std::max(worst, std::abs(shown - m.values[k]));
     }
     if (worst > 0.005)
-      findings_.push_back(fmt::format("{}: readings between the {} nodes lie up to {:.2f} {} from the straight lines",
-                                      error_name(m.error), nodes.size(), worst, m.error.is_rotation() ? "µrad" : "µm"));
+      findings_.push_back(
+          {"single-between-nodes", false,
+           fmt::format("{}: readings between the {} nodes lie up to {:.2f} {} from the straight lines",
+                       error_name(m.error), nodes.size(), worst, m.error.is_rotation() ? "µrad" : "µm")});
   }
 
   double urad_per_um(std::size_t axis) const {
@@ -304,9 +308,10 @@ class SingleAssembly {
       const bool common = errors_.squareness[item].over_common_range;
       if (!common && is_of_unknown_range(line)) {
         findings_.push_back(
-            fmt::format("{} has no number: the errors of {} were read over different ranges, and without {} nothing "
-                        "tells over which the squareness was",
-                        squareness_names[k], single_axis_letters[line.axis], error_name(line)));
+            {"single-squareness-range", false,
+             fmt::format("{} has no number: the errors of {} were read over different ranges, and without {} nothing "
+                         "tells over which the squareness was",
+                         squareness_names[k], single_axis_letters[line.axis], error_name(line))});
         return;
       }
       Eigen::MatrixXd effect = lever_effect(c, line, lacks);
@@ -316,7 +321,9 @@ class SingleAssembly {
         sum += square_lines[k].sign * slope_gained_by_cut(*given);
     }
     if (!lacks.empty()) {
-      findings_.push_back(fmt::format("{} has no number: its lines hold {}, not measured", squareness_names[k], lacks));
+      findings_.push_back(
+          {"single-squareness-lacking", false,
+           fmt::format("{} has no number: its lines hold {}, not measured", squareness_names[k], lacks)});
       return;
     }
     rows_.row(row) = sum;
@@ -351,7 +358,8 @@ class SingleAssembly {
       if (!given) missing += (missing.empty() ? "" : ", ") + names[k];
     }
     if (!missing.empty())
-      findings_.push_back(fmt::format("not measured: {}; what depends on them has no number", missing));
+      findings_.push_back(
+          {"single-not-measured", false, fmt::format("not measured: {}; what depends on them has no number", missing)});
     for (std::size_t raw = 0; raw < c.raw(); ++raw) {
       if (told_[c.error_of(raw)]) continue;
       parts.unseen.emplace_back(c.raw(), 0.0).at(raw) = 1.0;
@@ -370,7 +378,7 @@ class SingleAssembly {
   TravelBox observed_;
   Eigen::MatrixXd rows_;
   std::vector<bool> told_;  ///< in the order of error_names()
-  std::vector<std::string> findings_;
+  std::vector<NamedFinding> findings_;
 };
 
 }  // namespace

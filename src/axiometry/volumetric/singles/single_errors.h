@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/error_model.h"
 
 /// The 21 errors of a machine out of measurements of each alone: straightness, rotations, positioning of one axis after
@@ -51,7 +52,7 @@ struct SingleErrors {
 
 struct SingleModel {
   ErrorModel model;
-  std::vector<std::string> findings;  ///< sentences without full stop
+  std::vector<NamedFinding> findings;
 };
 
 inline constexpr std::size_t single_nodes_most = 61;

@@ -89,7 +89,7 @@ TEST(SingleErrors, TogetherGiveTheFieldOfTheMachineButForItsPlaceAndOrientation)
     const SingleTruth truth = single_truth(chain, 11);
     const auto made = model_of_singles(truth.machine, measured_singly(truth));
     ASSERT_TRUE(made) << chain << ": " << made.error().message;
-    EXPECT_TRUE(made->findings.empty()) << chain << ": " << made->findings.front();
+    EXPECT_TRUE(made->findings.empty()) << chain << ": " << made->findings.front().message;
     const Vector3 tool = truth.machine.tools[0].offset_mm;
     std::vector<Vector3> places, differences;
     std::mt19937 random(5);
@@ -123,7 +123,8 @@ TEST(SingleErrors, CarryTheirUncertainties) {
   EXPECT_FALSE(made->model.motion({0, 4}, 900.0));
   EXPECT_FALSE(made->model.squareness(Squareness::C0Y));
   ASSERT_EQ(made->findings.size(), 1u);
-  EXPECT_TRUE(made->findings[0].starts_with("not measured: EXX, EYX")) << made->findings[0];
+  EXPECT_EQ(made->findings[0].id, "single-not-measured");
+  EXPECT_TRUE(made->findings[0].message.starts_with("not measured: EXX, EYX")) << made->findings[0].message;
 }
 
 TEST(SingleErrors, HaveNoNumberWhereARotationThatActsWasNotMeasured) {
@@ -142,7 +143,8 @@ TEST(SingleErrors, HaveNoNumberWhereARotationThatActsWasNotMeasured) {
   const auto off_line = model_of_singles(machine, errors);
   ASSERT_TRUE(off_line);
   EXPECT_FALSE(off_line->model.motion({0, 1}, 450.0));
-  EXPECT_EQ(off_line->findings[0], "EYX has no number: at its line it holds EAX (lever 150.0 mm), not measured");
+  EXPECT_EQ(off_line->findings[0].message,
+            "EYX has no number: at its line it holds EAX (lever 150.0 mm), not measured");
 }
 
 /// The table carries X, whose yaw was read from 200 to 800 mm alone; EYX bends by 40 µm over its last 200 mm.
@@ -191,7 +193,8 @@ TEST(SingleErrors, HaveNoSquarenessWhereNothingTellsItsRange) {
   EXPECT_FALSE(made->model.squareness(Squareness::C0Y));
   EXPECT_NE(std::ranges::find(made->findings,
                               "C0Y has no number: the errors of X were read over different ranges, and without EYX "
-                              "nothing tells over which the squareness was"),
+                              "nothing tells over which the squareness was",
+                              &NamedFinding::message),
             made->findings.end());
 }
 
@@ -211,7 +214,7 @@ TEST(SingleErrors, DoNotContinueRotationsBeyondTheirReadings) {
   const auto made = model_of_singles(machine_with_table(), errors);
   ASSERT_TRUE(made) << made.error().message;
   EXPECT_FALSE(made->model.squareness(Squareness::C0Y));
-  EXPECT_EQ(made->findings[1], "C0Y has no number: its lines hold rotation ECX at 900 mm, not measured");
+  EXPECT_EQ(made->findings[1].message, "C0Y has no number: its lines hold rotation ECX at 900 mm, not measured");
 }
 
 TEST(SingleErrors, RefuseReadingsOutsideAndErrorsWithoutACommonRange) {

@@ -13,10 +13,10 @@ export function CalibrationResult({ calibration }: { calibration: KeptCalibratio
     return (
       <section class="panel">
         <header><h2>{t('lines')}</h2></header>
-        <Results evaluation={calibration.result as unknown as TrackingEvaluation} />
+        <Results evaluation={calibration.result as TrackingEvaluation} />
       </section>
     );
   }
-  if (is_motion_kind(calibration.kind)) return <MotionView result={calibration.result as unknown as MotionResult} />;
-  return <VolumeResult result={calibration.result as unknown as VolumetricResult} />;
+  if (is_motion_kind(calibration.kind)) return <MotionView result={calibration.result as MotionResult} />;
+  return <VolumeResult result={calibration.result as VolumetricResult} />;
 }

@@ -4,11 +4,16 @@ import { texts } from '../../i18n/texts';
 export const t = texts({
   title: ['Straightness, angles, squareness', 'Geradheit, Winkel, Rechtwinkligkeit'],
   how: [
-    'Readings across or about an axis as CSV: position_mm, run, direction and straightness_um or angle_urad. One file of straightness, one of each rotation, or two of straightness for the squareness of two axes. They are no tests of positions.',
-    'Messwerte quer zu einer Achse oder um sie als CSV: position_mm, run, direction und straightness_um oder angle_urad. Eine Datei einer Geradheit, eine je Drehung, oder zwei Geradheiten für die Rechtwinkligkeit zweier Achsen. Es sind keine Positionsprüfungen.',
+    'Readings across or about an axis as CSV: position_mm, run, direction and straightness_um or angle_urad. One file of straightness, one of each rotation, or two of straightness for the squareness of two axes. They are no tests of positions. Readings without positions need their plan (of axiometry plan): one column, a row for each approach.',
+    'Messwerte quer zu einer Achse oder um sie als CSV: position_mm, run, direction und straightness_um oder angle_urad. Eine Datei einer Geradheit, eine je Drehung, oder zwei Geradheiten für die Rechtwinkligkeit zweier Achsen. Es sind keine Positionsprüfungen. Messwerte ohne Positionen brauchen ihren Plan (von axiometry plan): eine Spalte, eine Zeile je Anfahrt.',
   ],
   choose: ['Choose a file…', 'Datei wählen…'],
   drop: ['or drop it here', 'oder hier ablegen'],
+  plan: ['plan', 'Plan'],
+  plan_of_line: ['plan of line {n}', 'Plan der Linie {n}'],
+  plan_of_archive: ['Add a plan of the archive', 'Plan aus dem Archiv hinzunehmen'],
+  plan_hint: ['for readings without positions; of a squareness one for each line', 'für Messwerte ohne Positionen; für eine Rechtwinkligkeit einer je Linie'],
+  no_plan: ['choose…', 'wählen…'],
   take_away: ['Take {name} away', '{name} wegnehmen'],
   calibrations: ['Calibrations', 'Kalibrierungen'],
   evaluating: ['Evaluating…', 'Wird ausgewertet…'],

@@ -14,12 +14,15 @@ export function Outcome({ draft, figure_on_paper, unit, part, choose, children }
   const chosen = draft.plan;
   const targets = part?.targets ?? draft.targets;
   const runs = part?.runs ?? chosen.runs;
-  const accords = draft.conforming && !draft.findings.some((finding) => finding.severity === 'missing');
+  const errors = chosen.errors ?? [];
+  const of_positions = errors.length === 0 || errors.some((name) => name[1] === name[2]);   // EXX; of others the standard says nothing
+  const accords = draft.conforming && !(of_positions && draft.findings.some((finding) => finding.severity === 'missing'));
   const alt = t('figure_of', { n: targets.length, runs });
   return (
     <section class="panel outcome" aria-label={t('programme')}>
       <div class="row spread">
         <dl class="figures">
+          {errors.length > 0 && <Figure name={t('errors')} value={errors.join(', ')} />}
           <Figure name={t('targets')} value={String(targets.length)} />
           <Figure name={t('runs')} value={String(runs)} />
           {part && <Figure name={t('readings')} value={String(part.readings)} />}
@@ -31,7 +34,7 @@ export function Outcome({ draft, figure_on_paper, unit, part, choose, children }
           <svg width="14" height="14" viewBox="0 0 14 14" aria-hidden="true">
             <path d={accords ? 'M2.5 7.5l3 3 6-7' : 'M3 3l8 8M11 3l-8 8'} fill="none" stroke="currentColor" stroke-width="2" />
           </svg>
-          {t(accords ? 'conforming' : draft.conforming ? 'not_yet' : 'departing')}
+          {t(of_positions ? (accords ? 'conforming' : draft.conforming ? 'not_yet' : 'departing') : draft.conforming ? 'made_for' : 'cannot_follow')}
         </p>
       </div>
       {draft.findings.length > 0 && <FindingList findings={draft.findings} />}

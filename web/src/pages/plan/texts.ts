@@ -65,6 +65,9 @@ export const t = texts({
   conforming: ['in accordance with ISO 230-2:2014', 'nach ISO 230-2:2014'],
   not_yet: ['as planned not yet in accordance with ISO 230-2:2014', 'wie geplant noch nicht nach ISO 230-2:2014'],
   departing: ['departs from ISO 230-2:2014', 'weicht von ISO 230-2:2014 ab'],
+  errors: ['Errors', 'Abweichungen'],
+  made_for: ['can be followed', 'ausführbar'],
+  cannot_follow: ['cannot be followed', 'nicht ausführbar'],
   findings: ['Findings', 'Feststellungen'],
   no_findings: ['Nothing to say against it.', 'Nichts einzuwenden.'],
   position: ['Position', 'Position'],
@@ -108,6 +111,7 @@ export const t = texts({
 
 /** Rows of "more": the flag of `axiometry plan` without its dashes, and what a person calls it. */
 export const further_fields = [
+  { key: 'error', unit: '', form: 'EYX, EBX' },
   { key: 'measure', unit: 'position', form: '0:500' },
   { key: 'soft-limits', unit: 'position', form: '0:500' },
   { key: 'period', unit: 'position', form: '' },
@@ -124,6 +128,7 @@ export const further_fields = [
 ] as const;
 
 export const of_further = texts({
+  error: ['Errors other than positions', 'Andere Abweichungen als Positionen'],
   measure: ['Measurement travel', 'Messbereich'],
   'soft-limits': ['Limits of the control', 'Softwareendlagen'],
   period: ['Expected period', 'Erwartete Periode'],

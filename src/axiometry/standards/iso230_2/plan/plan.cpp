@@ -140,6 +140,7 @@ Result<Frame> make_frame(const PlanRequest& request) {
   Frame frame;
   Plan& plan = frame.plan;
   plan.axis = request.axis;
+  plan.errors = request.errors;
   plan.machine = request.machine;
   plan.date = request.date;
   plan.cycle = request.periodic ? TestCycle::unidirectional : request.cycle;
@@ -205,8 +206,9 @@ TargetGrid grid_over(const Frame& frame, Programme programme, const Stretch& str
   return grid;
 }
 
-std::string clause_of(TestCycle cycle, Programme programme) {
-  switch (cycle) {
+std::string clause_of(const Plan& plan, Programme programme) {
+  if (!measures_positions(plan)) return "";
+  switch (plan.cycle) {
     case TestCycle::standard: return programme_clause(programme);
     case TestCycle::step: return "Annex B";
     default: return "";
@@ -234,7 +236,7 @@ Result<Plan> plan_over(const Frame& frame, const Stretch& stretch, const Spacing
   const TargetGrid grid = grid_over(frame, programme, stretch, spacing);
   AXIOMETRY_TRY_VOID(check_count(frame, stretch, static_cast<double>(grid.count)));
   Plan plan = frame.plan;
-  plan.clause = clause_of(plan.cycle, programme);
+  plan.clause = clause_of(plan, programme);
   plan.runs = required_approaches(programme);
   plan.seed = seed;
   AXIOMETRY_TRY(plan.targets, draw_targets(grid, plan.axis.compensation_points, seed, stream));
@@ -292,7 +294,7 @@ Result<Plan> plan_of_given_targets(const Frame& frame, const PlanRequest& reques
                             span_text(frame, stretch.from.in_native(), stretch.to.in_native()),
                             span_text(frame, within->from.in_native(), within->to.in_native())));
   const Programme programme = programme_of(frame.kind(), Position::native(stretch.length()));
-  plan.clause = clause_of(plan.cycle, programme);
+  plan.clause = clause_of(plan, programme);
   plan.runs = required_approaches(programme);
   return plan;
 }
@@ -348,6 +350,11 @@ Result<Plan> make_plan(const PlanRequest& request) {
     return fail(fmt::format("found {} targets, expected at most {}", plan.targets.size(), most_targets));
   AXIOMETRY_TRY_VOID(check_sound(plan));
   const double measured = plan.targets.back().in_native() - plan.targets.front().in_native();
+  if (!measures_positions(plan)) {
+    if (request.areas.empty()) return plan;
+    return fail(fmt::format("found a normal working area for a plan made for {}, expected one for positions only",
+                            errors_text(plan)));
+  }
   const bool needs_further = !request.periodic && plan.cycle != TestCycle::user_defined &&
                              required_approaches(programme_of(frame.kind(), Position::native(measured))) == 1;
   if (needs_further) AXIOMETRY_TRY_VOID(add_further(plan, frame, request));

@@ -53,6 +53,7 @@ struct PeriodicTest {
 /// What the user wants. What is absent is chosen as make_plan() says.
 struct PlanRequest {
   Axis axis;                           ///< travel_begin and travel_end must be given
+  std::vector<MotionName> errors;      ///< copied: what is to be read at the stops
   std::string machine;                 ///< copied, as the next
   std::string date;                    ///< "2026-11-21"
   std::optional<Stretch> measurement;  ///< measurement travel (3.2)
@@ -88,6 +89,8 @@ struct PlanRequest {
 /// m: what the clause asks for; a mean interval of 250 mm (or one segment, if that is less) above 2 000 mm. Each
 /// segment of the scale that is left without a target is given one more.
 ///
+/// Of errors without the positions of the axis: the same targets and runs, but no clause and nothing further.
+///
 /// `further` (of tests above 2 000 mm or 360°): five approaches over each stretch of the normal working area, by
 /// default one in the middle of the measurement travel.
 ///
@@ -99,9 +102,10 @@ Result<Plan> make_plan(const PlanRequest& request);
 
 /// What the standard has to say about a plan, also one that people have edited: the rules of find_departures() that
 /// concern the programme, as if every approach had been measured, and those that only a plan can break (overruns beyond
-/// the travel, a feed that is not reached, no warm-up, a period that the targets do not sample). Departures first.
-/// Findings about a further plan begin with its title. Whether the feed is reached depends on the acceleration of the
-/// axis, the usual one when none is given. Needs a sound plan and a > 0.
+/// the travel, a feed that is not reached, no warm-up, a period that the targets do not sample). Departures first. Of a
+/// plan without positions, of which the standard says nothing, only what keeps the axis from following it, and what
+/// holds at every stop. Findings about a further plan begin with its title. Whether the feed is reached depends on the
+/// acceleration of the axis, the usual one when none is given. Needs a sound plan and a > 0.
 std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration = {});
 
 /// No finding is a departure.

@@ -518,5 +518,37 @@ TEST(Plan230, RefusesWhatCannotBePlannedWithTheNumbers) {
   EXPECT_THAT(reason(r), HasSubstr("found no axis travel"));
 }
 
+TEST(Plan230, OtherErrorsThanPositionsAreNoBusinessOfTheStandard) {
+  PlanRequest r = request(0, 3000);
+  r.errors = {{'Y', 'X'}, {'B', 'X'}};
+  r.runs = 5;
+  Plan plan = make_plan(r).value();
+  EXPECT_EQ(plan.errors, r.errors);
+  EXPECT_EQ(plan.clause, "");
+  EXPECT_TRUE(plan.further.empty()) << "a long axis has further tests of its positions only";
+  plan.targets.resize(3);  // a test of positions over more than 2 000 mm would have to have more
+  plan.runs = 2;
+  EXPECT_TRUE(conforming(plan_findings(plan)));
+  EXPECT_THAT(messages(plan), Contains(HasSubstr("found a plan made for EYX, EBX, of which ISO 230-2 says nothing")));
+  plan.axis.travel_end = at(100);  // but where the axis cannot go it cannot go
+  EXPECT_FALSE(conforming(plan_findings(plan)));
+  r.areas = {{at(500), at(2500)}};
+  EXPECT_EQ(reason(r), "found a normal working area for a plan made for EYX, EBX, expected one for positions only");
+}
+
+TEST(Plan230, PositionsAmongOtherErrorsAreJudgedAsEver) {
+  PlanRequest r = request(0, 500);
+  const Plan positions = make_plan(r).value();
+  r.errors = {{'Y', 'X'}, {'X', 'X'}};
+  Plan plan = make_plan(r).value();
+  EXPECT_EQ(plan.clause, positions.clause);
+  EXPECT_EQ(plan.targets, positions.targets);
+  EXPECT_EQ(kinds(plan), kinds(positions));
+  plan.runs = 2;
+  EXPECT_FALSE(conforming(plan_findings(plan)));
+  r.errors = {{'X', 'Y'}};
+  EXPECT_THAT(reason(r), HasSubstr("found the error EXY in a plan of the axis \"X\""));
+}
+
 }  // namespace
 }  // namespace axiometry::iso230_2

@@ -64,6 +64,16 @@ std::optional<Finding> line_of_several_axes(const Plan& plan) {
                   rules::figure(direction[2])));
 }
 
+/// Its clauses are about positions and nothing else.
+std::optional<Finding> made_for_other_errors(const Plan& plan) {
+  if (measures_positions(plan)) return std::nullopt;
+  return rules::note(
+      "plan-other-errors", "1",
+      fmt::format("found a plan made for {}, of which ISO 230-2 says nothing: its rules for targets, runs "
+                  "and cycles of positions are not applied",
+                  errors_text(plan)));
+}
+
 /// Which way an axis with rollover goes to an angle is up to its control, and an angle beyond the turn may be refused.
 std::optional<Finding> beyond_one_turn(const Plan& plan) {
   const auto [lowest, highest] = reach(plan);
@@ -166,8 +176,8 @@ std::optional<Series> as_series(const Plan& plan) {
 }
 
 /// What is said of every plan.
-constexpr PlanRule* common_rules[] = {line_of_several_axes, travel_known,    reach_within_travel,
-                                      beyond_one_turn,      warm_up_planned, rests_at_targets};
+constexpr PlanRule* common_rules[] = {line_of_several_axes, made_for_other_errors, travel_known,    reach_within_travel,
+                                      beyond_one_turn,      warm_up_planned,       rests_at_targets};
 /// Of the test for a periodic error.
 constexpr PlanRule* period_rules[] = {period_given, period_covered, period_resolved};
 /// Of a test after clause 5.
@@ -235,6 +245,7 @@ std::vector<Finding> findings_of(const Plan& plan, std::optional<double> acceler
   for (PlanRule* rule : common_rules)
     if (!further || rule == reach_within_travel) findings.add(rule(plan));
   if (acceleration) findings.add(feed_reached(plan, *acceleration));
+  if (!measures_positions(plan)) return std::move(findings).sorted();
   if (plan.clause == "Annex C") {
     for (PlanRule* rule : period_rules) findings.add(rule(plan));
   } else {

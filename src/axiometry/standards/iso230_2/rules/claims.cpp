@@ -12,6 +12,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/simulated.h"
+#include "axiometry/standards/environment/environment.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
 #include "axiometry/standards/readings/reading_correction.h"
@@ -263,6 +264,20 @@ std::string against_text(const Claim& claim) {
   if (departures > 0) text = fmt::format("contradicted by {}", points(departures));
   if (missing > 0) text += fmt::format("{}{} not stated", text.empty() ? "" : ", ", points(missing));
   return text;
+}
+
+std::string_view word_of_the_tester(const TestEnvironment* logged) {
+  const bool gradient_kept = logged != nullptr && std::ranges::any_of(logged->items, [](const EnvironmentItem& item) {
+                               return item.key == "machine_gradient_C" && item.standing == EnvironmentStanding::kept;
+                             });
+  if (gradient_kept)
+    return "on the word of who tested, since no item of a test states it: the standard test cycle was run where no "
+           "other is given, machine and instrument were soaked (4.1), the machine complete, levelled and without load "
+           "(4.2), and at rest when it was read (5.1); the log of temperatures shows their gradient over the machine "
+           "within what was agreed (4.1)";
+  return "on the word of who tested, since no item of a test states it: the standard test cycle was run where no other "
+         "is given, machine and instrument were soaked and the gradient of the temperature within what was agreed "
+         "(4.1), the machine complete, levelled and without load (4.2), and at rest when it was read (5.1)";
 }
 
 }  // namespace axiometry::iso230_2

@@ -13,6 +13,8 @@
 /// against it, and what was not stated does: absent is never the same as fine.
 namespace axiometry::iso230_2 {
 
+struct TestEnvironment;
+
 enum class ClaimKind {
   computed,  ///< the formulas of clause 3 were applied to measured deviations
   tested,    ///< the test kept clauses 4 and 5, as far as a file can state it
@@ -39,10 +41,8 @@ inline const Claim& claim(const Claims& claims, ClaimKind kind) { return claims[
 /// "contradicted by 2 points, 3 not stated"; empty where it holds.
 std::string against_text(const Claim& claim);
 
-/// What ClaimKind::tested rests on that no item of a test states: a sentence without full stop.
-inline constexpr std::string_view on_the_word_of_the_tester =
-    "on the word of who tested, since no item of a test states it: the standard test cycle was run where no other is "
-    "given, machine and instrument were soaked and the gradient of the temperature within what was agreed (4.1), the "
-    "machine complete, levelled and without load (4.2), and at rest when it was read (5.1)";
+/// What ClaimKind::tested rests on that no item of a test states: a sentence without full stop. The gradient of the
+/// temperature is among it unless a log beside the test (nullptr: none) shows it within the limit that was agreed.
+std::string_view word_of_the_tester(const TestEnvironment* logged);
 
 }  // namespace axiometry::iso230_2

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "axiometry/standards/environment/environment.h"
 #include "tests/support/series.h"
 
 namespace axiometry::iso230_2 {
@@ -321,6 +322,26 @@ TEST(Claims, NameTheStandardOfADiagonal) {
   test.metadata.axis.line_origin_mm = {0, 0, 0};
   test.metadata.axis.line_direction = {1, 1, 1};
   EXPECT_EQ(claim(claims(test), ClaimKind::tested).title, "Tested in accordance with ISO 230-6");
+}
+
+TEST(Claims, RestOnTheWordOfTheTesterForTheGradientUnlessALogShowsItKept) {
+  constexpr std::string_view on_his_word = "soaked and the gradient of the temperature within what was agreed";
+  constexpr std::string_view by_the_log = "the log of temperatures shows their gradient";
+  TestEnvironment logged;
+  EnvironmentItem gradient{.key = "machine_gradient_C", .title = "", .unit = "°C", .clause = "4.1"};
+  EnvironmentItem highest{.key = "highest_C", .title = "", .unit = "°C", .clause = "7"};
+  highest.standing = EnvironmentStanding::kept;
+  for (const auto standing :
+       {EnvironmentStanding::kept, EnvironmentStanding::exceeded, EnvironmentStanding::not_measured,
+        EnvironmentStanding::not_agreed, EnvironmentStanding::known_in_part}) {
+    gradient.standing = standing;
+    logged.items = {highest, gradient};
+    const std::string_view word = word_of_the_tester(&logged);
+    const bool kept = standing == EnvironmentStanding::kept;
+    EXPECT_EQ(word.find(by_the_log) != word.npos, kept) << standing_key(standing);
+    EXPECT_EQ(word.find(on_his_word) != word.npos, !kept) << standing_key(standing);
+  }
+  EXPECT_NE(word_of_the_tester(nullptr).find(on_his_word), std::string_view::npos);
 }
 
 }  // namespace
