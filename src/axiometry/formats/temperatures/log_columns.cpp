@@ -11,8 +11,9 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/recordings/time_text.h"
-#include "axiometry/formats/temperatures/name_words.h"
+#include "axiometry/formats/temperatures/sensor_role.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
+#include "axiometry/formats/text/name_words.h"
 
 namespace axiometry::formats {
 namespace {
