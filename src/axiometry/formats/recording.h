@@ -26,6 +26,9 @@ struct RecordingOptions {
   std::optional<double> rate_hz;          ///< samples per second, for streams without time stamps
   std::size_t axis = 0;                   ///< of a stream of several: 0 is the first
   bool axis_stated = false;               ///< whether somebody said so; else columns are taken only by what they say
+  /// Of an axis that rests: what deviates is what is sought, and of several columns none of which says that it is the
+  /// position, or too many, the first counts that is neither setpoint nor temperature or the like.
+  bool at_standstill = false;
   /// When the bytes that are being fed arrived, s; NaN where that is lost. For streams that tell neither time nor rate,
   /// and for how long a source was away whose clock began anew. Empty when it is never known.
   std::function<double()> arrival_s{};

@@ -86,6 +86,7 @@ Result<DriftRecording> read_drift_recording(const std::string& file, AxisKind ki
   if (!layout) return in_it(std::move(layout).error());
   formats::RecordingOptions options;
   options.kind = kind;
+  options.at_standstill = true;
   auto reader = (*layout)->open(options);
   if (!reader) return in_it(std::move(reader).error());
   DriftPicker picker;

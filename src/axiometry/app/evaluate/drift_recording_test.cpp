@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/evaluate/drift_recording.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "tests/support/series.h"
+#include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
 namespace {
@@ -53,6 +56,21 @@ TEST(DriftRecording, RefusesWhatIsNoStandstill) {
                          }();
   EXPECT_FALSE(read_drift_recording(file.string(), AxisKind::linear));
   std::filesystem::remove(file);
+}
+
+TEST(DriftRecording, TakesTheFirstOfSeveralColumnsUnlessOneIsCalledThePosition) {
+  const testing_support::TemporaryFolder folder;
+  const auto spread = [&](const std::string& head) {
+    std::string text = head + "\n";
+    for (int k = 0; k < 50; ++k) text += fmt::format("{},{},{}\n", k, 1e-3 * (k % 2), 5e-3 * (k % 2));
+    const auto recording = read_drift_recording(folder.written("still.csv", text), AxisKind::linear);
+    EXPECT_TRUE(recording) << recording.error().message;
+    if (!recording) return 0.0;
+    const auto [least, most] = std::ranges::minmax(recording->values);
+    return most - least;
+  };
+  EXPECT_NEAR(spread("time_s,x_mm,y_mm"), 1.0, 1e-9);
+  EXPECT_NEAR(spread("time_s,x_mm,position_mm"), 5.0, 1e-9);
 }
 
 TEST(DriftRecording, RefusesAGapThatNobodyKnowsTheDriftOf) {

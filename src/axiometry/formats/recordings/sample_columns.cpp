@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 #include <string>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/time_text.h"
+#include "axiometry/formats/text/name_words.h"
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {
@@ -69,39 +69,92 @@ bool is_time(const Heading& heading) {
 }
 
 /// What a column is called that holds what the axis shall do, not what was measured.
-constexpr std::string_view setpoint_words[] = {"setpoint", "set_point", "set point", "command", "cmd",    "target",
-                                               "demand",   "nominal",   "reference", "soll",    "desired"};
-constexpr std::string_view position_words[] = {"position", "pos", "actual", "measured", "distance", "displacement",
-                                               "laser",    "ist", "weg",    "encoder",  "angle",    "winkel"};
-/// … and what is no position at all.
-constexpr std::string_view other_words[] = {"temp",   "humid", "feuchte", "pressure", "druck",    "speed",   "velocity",
-                                            "feed",   "count", "signal",  "quality",  "status",   "error",   "flag",
-                                            "torque", "strom", "current", "voltage",  "drehzahl", "spannung"};
+constexpr NameWord setpoint_words[] = {
+    {"setpoint", WordPlace::anywhere}, {"set_point", WordPlace::anywhere},  {"set point", WordPlace::anywhere},
+    {"command", WordPlace::anywhere},  {"cmd", WordPlace::front_or_back},   {"target", WordPlace::anywhere},
+    {"demand", WordPlace::anywhere},   {"nominal", WordPlace::anywhere},    {"reference", WordPlace::anywhere},
+    {"desired", WordPlace::anywhere},  {"programmed", WordPlace::anywhere}, {"soll", WordPlace::front_or_back}};
+constexpr NameWord position_words[] = {{"position", WordPlace::anywhere}, {"pos", WordPlace::front_or_back},
+                                       {"distance", WordPlace::anywhere}, {"displacement", WordPlace::anywhere},
+                                       {"angle", WordPlace::back},        {"winkel", WordPlace::front_or_back},
+                                       {"weg", WordPlace::front_or_back}};
+/// What a position may be called where nothing says that it is anything else.
+constexpr NameWord measured_words[] = {{"actual", WordPlace::front},
+                                       {"measured", WordPlace::front},
+                                       {"laser", WordPlace::front_or_back},
+                                       {"encoder", WordPlace::front_or_back},
+                                       {"ist", WordPlace::front}};
+/// How far something is off, which is no position beside another.
+constexpr NameWord deviation_words[] = {
+    {"deviation", WordPlace::front},
+    {"abweichung", WordPlace::front_or_back},
+    {"lag"},
+    {"following", WordPlace::front},
+    {"err"},
+    {"error", WordPlace::front_or_back},
+    {"residual", WordPlace::front},
+    {"fehler", WordPlace::front_or_back},
+    {"straight", WordPlace::front},
+    {"geradheit", WordPlace::front},
+};
+/// What is no position at all.
+constexpr NameWord other_words[] = {{"temp", WordPlace::front_or_back},
+                                    {"temperat", WordPlace::anywhere},
+                                    {"humid", WordPlace::anywhere},
+                                    {"feucht", WordPlace::anywhere},
+                                    {"pressure", WordPlace::anywhere},
+                                    {"druck", WordPlace::front_or_back},
+                                    {"speed", WordPlace::anywhere},
+                                    {"velocity", WordPlace::anywhere},
+                                    {"geschwindigkeit", WordPlace::anywhere},
+                                    {"drehzahl", WordPlace::anywhere},
+                                    {"feedrate", WordPlace::anywhere},
+                                    {"count"},
+                                    {"counts"},
+                                    {"counter"},
+                                    {"quality", WordPlace::anywhere},
+                                    {"status", WordPlace::anywhere},
+                                    {"error", WordPlace::anywhere},
+                                    {"flag"},
+                                    {"flags"},
+                                    {"torque", WordPlace::anywhere},
+                                    {"strom", WordPlace::front_or_back},
+                                    {"voltage", WordPlace::anywhere},
+                                    {"spannung", WordPlace::anywhere}};
+/// … unless the name tells a position too: "Current position", "Position of the feed axis".
+constexpr NameWord perhaps_other_words[] = {{"current"}, {"feed"}, {"signal"}};
 
-bool names_any(std::string_view name, std::span<const std::string_view> words) {
-  const std::string lower = text::to_lower(name);
-  return std::ranges::any_of(words, [&](std::string_view word) { return lower.find(word) != lower.npos; });
+bool names_other(std::string_view name) {
+  return has_any_word(name, other_words) ||
+         (has_any_word(name, perhaps_other_words) && !has_any_word(name, position_words));
+}
+
+bool names_position(std::string_view name) {
+  return has_any_word(name, position_words) || has_any_word(name, measured_words);
 }
 
 /// Which of the columns beside the time is the position.
-Result<std::size_t> position_column(const std::vector<Heading>& headings, std::size_t time,
-                                    std::optional<std::size_t> stated) {
+Result<std::size_t> position_column(const std::vector<Heading>& headings, std::size_t time, PositionChoice choice) {
   const std::size_t beside = headings.size() - 1;
-  if (stated && *stated >= beside)
-    return fail(fmt::format("found {} columns beside the time, expected at least {}", beside, *stated + 1));
-  if (stated || beside == 1) {
-    const std::size_t k = stated.value_or(0);
-    return k < time ? k : k + 1;
-  }
-  std::vector<std::size_t> with_unit, called;
+  if (choice.stated && *choice.stated >= beside)
+    return fail(fmt::format("found {} columns beside the time, expected at least {}", beside, *choice.stated + 1));
+  const auto nth_beside = [&](std::size_t k) { return k < time ? k : k + 1; };
+  if (choice.stated || beside == 1) return nth_beside(choice.stated.value_or(0));
+  std::vector<std::size_t> possible, with_unit, called;
   for (std::size_t k = 0; k < headings.size(); ++k) {
     const Heading& heading = headings[k];
-    if (k == time || names_any(heading.name, setpoint_words) || names_any(heading.name, other_words)) continue;
+    if (k == time || has_any_word(heading.name, setpoint_words)) continue;
+    const bool deviates = has_any_word(heading.name, deviation_words);
+    if (deviates ? !choice.at_standstill : names_other(heading.name)) continue;
+    possible.push_back(k);
     if (heading.unit != nullptr) with_unit.push_back(k);
-    if (names_any(heading.name, position_words)) called.push_back(k);
+    if (deviates || names_position(heading.name)) called.push_back(k);
   }
-  if (with_unit.size() == 1) return with_unit.front();
-  if (with_unit.empty() && called.size() == 1) return called.front();
+  // A unit tells nothing of a position where another column is called one.
+  if (with_unit.size() == 1 && (called.empty() || std::ranges::find(called, with_unit.front()) != called.end()))
+    return with_unit.front();
+  if (called.size() == 1 && (with_unit.empty() || choice.at_standstill)) return called.front();
+  if (choice.at_standstill) return possible.empty() ? nth_beside(0) : possible.front();
   std::string names;
   for (std::size_t k = 0; k < headings.size(); ++k)
     if (k != time) names += (names.empty() ? "" : ", ") + text::quoted(headings[k].name);
@@ -163,7 +216,7 @@ std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_
   return columns;
 }
 
-Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::optional<std::size_t> stated) {
+Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, PositionChoice choice) {
   SampleColumns columns;
   columns.by_header = true;
   columns.delimiter = sample_delimiter(line);
@@ -178,12 +231,12 @@ Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, st
                     text::quoted(line)));
   columns.time = static_cast<std::size_t>(time - headings.begin());
   columns.seconds_per_unit = time->seconds.value_or(1.0);
-  AXIOMETRY_TRY(columns.position, position_column(headings, columns.time, stated));
+  AXIOMETRY_TRY(columns.position, position_column(headings, columns.time, choice));
   const Heading& position = headings[columns.position];
   if (position.unit != nullptr && position.unit->kind != kind)
     return fail(fmt::format("found positions in {}, expected {} for a {} axis", position.unit->symbol,
                             kind == AxisKind::linear ? "a unit of length" : "a unit of angle", axis_kind_name(kind)));
-  if (position.unit == nullptr && names_any(position.name, other_words))
+  if (!choice.stated && position.unit == nullptr && names_other(position.name))
     return fail(fmt::format("found the column {}, expected positions", text::quoted(cells[columns.position])));
   if (position.unit != nullptr) {
     columns.position_factor = position.unit->factor;

@@ -35,10 +35,16 @@ char sample_delimiter(std::string_view line);
 /// `axis` asking for them) more than two columns, or no values.
 std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_t axis);
 
+struct PositionChoice {
+  std::optional<std::size_t> stated{};  ///< 0 is the first column beside the time
+  bool at_standstill = false;           ///< a deviation is as good, and some column is taken: RecordingOptions
+};
+
 /// From a header line: names such as time, t, zeit, position, x with units behind them as "_mm", "[mm]", "(mm)",
-/// "/mm" or alone. The position is the column that was stated (0 is the first beside the time), else the only one, else
-/// the only one that has a unit of position, or is called one, and is no setpoint. Fails on a unit of the other kind of
-/// axis, on a column called a temperature or the like, and where time or position cannot be told.
-Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, std::optional<std::size_t> stated);
+/// "/mm" or alone. The position is the column that was stated, else the only one, else the only one that has a unit of
+/// position, or is called one, and is no setpoint and no deviation; a unit does not count where another column is
+/// called the position. Fails on a unit of the other kind of axis, on a column that nobody stated and that is called a
+/// temperature or the like, and where time or position cannot be told.
+Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, PositionChoice choice);
 
 }  // namespace axiometry::formats

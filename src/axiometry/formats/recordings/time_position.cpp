@@ -25,7 +25,8 @@ class TimePositionReader final : public LineReader {
   explicit TimePositionReader(const RecordingOptions& options)
       : LineReader(options, StampJudge::Kind::times),
         kind_(options.kind),
-        stated_(options.axis_stated || options.axis > 0 ? std::optional(options.axis) : std::nullopt) {}
+        choice_{options.axis_stated || options.axis > 0 ? std::optional(options.axis) : std::nullopt,
+                options.at_standstill} {}
 
  private:
   Result<void> take(std::string_view line) override {
@@ -47,9 +48,9 @@ class TimePositionReader final : public LineReader {
 
   /// The first line that is no comment: values, or a header.
   Result<void> begin(std::string_view line) {
-    columns_ = columns_by_values(line, stated_.value_or(0));
+    columns_ = columns_by_values(line, choice_.stated.value_or(0));
     if (columns_) return take(line);
-    AXIOMETRY_TRY(columns_, columns_by_header(line, kind_, stated_));
+    AXIOMETRY_TRY(columns_, columns_by_header(line, kind_, choice_));
     return {};
   }
 
@@ -73,7 +74,7 @@ class TimePositionReader final : public LineReader {
   }
 
   AxisKind kind_;
-  std::optional<std::size_t> stated_;  ///< which of the columns beside the time
+  PositionChoice choice_;
   std::optional<SampleColumns> columns_;
   std::size_t width_ = 0;
   bool time_seen_ = false;
@@ -103,7 +104,7 @@ int recognise(std::string_view head) {
   const std::size_t beside = cells_of(lines[1], sample_delimiter(lines[0])).size();
   for (AxisKind kind : {AxisKind::linear, AxisKind::rotary})
     for (std::size_t column = 0; column + 1 < beside && column < columns_looked_at; ++column) {
-      const auto columns = columns_by_header(lines[0], kind, column);
+      const auto columns = columns_by_header(lines[0], kind, {.stated = column});
       if (!columns) continue;
       const auto cells = cells_of(lines[1], columns->delimiter);
       if (cells.size() <= std::max(columns->time, columns->position)) continue;
@@ -128,7 +129,8 @@ time_s,position_mm
 - Without a header there are two columns: time in s, position in mm (° on a rotary axis). A header names the columns
   (`time`, `t`, `zeit`, and the position) and their units, as `_ms`, `[ms]`, `(ms)` or `/ms`: s, ms, us, ns,
   min, h; mm, um, nm, m, in, deg, arcsec, rad and so on. Of several columns the only
-  one with a unit of position, or called one, is read, setpoints left aside; else `--stream-axis` says which.
+  one with a unit of position, or called one, is read, setpoints and deviations left aside; else `--stream-axis` says
+  which.
 - The time may be a point in time: `2026-11-21T12:34:56.789Z`, `2026-11-21 12:34:56,789`; it counts from the first.
 - Lines that begin with `#` or `%` and empty lines are passed over.
 - Refused: lines with other columns than those before, numbers that are not finite, time that runs backwards, positions

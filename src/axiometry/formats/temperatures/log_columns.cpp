@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <ranges>
+#include <set>
 #include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/recordings/time_text.h"
-#include "axiometry/formats/temperatures/name_words.h"
+#include "axiometry/formats/temperatures/sensor_role.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
+#include "axiometry/formats/text/name_words.h"
 
 namespace axiometry::formats {
 namespace {
@@ -112,10 +115,7 @@ Head head_of(std::string_view cell) {
   return head;
 }
 
-bool names_other(std::string_view name) {
-  return name.starts_with('%') ||
-         std::ranges::any_of(other_words, [&](const NameWord& word) { return has_word(name, word); });
-}
+bool names_other(std::string_view name) { return name.starts_with('%') || has_any_word(name, other_words); }
 
 /// "3/2/2026": a day with slashes that no rule tells from a month.
 bool is_slashed_date(std::string_view cell) {
@@ -208,20 +208,67 @@ std::vector<Head> heads_above(std::string_view header, char delimiter, std::size
 
 bool names_a_temperature(std::string_view name) {
   constexpr NameWord words[] = {{"temp", WordPlace::anywhere}, {"tmp", WordPlace::whole}};
-  return sensor_role(name).has_value() ||
-         std::ranges::any_of(words, [&](const NameWord& word) { return has_word(name, word); });
+  return sensor_role(name).has_value() || has_any_word(name, words);
 }
 
-/// A letter is a unit where every column has one that may be a temperature; else it belongs to the name, and so does
-/// the F of "front" and the C of the third sensor. Whether it was °F or K nobody can say then.
-Result<void> settle_letters(std::vector<Head>& heads, const LogColumns& columns, const auto& may_be_temperature) {
-  bool any_letter = false, every_one = true;
+bool is_called_t(std::string_view name) { return has_word(name, {"t"}); }
+
+/// Whether a name is perhaps that of a sensor: "Air", "T1", "Sensor 2".
+bool may_name_a_sensor(std::string_view name) {
+  constexpr NameWord words[] = {{"ch"}, {"ntc"}, {"pt"}};
+  return names_a_temperature(name) || is_called_t(name) || has_any_word(name, words) ||
+         std::ranges::any_of(sensor_heads, [&](std::string_view word) { return has_word(name, {word}); });
+}
+
+/// "bed" of "Bed 2 F".
+std::string beginning_of(std::string_view name) {
+  const auto ends = [](char c) { return c == ' ' || c == '_' || c == '-' || c == '(' || (c >= '0' && c <= '9'); };
+  return text::to_lower(name.substr(0, static_cast<std::size_t>(std::ranges::find_if(name, ends) - name.begin())));
+}
+
+/// "Bed R", "Bed (R)", "R"
+bool ends_in_a_letter_alone(std::string_view name) {
+  if (name.ends_with(')')) name.remove_suffix(1);
+  if (name.empty()) return false;
+  const char last = name.back();
+  const bool letter = (last >= 'a' && last <= 'z') || (last >= 'A' && last <= 'Z');
+  return letter && (name.size() == 1 || std::string_view(" _-(").find(name[name.size() - 2]) != std::string_view::npos);
+}
+
+/// Whether the letters at the end of names are units. They are where every temperature has one: then a number without
+/// one ("RSSI", "Door") is something else. Of such a number beside them it must be certain that it is no sensor that
+/// the letters tell from others, as the R (rear) of "Bed R" tells it from "Bed F" (front): neither its name nor its
+/// beginning is that of one, it ends in no letter, and either is each letter there twice or it follows the name of a
+/// temperature.
+bool letters_are_units(const std::vector<Head>& heads, const auto& is_candidate, const auto& is_number) {
+  std::set<std::string> lettered_beginnings;
+  std::map<const TemperatureUnit*, std::size_t> lettered_units;
   for (std::size_t k = 0; k < heads.size(); ++k) {
-    if (is_time(columns, k) || !may_be_temperature(k)) continue;
-    any_letter = any_letter || heads[k].letter_unit;
-    every_one = every_one && heads[k].unit != nullptr;
+    if (!is_candidate(k) || !heads[k].letter_unit) continue;
+    lettered_beginnings.insert(beginning_of(heads[k].name));
+    ++lettered_units[heads[k].unit];
   }
-  if (!any_letter || every_one) return {};
+  bool other_numbers = false, all_told = true;
+  for (std::size_t k = 0; k < heads.size(); ++k) {
+    const Head& head = heads[k];
+    if (!is_candidate(k)) continue;
+    if (head.letter_unit)
+      all_told =
+          all_told && (lettered_units[head.unit] > 1 || names_a_temperature(head.name) || is_called_t(head.name));
+    if (head.unit != nullptr) continue;
+    const bool alike = !head.name.empty() && lettered_beginnings.contains(beginning_of(head.name));
+    if (alike || may_name_a_sensor(head.name) || ends_in_a_letter_alone(head.name)) return false;
+    other_numbers = other_numbers || is_number(k);
+  }
+  return !other_numbers || all_told;
+}
+
+/// A letter that is no unit belongs to the name: the F of "front" and the C of the third sensor. Whether it was °F or K
+/// nobody can say then.
+Result<void> settle_letters(std::vector<Head>& heads, const auto& is_candidate, const auto& is_number) {
+  bool any_letter = false;
+  for (std::size_t k = 0; k < heads.size(); ++k) any_letter = any_letter || (is_candidate(k) && heads[k].letter_unit);
+  if (!any_letter || letters_are_units(heads, is_candidate, is_number)) return {};
   for (Head& head : heads) {
     if (!head.letter_unit) continue;
     if (head.unit->factor != 1.0 || head.unit->shift != 0.0)
@@ -257,8 +304,10 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
   const auto tells_another = [&](const Head& head) {
     return head.other_unit || head.seconds || names_other(head.name);
   };
-  AXIOMETRY_TRY_VOID(
-      settle_letters(heads, *columns, [&](std::size_t k) { return is_possible(k) && !tells_another(heads[k]); }));
+  const auto is_candidate = [&](std::size_t k) {
+    return !is_time(*columns, k) && is_possible(k) && !tells_another(heads[k]);
+  };
+  AXIOMETRY_TRY_VOID(settle_letters(heads, is_candidate, is_number));
   const bool units = std::ranges::any_of(heads, [](const Head& h) { return h.unit != nullptr; });
   columns->units_assumed = !units;
   for (std::size_t k = 0; k < std::max(cells.size(), heads.size()); ++k) {

@@ -11,7 +11,7 @@
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/temperatures/log_columns.h"
-#include "axiometry/formats/temperatures/name_words.h"
+#include "axiometry/formats/temperatures/sensor_role.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_lines.h"
 

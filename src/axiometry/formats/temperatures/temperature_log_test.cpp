@@ -93,6 +93,29 @@ TEST(TemperatureLogs, TakeALastLetterForAUnitOnlyWhereAllHaveOne) {
   EXPECT_THAT(refusal("time;Air_F;Air;Bed\n" + rows), HasSubstr("nobody knows whether the last letter is one"));
 }
 
+TEST(TemperatureLogs, TakeLettersForUnitsBesideWhatIsNoSensor) {
+  const auto read = [](std::string_view head, std::string_view cells) {
+    const auto log = log_of(fmt::format("time,{0}\n2026-03-02 09:00,{1}\n2026-03-02 09:10,{1}\n", head, cells));
+    std::string text;
+    for (const TemperatureCourse& s : log.sensors) text += fmt::format("{} {:.1f};", s.location, s.celsius.front());
+    return text;
+  };
+  EXPECT_EQ(read("Air_F,Bed_F,comment", "68,77,"), "Air 20.0;Bed 25.0;");
+  EXPECT_EQ(read("Air_F,Bed_F,RSSI", "68,77,-60"), "Air 20.0;Bed 25.0;");
+  EXPECT_EQ(read("S1_F,S2_F,RSSI", "68,77,-60"), "S1 20.0;S2 25.0;");
+  EXPECT_EQ(read("Air_C,Bed_C,Door", "20,21,1"), "Air 20.0;Bed 21.0;");
+  EXPECT_EQ(read("Air_C,Door", "20,1"), "Air 20.0;");
+  const auto door = log_of("time,Air_C,Door\n2026-03-02 09:00,20,1\n2026-03-02 09:10,20,0\n");
+  EXPECT_THAT(door.remarks, Contains("column \"Door\" of the temperature log does not say that it is a temperature and "
+                                     "is passed over"));
+  // Front and rear, or a sensor without a letter: nobody knows.
+  for (const char* head : {"Bed F,Bed R,Roof F,Roof R", "S1 F,S1 R,S2 F,S2 R", "T_F,T_R,T_L,RSSI",
+                           "Air_F,Bed_F,T3,RSSI", "Wall_R,Bed_F,Air_F,RSSI", "Left F,Door,RSSI,Rain"})
+    EXPECT_THAT(refusal(fmt::format("time,{}\n2026-03-02 09:00,68,70,71,72\n", head)),
+                HasSubstr("nobody knows whether the last letter is one"))
+        << head;
+}
+
 TEST(TemperatureLogs, CountSensorsByNameThatTellNoUnitBesideOthers) {
   const auto log = log_of("time_s;Air [°C];Hall 2;Status;Humidity\n0;20;30;1;40\n60;20;30;1;41\n");
   ASSERT_EQ(log.sensors.size(), 2u);

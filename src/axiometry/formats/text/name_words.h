@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <span>
 #include <string_view>
 
-/// Words in the names of columns: "Bed temperature", "bed_left", "T1Bed", "Maschinenbett". Private to temperatures/.
+/// Words in the names of columns: "Bed temperature", "bed_left", "T1Bed", "Maschinenbett", "Schleppfehler".
 namespace axiometry::formats {
 
 enum class WordPlace {
@@ -22,9 +22,6 @@ struct NameWord {
 
 /// Whether a name has it. Words are parted by what is no letter, by a capital after a small letter, and before "temp".
 bool has_word(std::string_view name, const NameWord& sought);
-
-/// "machine", "equipment" or "air" by a word of the sensor's name. Of "air above the bed" the air counts. Nothing for
-/// "column 2", the name of a column without a head.
-std::optional<std::string_view> sensor_role(std::string_view name);
+bool has_any_word(std::string_view name, std::span<const NameWord> sought);
 
 }  // namespace axiometry::formats
