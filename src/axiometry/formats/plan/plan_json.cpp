@@ -24,11 +24,6 @@ namespace {
 using json::Kind;
 using json::Value;
 
-/// Value of the member "format"; the number changes when old files no longer read.
-constexpr std::string_view plan_format_name = "axiometry-plan/1";
-
-constexpr double exact_whole_numbers = 9007199254740992.0;  // 2⁵³: every whole number below is a double
-
 constexpr TestCycle cycles[] = {TestCycle::standard, TestCycle::step, TestCycle::pilgrim, TestCycle::unidirectional,
                                 TestCycle::user_defined};
 
@@ -63,7 +58,6 @@ Result<std::size_t> count_from(std::string_view name, const Value& value) {
   return fail(fmt::format("found \"{}\" {}, expected a whole number of 0 or more", name, format_exact(x)), value.at());
 }
 
-/// A seed beyond 2⁵³ would not survive as a JSON number, so it stands as a text.
 Result<std::uint64_t> seed_from(std::string_view name, const Value& value) {
   if (value.is(Kind::number)) {
     if (const auto count = count_from(name, value)) return *count;
@@ -342,61 +336,7 @@ Result<Plan> plan_from(const Value& root, bool further) {
   return plan;
 }
 
-Value axis_value(const Axis& axis) {
-  Metadata metadata;
-  metadata.axis = axis;
-  Value object = Value::object();
-  add_metadata(object, metadata);
-  return *object.find("axis");
-}
-
-Value way_value(const std::vector<Vector3>& way) {
-  Value list = Value::array();
-  for (const Vector3& point : way) list.push(Value::array({point.x, point.y, point.z}));
-  return list;
-}
-
-Value sequence_value(const std::vector<Approach>& sequence) {
-  Value list = Value::array();
-  for (const Approach& a : sequence)
-    list.push(Value::array({a.target + 1, a.direction == Direction::up ? "up" : "down", a.run + 1}));
-  return list;
-}
-
 }  // namespace
-
-Value plan_value(const Plan& plan) {
-  Value root = object({{"format", plan_format_name}, {"standard", plan.standard}});
-  for (const auto& [name, text] : {std::pair{"clause", &plan.clause}, std::pair{"title", &plan.title},
-                                   std::pair{"machine", &plan.machine}, std::pair{"date", &plan.date}})
-    if (!text->empty()) root.add(name, *text);
-  root.add("axis", axis_value(plan.axis));
-  Value errors = Value::array();
-  for (const MotionName& error : plan.errors) errors.push(error.text());
-  if (!plan.errors.empty()) root.add("errors", std::move(errors));
-  root.add("cycle", cycle_name(plan.cycle));
-  Value& targets = root.add("targets", Value::array());
-  for (Position p : plan.targets) targets.push(p.in_native());
-  root.add("runs", plan.runs);
-  root.add("overrun", plan.overrun.in_native());
-  root.add("feed", plan.feed);
-  root.add("dwell_s", plan.dwell.in_s());
-  root.add("warm_up_runs", plan.warm_up_runs);
-  if (plan.seed) {
-    const auto number = static_cast<double>(*plan.seed);
-    root.add("seed", number < exact_whole_numbers ? Value(number) : Value(fmt::format("{}", *plan.seed)));
-  }
-  if (!plan.way_in_mm.empty()) root.add("way_in_mm", way_value(plan.way_in_mm));
-  if (!plan.way_out_mm.empty()) root.add("way_out_mm", way_value(plan.way_out_mm));
-  if (!plan.sequence.empty()) root.add("sequence", sequence_value(plan.sequence));
-  if (!plan.further.empty()) {
-    Value& parts = root.add("further", Value::array());
-    for (const Plan& part : plan.further) parts.push(plan_value(part));
-  }
-  return root;
-}
-
-std::string write_plan(const Plan& plan) { return json::dump(plan_value(plan)) + "\n"; }
 
 Result<Plan> plan_from_value(const Value& value) { return plan_from(value, false); }
 

@@ -12,6 +12,12 @@
 /// (mm or °, in order), `cycle`, `runs`, `overrun`, `feed`, `dwell_s`, …; the schema says all.
 namespace axiometry::formats {
 
+/// Value of the member "format"; the number changes when old files no longer read.
+inline constexpr std::string_view plan_format_name = "axiometry-plan/1";
+
+/// 2⁵³: every whole number below is a double. A seed beyond would not survive as a JSON number, and stands as a text.
+inline constexpr double exact_whole_numbers = 9007199254740992.0;
+
 /// The plan as an object. Needs a sound plan.
 json::Value plan_value(const Plan& plan);
 
