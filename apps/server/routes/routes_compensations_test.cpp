@@ -145,6 +145,13 @@ TEST_F(CompensationRoutes, read_the_table_that_they_made) {
   const Value read =
       value_of(send_form("/controls/linuxcnc/table", {{"options", R"({"kind": "linear"})"}}, {{"table", table}}));
   EXPECT_EQ(json::dump(*read.find("table")), json::dump(*made.find("result")->find("table")));
+  const std::string of_y = value_of(send_form(fmt::format("/tests/{}/compensation", test),
+                                              {{"options", R"({"control": "pmac", "axis": "Y", "resolution": 0.1})"}}))
+                               .find("table")
+                               ->text();
+  EXPECT_EQ(value_of(send_form("/controls/pmac/table", {}, {{"table", of_y}})).find("control")->text(), "pmac");
+  EXPECT_THAT(refusal(send_form("/controls/pmac/table", {{"options", R"({"resolution": 1})"}}, {{"table", of_y}})),
+              HasSubstr("counts of 0.1 µm"));
   EXPECT_THAT(refusal(send_form("/controls/linuxcnc/table", {}, {{"table", "1 2 3\nword\n"}})), HasSubstr("word"));
   EXPECT_THAT(refusal(send_form("/controls/linuxcnc/table", {{"options", "{}"}})), HasSubstr("no file"));
   EXPECT_THAT(refusal(send_form("/controls/nobody/table", {}, {{"table", table}}), 404), HasSubstr("nobody"));

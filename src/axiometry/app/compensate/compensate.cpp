@@ -276,7 +276,7 @@ void add_findings_of_control(const Setting& s, const AxisCorrection& applied, st
 }  // namespace
 
 Result<void> check_table_options(const nc::AxisTableOptions& o) {
-  AXIOMETRY_TRY_VOID(check_within("resolution", o.resolution, {1e-6, 1e4}));
+  AXIOMETRY_TRY_VOID(check_within("resolution", o.resolution, {nc::resolution_least, nc::resolution_most}));
   AXIOMETRY_TRY_VOID(check_within("magnification", o.magnification, {1.0, 1000.0}));
   AXIOMETRY_TRY_VOID(check_within("largest number", o.largest, {0.0, 99'999.0}));
   AXIOMETRY_TRY_VOID(check_within("number", o.number, {0.0, 99'999.0}));
