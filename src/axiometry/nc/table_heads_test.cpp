@@ -77,8 +77,8 @@ TEST(TableHeads, OfPmacHaveARangeThatFitsTheEntries) {
 }
 
 TEST(TableHeads, TellTheAxisAndTheCountWhereNobodyElseDoes) {
-  for (const char* id : {"fanuc", "fanuc-bidirectional", "acs", "fagor", "twincat-ptp", "siemens-lec", "pmac",
-                         "heidenhain", "mach4", "mitsubishi", "twincat-cnc", "aerotech"}) {
+  for (const char* id : {"fanuc", "fanuc-bidirectional", "acs", "fagor", "twincat-ptp", "siemens-lec", "siemens-cec",
+                         "pmac", "heidenhain", "mach4", "mitsubishi", "twincat-cnc", "aerotech"}) {
     const AxisTable& table = *axis_table_named(id).value();
     AxisTableOptions options;
     options.axis = "Y";
