@@ -180,6 +180,9 @@ TEST_F(CalibrationRoutes, are_reported_from_the_archive) {
   const Value kept = value_of(send("GET", "/2/report.json"));
   EXPECT_NE(kept.find("model"), nullptr);
   EXPECT_THAT(refusal(send("GET", "/2/report.docx"), 422), HasSubstr("docx"));
+  EXPECT_EQ(kept.find("withdrawn"), nullptr);
+  value_of(send("POST", "/2/withdraw"));
+  EXPECT_TRUE(value_of(send("GET", "/2/report.json")).find("withdrawn")->boolean());
 }
 
 TEST_F(CalibrationRoutes, are_compared_before_and_after) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "axiometry/app/workbench/kept_things.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"
@@ -145,6 +146,16 @@ TEST_F(CompensationRoutes, read_the_table_that_they_made) {
   const Value read =
       value_of(send_form("/controls/linuxcnc/table", {{"options", R"({"kind": "linear"})"}}, {{"table", table}}));
   EXPECT_EQ(json::dump(*read.find("table")), json::dump(*made.find("result")->find("table")));
+  const std::string of_y =
+      value_of(
+          send_form(fmt::format("/tests/{}/compensation", test),
+                    {{"options",
+                      R"({"control": "pmac", "axis": "Y", "resolution": 0.1, "start": 50, "end": 400, "step": 50})"}}))
+          .find("table")
+          ->text();
+  EXPECT_EQ(value_of(send_form("/controls/pmac/table", {}, {{"table", of_y}})).find("control")->text(), "pmac");
+  EXPECT_THAT(refusal(send_form("/controls/pmac/table", {{"options", R"({"resolution": 1})"}}, {{"table", of_y}})),
+              HasSubstr("counts of 0.1 µm"));
   EXPECT_THAT(refusal(send_form("/controls/linuxcnc/table", {}, {{"table", "1 2 3\nword\n"}})), HasSubstr("word"));
   EXPECT_THAT(refusal(send_form("/controls/linuxcnc/table", {{"options", "{}"}})), HasSubstr("no file"));
   EXPECT_THAT(refusal(send_form("/controls/nobody/table", {}, {{"table", table}}), 404), HasSubstr("nobody"));
@@ -270,6 +281,31 @@ TEST_F(CompensationRoutes, write_reports_of_what_was_kept) {
   EXPECT_THAT(refusal(send("GET", "/compensations/1/report.docx")), HasSubstr("docx"));
 }
 
+TEST_F(CompensationRoutes, report_a_table_with_the_comments_of_an_earlier_program) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  std::string table =
+      keep(1, R"({"control": "pmac", "resolution": 0.1, "start": 50, "end": 400, "step": 50})").find("table")->text();
+  const auto keep_instead = [&](const std::string& bytes) {
+    return archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::Compensation>> {
+      AXIOMETRY_TRY(auto kept, t.get<store::Compensation>(1));
+      const store::Content content = app::hashed_content("old.pmc", "compensation-table", bytes);
+      AXIOMETRY_TRY_VOID(t.keep(content, {"A. Tester", ""}));
+      kept.value.files.front().content = content.sha256;
+      return t.change(1, kept.version, kept.value, {"A. Tester", ""});
+    });
+  };
+  const std::size_t count = table.find("; one count = ");
+  ASSERT_NE(count, table.npos);
+  table.erase(count, table.find('\n', count) + 1 - count);
+  ASSERT_TRUE(keep_instead(table));
+  const Response html = send("GET", "/compensations/1/report.html");
+  EXPECT_EQ(html.status, 200) << html.body;
+  const std::size_t entry = table.find('\n', table.find("DEFINE COMP")) + 1;
+  table.replace(entry, table.find('\n', entry) - entry, "1600");
+  ASSERT_TRUE(keep_instead(table));
+  EXPECT_THAT(refusal(send("GET", "/compensations/1/report.html"), 409), HasSubstr("another table"));
+}
+
 TEST_F(CompensationRoutes, doubt_a_retest_that_is_older_than_the_table) {
   receive(test_of_axis(1.0, 9), "x.csv");
   const store::Id early = receive(test_of_axis(0.0, 2), "early.csv");
@@ -370,9 +406,11 @@ TEST_F(CompensationRoutes, withdraw_and_reinstate) {
                   .find("withdrawn")
                   ->boolean());
   EXPECT_THAT(listed(), IsEmpty());
+  EXPECT_TRUE(value_of(send("GET", "/compensations/1/report.json")).find("withdrawn")->boolean());
   EXPECT_THAT(listed({{"withdrawn", "true"}}), ElementsAre(1));
   EXPECT_THAT(refusal(send("POST", "/compensations/1/withdraw", "{}"), 409), HasSubstr("withdrawn already"));
   EXPECT_FALSE(value_of(send("POST", "/compensations/1/reinstate", "{}")).find("withdrawn")->boolean());
+  EXPECT_EQ(value_of(send("GET", "/compensations/1/report.json")).find("withdrawn"), nullptr);
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ constexpr Phrase retests_rows[] = {
      "it, or was the new one added to one that holds it already?",
      "die Tabelle wirkt zweimal, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Wirkt eine ältere noch daneben, "
      "oder wurde die neue zu einer addiert, die sie schon enthält?"},
+    {"the table is kept, and of such a test none is made any more: {0}",
+     "die Tabelle ist aufbewahrt, und aus einer solchen Prüfung wird keine mehr erstellt: {0}"},
     {"the table is not active, the re-test shows {0#} ± {1#} (k = 2) of it: is it loaded, switched on, and the axis "
      "referenced?",
      "die Tabelle wirkt nicht, die Nachprüfung zeigt {0} ± {1} (k = 2) von ihr: Ist sie geladen, eingeschaltet und "

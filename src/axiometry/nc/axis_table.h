@@ -29,7 +29,13 @@ struct AxisTableOptions {
   double steps_per_unit = 0.0;  ///< what the control drives now, steps per mm or °; 0: not told
   bool turned_sign = false;     ///< the control's sign is the other one than was inferred of it
   std::string warning{};        ///< of a table that is written: ASCII, before its other comments, where it has any
+
+  bool axis_told = true;        ///< else a table that is read may be of any one axis
+  bool resolution_told = true;  ///< else a table that says what one count is is read by that
 };
+
+/// What one count may stand for, µm or ″.
+inline constexpr double resolution_least = 1e-6, resolution_most = 1e4;
 
 /// Where the reference point is, at which the correction is 0.
 enum class TableOrigin {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "axiometry/language/language.h"
@@ -73,6 +74,45 @@ TEST(TableHeads, OfPmacHaveARangeThatFitsTheEntries) {
   EXPECT_EQ(why_not_read("pmac", text, options), "") << "a table of a control says no count";
   options.resolution = 1.0;
   EXPECT_NE(why_not_read("pmac", text, options).find("is one count another amount (--resolution)?"), std::string::npos);
+}
+
+TEST(TableHeads, TellTheAxisAndTheCountWhereNobodyElseDoes) {
+  for (const char* id : {"fanuc", "fanuc-bidirectional", "acs", "fagor", "twincat-ptp", "siemens-lec", "siemens-cec",
+                         "pmac", "heidenhain", "mach4", "mitsubishi", "twincat-cnc", "aerotech"}) {
+    const AxisTable& table = *axis_table_named(id).value();
+    AxisTableOptions options;
+    options.axis = "Y";
+    if (std::string_view(id).starts_with("fanuc")) options.largest = 127;
+    if (table.uses.resolution) options.resolution = 0.5;
+    const std::string text = write_table(table, headed(), options).value();
+    const AxisCorrection stated = read_table(table, text, options).value();
+    AxisTableOptions untold;
+    untold.axis_told = untold.resolution_told = false;
+    if (std::string_view(id) == "mitsubishi") untold.resolution = 0.5;  // its tables do not say it
+    const auto read = read_table(table, text, untold);
+    ASSERT_TRUE(read) << id << ": " << read.error().message;
+    EXPECT_EQ(read->values(Direction::up), stated.values(Direction::up)) << id;
+    EXPECT_EQ(read->positions(), stated.positions()) << id;
+  }
+  AxisTableOptions untold;
+  untold.axis_told = false;
+  const AxisTable& lec = *axis_table_named("siemens-lec").value();
+  std::string two = write_table(lec, headed(), {}).value();
+  two.replace(two.find("[0,1,X]"), 7, "[0,1,Y]");
+  EXPECT_EQ(why_not_read("siemens-lec", two, untold), "found the axis \"Y\", expected \"X\" alone")
+      << "a table is of one axis";
+}
+
+TEST(TableHeads, OfOtherMakersNameTheirArraysAsTheyLike) {
+  for (const auto& [id, ours, theirs] :
+       {std::tuple("acs", "CompX", "CompTable"), std::tuple("twincat-ptp", "X_Compensation", "Table_Compensation")}) {
+    std::string text = write_table(*axis_table_named(id).value(), headed(), {}).value();
+    for (std::size_t at = text.find(ours); at != text.npos; at = text.find(ours, at))
+      text.replace(at, std::string_view(ours).size(), theirs);
+    EXPECT_NE(why_not_read(id, text, {}), "") << "here it is named for its axis";
+    text.erase(0, text.find('\n') + 1);  // the sentence about the sign, which only tables of here have
+    EXPECT_EQ(why_not_read(id, text, {}), "") << id;
+  }
 }
 
 }  // namespace

@@ -146,8 +146,13 @@ Result<void> check_axis_word(const AxisTableOptions& options, std::string_view b
       fmt::format("found the axis {}, expected its name in the control: letters and digits", text::quoted(axis)));
 }
 
-Result<void> check_axis_named(std::string_view found, const AxisTableOptions& options, const TableLine& line) {
-  if (text::equal_ignoring_case(found, options.axis)) return {};
+bool is_axis_named(std::string_view found, AxisTableOptions& options) {
+  if (!std::exchange(options.axis_told, true)) options.axis = found;
+  return text::equal_ignoring_case(found, options.axis);
+}
+
+Result<void> check_axis_named(std::string_view found, AxisTableOptions& options, const TableLine& line) {
+  if (is_axis_named(found, options)) return {};
   return fail(fmt::format("found the axis {}, expected {} alone", text::quoted(found), text::quoted(options.axis)),
               {line.number, 0});
 }
@@ -156,13 +161,15 @@ std::string count_text(const AxisTableOptions& options) {
   return fmt::format("{} {}", trimmed_fixed(options.resolution, count_decimals), deviation_unit_key(options.kind));
 }
 
-Result<void> check_count_text(std::string_view said, const AxisTableOptions& options, const TableLine& line) {
+Result<void> check_count_text(std::string_view said, AxisTableOptions& options, const TableLine& line) {
   const std::vector<std::string_view> words = text::words(said);
   const auto count = words.size() == 2 ? parse_number(words[0]) : std::nullopt;
   const bool is_linear = words.size() == 2 && words[1] == deviation_unit_key(AxisKind::linear);
-  if (!count || (!is_linear && words[1] != deviation_unit_key(AxisKind::rotary)))
+  if (!count || !(*count >= resolution_least && *count <= resolution_most) ||
+      (!is_linear && words[1] != deviation_unit_key(AxisKind::rotary)))
     return refused(line, "what one count is: a number and um or arcsec");
   const AxisKind kind = is_linear ? AxisKind::linear : AxisKind::rotary;
+  if (kind == options.kind && !std::exchange(options.resolution_told, true)) options.resolution = *count;
   if (kind == options.kind && std::abs(*count - options.resolution) <= last_digit_of_count) return {};
   return fail(fmt::format("found a table in counts of {} {}, expected {} {} (--resolution)", format_rounded(*count, 6),
                           deviation_unit(kind), format_rounded(options.resolution, 6), deviation_unit(options.kind)),

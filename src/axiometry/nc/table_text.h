@@ -49,13 +49,16 @@ Result<void> check_origin(const AxisCorrection& correction, const AxisTable& tab
 /// Fails on a name of an axis that is no word of letters, digits, _ and the characters of `beside` (at most 32).
 Result<void> check_axis_word(const AxisTableOptions& options, std::string_view beside = "");
 
-/// Fails where a line of a table names another axis, whatever its capitals, than the one that is asked for.
-Result<void> check_axis_named(std::string_view found, const AxisTableOptions& options, const TableLine& line);
+/// Whether an axis that a table names is the one that is asked for, whatever its capitals. Where none was told, it is
+/// from then on: a table is of one axis.
+bool is_axis_named(std::string_view found, AxisTableOptions& options);
+/// Fails where a line of a table names another axis.
+Result<void> check_axis_named(std::string_view found, AxisTableOptions& options, const TableLine& line);
 
 /// What one count stands for, as comments of tables say it: "0.1 um".
 std::string count_text(const AxisTableOptions& options);
-/// Fails where such a comment says another amount than the options.
-Result<void> check_count_text(std::string_view said, const AxisTableOptions& options, const TableLine& line);
+/// Fails where such a comment says another amount than the options; where none was told, it is that of the comment.
+Result<void> check_count_text(std::string_view said, AxisTableOptions& options, const TableLine& line);
 
 /// Whether the positions of a rotary axis are a whole turn.
 bool is_whole_turn(const AxisCorrection& correction);

@@ -73,10 +73,9 @@ Result<std::optional<Versioned<Machine>>> Transaction::known(const Machine& stat
 
 Result<MachineMeant> Transaction::meant(const Machine& stated) const { return machine_meant(connection_, stated); }
 
-Result<std::optional<Versioned<Axis>>> Transaction::known(const Machine& stated, const Axis& axis) const {
-  AXIOMETRY_TRY(const KnownMachine machine, known_machine(connection_, stated));
-  if (!machine) return std::nullopt;
-  return known_axis(connection_, machine->id, axis);
+Result<std::optional<Versioned<Axis>>> Transaction::known(const Machine& stated, const Axis& axis,
+                                                          std::optional<Id> linked) const {
+  return known_axis(connection_, StatedAxis{stated, axis, linked});
 }
 
 Result<std::optional<Versioned<Instrument>>> Transaction::known(const Instrument& stated) const {

@@ -44,10 +44,11 @@ class Transaction {
   Result<std::vector<Versioned<Asset>>> versions(Id id) const;
 
   /// Which machine, axis or instrument of the archive receive() and revise() would take for what a test states: by the
-  /// one rule of stated_assets.h. Nothing where they would add one.
+  /// one rule of stated_assets.h. Nothing where they would add one. `linked`: the machine of a test that is kept.
   Result<std::optional<Versioned<Machine>>> known(const Machine& stated) const;
   Result<MachineMeant> meant(const Machine& stated) const;
-  Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis) const;
+  Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis,
+                                               std::optional<Id> linked = {}) const;
   Result<std::optional<Versioned<Instrument>>> known(const Instrument& stated) const;
 
   Result<TestRecord> test(Id id, std::optional<int> version = {}) const;

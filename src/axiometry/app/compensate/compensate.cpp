@@ -276,7 +276,7 @@ void add_findings_of_control(const Setting& s, const AxisCorrection& applied, st
 }  // namespace
 
 Result<void> check_table_options(const nc::AxisTableOptions& o) {
-  AXIOMETRY_TRY_VOID(check_within("resolution", o.resolution, {1e-6, 1e4}));
+  AXIOMETRY_TRY_VOID(check_within("resolution", o.resolution, {nc::resolution_least, nc::resolution_most}));
   AXIOMETRY_TRY_VOID(check_within("magnification", o.magnification, {1.0, 1000.0}));
   AXIOMETRY_TRY_VOID(check_within("largest number", o.largest, {0.0, 99'999.0}));
   AXIOMETRY_TRY_VOID(check_within("number", o.number, {0.0, 99'999.0}));
@@ -313,7 +313,8 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(const AxisTable* control, nc::axis_table_named(request.control));
   const std::string& name = axis.measured.name;
   Test& test = axis.measured.test;
-  AXIOMETRY_TRY_VOID(in_file(check_measures_axis(test), name));
+  const Result<void> measures_axis = check_measures_axis(test);
+  if (!measures_axis && !axis.is_kept) return std::unexpected(in_file(measures_axis.error(), name));
   AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), name));
 
   if (control->limits.cross_only)
@@ -345,6 +346,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), name));
 
   std::vector<NamedFinding> findings = findings_of_state(test, s.existing.has_value());
+  if (!measures_axis) findings.push_back(finding_of_kept_table(measures_axis.error()));
   std::ranges::move(compensation::findings_of_readings(test.series, s.options.kind, s.curves),
                     std::back_inserter(findings));
   std::ranges::move(compensation::findings_of_table(test.series, fit.correction), std::back_inserter(findings));

@@ -62,6 +62,7 @@ struct MeasuredAxis {
   NamedTest measured;
   std::optional<NamedTable> existing{};  ///< the table that was active while the test was measured
   std::optional<NamedTest> retest{};     ///< a test with the new table active
+  bool is_kept = false;  ///< its table was made before: a test that none is made of is told, not refused
 };
 
 struct CompensateFiles {
@@ -100,7 +101,8 @@ struct CompensatedAxis {
   std::vector<NamedFinding> findings;
 };
 
-/// Fails as check_request() does; on a test of a reversed sign or along a line of several axes; on a periodic part to
+/// Fails as check_request() does; on a test of a reversed sign or along a line of several axes, of a table that is not
+/// kept; on a periodic part to
 /// leave without a period that anybody knows; on an existing table that fits the targets in the other unit of length
 /// alone, or goes beyond them where nobody says what to do there; on a series that no axis makes, on a table that the
 /// control would not take, and on a re-test of another kind of axis or that is the test itself; where the control

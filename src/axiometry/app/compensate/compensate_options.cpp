@@ -126,6 +126,8 @@ Value to_json(const CompensateRequest& request) {
 Result<nc::AxisTableOptions> table_reading_from(const Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "options"));
   nc::AxisTableOptions options;
+  options.axis_told = value.find("axis") != nullptr;
+  options.resolution_told = value.find("resolution") != nullptr;
   AXIOMETRY_TRY(options.axis, axis_in(members, options.axis));
   AXIOMETRY_TRY_VOID(members.take("step", options.step));
   AXIOMETRY_TRY_VOID(take_table_options(members, options));

@@ -16,7 +16,8 @@ Result<CompensateRequest> compensate_request_from(const json::Value& value);
 json::Value to_json(const CompensateRequest& request);
 
 /// How a table is read that is only looked at: the members of CompensationOptions that a control's rule needs, and
-/// "kind", linear (as when it is not there) or rotary. Fails likewise.
+/// "kind", linear (as when it is not there) or rotary. Where no axis is stated the table may be of any, and where no
+/// resolution is, it is read by the one that it says. Fails likewise.
 Result<nc::AxisTableOptions> table_reading_from(const json::Value& value);
 
 }  // namespace axiometry::app

@@ -51,6 +51,11 @@ Result<void> check_measures_axis(const Test& test) {
   return {};
 }
 
+NamedFinding finding_of_kept_table(const Error& why_not_made) {
+  return {"compensation-made-no-more", true,
+          fmt::format("the table is kept, and of such a test none is made any more: {}", why_not_made.message)};
+}
+
 std::vector<NamedFinding> findings_of_state(const Test& test, bool table_given) {
   std::vector<NamedFinding> findings;
   for (const iso230_2::UncorrectedEffect& effect : iso230_2::uncorrected_effects(test))

@@ -15,6 +15,9 @@ namespace axiometry::app {
 /// error; and on a line in space that is not along one axis, which no table of an axis corrects.
 Result<void> check_measures_axis(const Test& test);
 
+/// Of a table that is kept since before check_measures_axis() failed with this.
+NamedFinding finding_of_kept_table(const Error& why_not_made);
+
 /// Of the test a table is made of, each serious: effects on the readings that the metadata tell of and nothing was done
 /// about (uncorrected_effects.h); a compensation that was active, and no table to count from (`table_given`).
 std::vector<NamedFinding> findings_of_state(const Test& test, bool table_given);

@@ -72,6 +72,23 @@ TEST(MeasuredState, AReversedSignMakesNoTable) {
   EXPECT_TRUE(serious_ids({"x.csv", *corrected}).empty()) << "what is named mends it";
 }
 
+TEST(MeasuredState, AKeptTableIsShownAlthoughNoneIsMadeOfItsTestAnyMore) {
+  MeasuredAxis reversed{stated_axis()}, diagonal{stated_axis()};
+  reversed.measured.test.metadata.instrument.sign_reversed = true;
+  diagonal.measured.test.metadata.axis.line_direction = {1.0, 1.0, 0.0};
+  for (MeasuredAxis* axis : {&reversed, &diagonal}) {
+    EXPECT_FALSE(compensate(*axis, {.control = "linuxcnc"}));
+    axis->is_kept = true;
+    const auto made = compensate(*axis, {.control = "linuxcnc"});
+    ASSERT_TRUE(made) << made.error().message;
+    const auto told = std::ranges::find(made->findings, "compensation-made-no-more", &NamedFinding::id);
+    ASSERT_NE(told, made->findings.end());
+    EXPECT_TRUE(told->serious);
+    expect_in_both_languages(told->message);
+  }
+  EXPECT_TRUE(serious_ids(stated_axis()).empty());
+}
+
 TEST(MeasuredState, WhatWasNotCorrectedIsSerious) {
   const std::vector<std::string> told{"compensation-uncorrected"};
   EXPECT_TRUE(serious_ids(stated_axis()).empty());

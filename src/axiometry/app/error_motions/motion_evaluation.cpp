@@ -86,21 +86,25 @@ Result<void> check_statements(const MeasuredMotion& measured, bool may_be_positi
   return {};
 }
 
-bool differ(std::string_view a, std::string_view b) {
+/// Of two statements; nothing where one of them is missing.
+std::optional<bool> are_alike(std::string_view a, std::string_view b) {
   const std::string_view one = text::trim(a), two = text::trim(b);
-  return !one.empty() && !two.empty() && !text::equal_ignoring_case(one, two);
+  if (one.empty() || two.empty()) return std::nullopt;
+  return text::equal_ignoring_case(one, two);
 }
 
-/// Figures of several files are of one machine.
+/// Figures of several files are of one machine: that of one serial number, however it is called; without both numbers
+/// the names tell.
 Result<void> check_one_machine(const MeasuredMotion& a, const MeasuredMotion& b) {
   const Machine &one = a.metadata.machine, &two = b.metadata.machine;
-  if (differ(one.name, two.name))
-    return fail(fmt::format("found the machines {} and {}, expected files of one", text::quoted(one.name),
-                            text::quoted(two.name)));
-  if (differ(one.serial_number, two.serial_number))
+  if (const auto numbers = are_alike(one.serial_number, two.serial_number)) {
+    if (*numbers) return {};
     return fail(fmt::format("found the serial numbers {} and {}, expected files of one machine",
                             text::quoted(one.serial_number), text::quoted(two.serial_number)));
-  return {};
+  }
+  if (are_alike(one.name, two.name).value_or(true)) return {};
+  return fail(fmt::format("found the machines {} and {}, expected files of one", text::quoted(one.name),
+                          text::quoted(two.name)));
 }
 
 void add_gaps(MeasuredMotion& measured) {

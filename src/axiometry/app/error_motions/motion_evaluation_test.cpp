@@ -65,6 +65,12 @@ TEST(MotionEvaluation, HasFilesOfOneMachine) {
                            "# machine.name: m5 \n# machine.serial_number: 2\n"),
               HasSubstr("serial numbers '1' and '2'"));
   EXPECT_EQ(square_fault("# machine.name: M5\n# machine.serial_number: 1\n", "# machine.name: m5\n"), "");
+  EXPECT_EQ(square_fault("# machine.name: DMU 50\n# machine.serial_number: 12a\n",
+                         "# machine.name: DMU50\n# machine.serial_number: 12A \n"),
+            "")
+      << "one serial number is one machine";
+  EXPECT_THAT(square_fault("# machine.name: M5\n# machine.serial_number: 1\n", "# machine.name: M6\n"),
+              HasSubstr("the machines 'M5' and 'M6'"));
   EXPECT_EQ(square_fault("# machine.name: M5\n", ""), "");
   const std::string one = "# machine.name: M5\nposition_mm,EAX_urad\n0,1\n400,2\n";
   const std::string two = "# machine.name: M6\nposition_mm,EBX_urad\n0,1\n400,2\n";

@@ -192,7 +192,7 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
   const std::string extension = text::to_lower(request.extension);
   AXIOMETRY_TRY(Rendered rendered,
                 begun_report(archive, file_name_part(kept.value.title), kept.version, extension, kept.value.result));
-  if (extension == "json") return rendered;
+  if (extension == "json") return as_json_report(std::move(rendered), latest.value.withdrawn);
   AXIOMETRY_TRY(const Value options, options_of_record(kept.value.options));
   AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, kept.value, options));
   if (!std::ranges::equal(figures_of(evaluated), kept.value.figures, is_same))

@@ -94,6 +94,15 @@ Result<store::Content> kept_table(const store::Store& archive, const Compensatio
   return archive.content(table->content);
 }
 
+/// Whether the control does the same with both, whatever their comments say: programs differ in those.
+bool does_the_same(const CompensatedAxis& made, const std::string& kept) {
+  if (made.text == kept) return true;
+  const auto applied = nc::read_table(*made.control, kept, made.options);
+  return applied && applied->positions() == made.applied.positions() &&
+         applied->values(Direction::up) == made.applied.values(Direction::up) &&
+         applied->values(Direction::down) == made.applied.values(Direction::down);
+}
+
 /// The table made again from what was kept, with the re-test that the version has.
 Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, const Compensation& kept) {
   const store::Store& archive = workbench.archive();
@@ -101,6 +110,7 @@ Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, con
   AXIOMETRY_TRY(const CompensateRequest request, compensate_request_from(options));
   AXIOMETRY_TRY(const PreparedTest test, workbench.prepared(kept.test, kept.test_version));
   MeasuredAxis measured{named_test(test)};
+  measured.is_kept = true;
   if (const store::KeptFile* existing = file_of(kept.files, existing_role)) {
     AXIOMETRY_TRY(store::Content content, archive.content(existing->content));
     measured.existing = NamedTable{existing->name, std::move(content.bytes)};
@@ -110,13 +120,14 @@ Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, con
     measured.retest = named_test(retest);
   }
   AXIOMETRY_TRY(CompensatedAxis made, compensate(std::move(measured), request));
-  AXIOMETRY_TRY(const store::Content table, kept_table(archive, kept));
-  if (made.text != table.bytes)
+  AXIOMETRY_TRY(store::Content table, kept_table(archive, kept));
+  if (!does_the_same(made, table.bytes))
     return fail(
         ErrorKind::conflict,
         fmt::format("found that axiometry {} would make another table than compensation {}, made by {}; expected "
                     "the same: make a new one of test {}",
                     version, id, kept.program, kept.test));
+  made.text = std::move(table.bytes);
   return made;
 }
 
@@ -263,7 +274,7 @@ Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, s
   const std::string extension = text::to_lower(request.extension);
   const std::string stem = table->name.substr(0, table->name.rfind('.'));
   AXIOMETRY_TRY(Rendered rendered, begun_report(archive, stem, kept.version, extension, kept.value.result));
-  if (extension == "json") return rendered;
+  if (extension == "json") return as_json_report(std::move(rendered), latest.value.withdrawn);
   AXIOMETRY_TRY(const ListedCompensation now,
                 archive.read([&](const store::Transaction& t) { return listed(t, kept, std::string()); }));
   Compensation counting = kept.value;

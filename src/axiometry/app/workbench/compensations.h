@@ -15,7 +15,8 @@
 /// test that was measured with the table active.
 ///
 /// What was made is kept: nobody's control has another table because a newer program would make another one. A report
-/// and a re-test need the table made again, and are refused (conflict) where this program would make other bytes.
+/// and a re-test need the table made again, and are refused (conflict) where this program would make one by which the
+/// control does something else.
 namespace axiometry::app {
 
 struct NewCompensation {

@@ -222,7 +222,8 @@ Result<FromArchive> find_in_archive(const store::Transaction& archive, const Arc
     taken.axis = limits_of(std::move(axis));
     return taken;
   }
-  AXIOMETRY_TRY(const KnownAxis axis, archive.known(machine_of(metadata), axis_of(metadata)));
+  const auto machine = links ? links->machine : std::nullopt;
+  AXIOMETRY_TRY(const KnownAxis axis, archive.known(machine_of(metadata), axis_of(metadata), machine));
   taken.axis = limits_of(axis);
   return taken;
 }

@@ -70,6 +70,7 @@ store::Axis axis_of(const Metadata& metadata);
 
 /// What the archive has linked a test with; nothing of a test that it does not have.
 struct ArchiveLinks {
+  std::optional<store::Id> machine;
   std::optional<store::Id> axis;
   std::vector<store::Id> instruments;
 };
@@ -82,7 +83,8 @@ struct ArchiveQuestion {
 };
 
 /// What a test is evaluated with that comes from the archive. The links count unless the changes are about machine,
-/// axis or equipment; without them things are those that the archive would link the test with (Transaction::known()). A
+/// axis or equipment; without them things are those that the archive would link the test with (Transaction::known()),
+/// the axis that of the machine with which a revision of it would stay. A
 /// key that the changes name, even to take its value away, is not taken from an instrument.
 Result<FromArchive> find_in_archive(const store::Transaction& archive, const ArchiveQuestion& question);
 

@@ -10,6 +10,16 @@
 #include "axiometry/digest/sha256.h"
 
 namespace axiometry::app {
+namespace {
+
+Result<json::Value> kept_result_in(std::string_view text) {
+  auto value = json::parse(text);
+  if (value) return *std::move(value);
+  return fail(ErrorKind::damaged,
+              fmt::format("found a result of the archive that cannot be read: {}", value.error().message));
+}
+
+}  // namespace
 
 store::Content hashed_content(std::string name, std::string format, std::string bytes) {
   std::string hash = sha256(bytes);
@@ -28,10 +38,7 @@ Result<RevisionHead> revision_head(formats::JsonMembers& members) {
 
 Result<json::Value> result_of_record(const store::Transaction& archive, const std::string& hash) {
   AXIOMETRY_TRY(const store::Content result, archive.content(hash));
-  auto value = json::parse(result.bytes);
-  if (value) return *std::move(value);
-  return fail(ErrorKind::damaged,
-              fmt::format("found a result of the archive that cannot be read: {}", value.error().message));
+  return kept_result_in(result.bytes);
 }
 
 Result<json::Value> options_of_record(const std::string& text) {
@@ -62,6 +69,14 @@ Result<Rendered> begun_report(const store::Store& archive, std::string_view stem
   if (extension != "json") return rendered;
   AXIOMETRY_TRY(store::Content result, archive.content(result_hash));
   rendered.bytes = std::move(result.bytes);
+  return rendered;
+}
+
+Result<Rendered> as_json_report(Rendered rendered, bool withdrawn) {
+  if (!withdrawn) return rendered;
+  AXIOMETRY_TRY(json::Value value, kept_result_in(rendered.bytes));
+  value.add("withdrawn", true);
+  rendered.bytes = json::dump(value, 0);
   return rendered;
 }
 

@@ -45,6 +45,10 @@ Result<Rendered> kept_file(const store::Store& archive, std::span<const store::K
 Result<Rendered> begun_report(const store::Store& archive, std::string_view stem, int version,
                               const std::string& extension, const std::string& result_hash);
 
+/// The result of such a report, which says "withdrawn": true where the thing is. Fails with `damaged` where it is no
+/// JSON.
+Result<Rendered> as_json_report(Rendered rendered, bool withdrawn);
+
 /// Thing and contents, or nothing of both.
 template <typename Thing>
 Result<store::Versioned<Thing>> add_with(store::Store& archive, const Thing& thing,

@@ -234,7 +234,7 @@ Result<void> go_on_unless(const std::stop_token& stop) {
   return fail(ErrorKind::unavailable, "stopped before it was done; nothing was kept");
 }
 
-ArchiveLinks links_of(const store::TestRecord& record) { return {record.axis, record.instruments}; }
+ArchiveLinks links_of(const store::TestRecord& record) { return {record.machine, record.axis, record.instruments}; }
 
 Outcome outcome_of(Found found) {
   return {.result = to_json(found.evaluated),

@@ -535,6 +535,33 @@ TEST_F(TheWorkbench, EvaluatesAtOnceWithTheLimitsOfTheAxisThatItLinksTheTestWith
   EXPECT_EQ(test->record.state.evaluation.verdict, "does not conform");
 }
 
+TEST_F(TheWorkbench, JudgesARevisionByTheAxisOfTheMachineThatItStaysWith) {
+  const auto of = [](const std::string& number) {
+    return "# machine.name: Mill\n" + (number.empty() ? "" : "# machine.serial_number: " + number + "\n") +
+           "# axis.name: X\ntarget_mm,direction,run,deviation_um\n"
+           "0,+,1,1\n100,+,1,2\n0,+,2,3\n100,+,2,5\n0,-,1,3\n100,-,1,4\n0,-,2,4\n100,-,2,4\n";
+  };
+  keep(of("A1"), "a1.csv");
+  const auto id = keep(of(""), "unnumbered.csv");
+  const auto record = workbench.test(id)->record;
+  auto axis = store.get<store::Axis>(*record.axis);
+  axis->value.limits = {{"A", 1.0}};
+  ASSERT_TRUE(store.change(axis->id, 1, axis->value, me));
+  keep(of("B2"), "b2.csv");
+  ASSERT_EQ(store.counts()->machines, 2);
+  keep(of(""), "third.csv");  // of a third machine, now that two are called so
+  ASSERT_EQ(store.counts()->machines, 3);
+  Draft moved;
+  moved.changes = {{"machine.location", "Hall 2"}};
+  const auto revised = workbench.revise(id, {.draft = moved, .base_version = 1, .title = ""}, me);
+  ASSERT_TRUE(revised) << revised.error().to_string();
+  EXPECT_EQ(revised->record.machine, record.machine);
+  EXPECT_EQ(revised->record.axis, record.axis);
+  ASSERT_TRUE(revised->outcome.from_archive.axis);
+  EXPECT_EQ(revised->outcome.from_archive.axis->axis, *record.axis);
+  EXPECT_EQ(revised->record.state.evaluation.verdict, "does not conform");
+}
+
 TEST_F(TheWorkbench, RefusesAReportWhoseFiguresAreNoLongerThoseThatWereKept) {
   const auto id = keep(example_table2);
   auto record = store.test(id);

@@ -49,10 +49,11 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
 }
 
 struct Program {
-  std::string_view name;
+  bool is_named_for_axis = false;  ///< the array, as it is here; elsewhere "CompTable" is a name like any
+  std::string_view name{};
   long long size = 0;
-  std::map<long long, double> points;
-  std::optional<std::pair<double, double>> start_and_step;
+  std::map<long long, double> points{};
+  std::optional<std::pair<double, double>> start_and_step{};
 };
 
 Result<void> take_connect(const TableLine& line, const AxisTableOptions& options, Program& program) {
@@ -68,7 +69,7 @@ Result<void> take_connect(const TableLine& line, const AxisTableOptions& options
   return {};
 }
 
-Result<void> take(const TableLine& line, const AxisTableOptions& options, Program& program) {
+Result<void> take(const TableLine& line, AxisTableOptions& options, Program& program) {
   constexpr std::string_view global = "GLOBAL REAL ";
   if (line.text.starts_with(global)) {
     const std::string_view declared = line.text.substr(global.size());
@@ -78,7 +79,7 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, Progra
                           : whole_number(declared.substr(bracket + 1, declared.size() - bracket - 2));
     if (!size || *size < 2 || !program.name.empty()) return refused(line, "GLOBAL REAL NAME(SIZE), once");
     program.name = text::trim(declared.substr(0, bracket));
-    if (program.name.starts_with(before_axis) && program.name != before_axis)
+    if (program.is_named_for_axis && program.name.starts_with(before_axis) && program.name != before_axis)
       AXIOMETRY_TRY_VOID(check_axis_named(program.name.substr(before_axis.size()), options, line));
     program.size = *size;
     return {};
@@ -96,10 +97,11 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, Progra
 }
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
-  Program program;
+  Program program{.is_named_for_axis = text.contains(sign)};
+  AxisTableOptions named = options;
   for (TableLine line : lines_of(text)) {
     line.text = text::trim(line.text.substr(0, line.text.find('!')));
-    if (!line.text.empty()) AXIOMETRY_TRY_VOID(take(line, options, program));
+    if (!line.text.empty()) AXIOMETRY_TRY_VOID(take(line, named, program));
   }
   if (!program.start_and_step) return fail("found no CONNECT of this axis, expected one");
   if (std::ssize(program.points) != program.size)

@@ -48,12 +48,12 @@ struct Head {
   double spacing = 0.0, first = 0.0, sign = 1.0;
 };
 
-Result<Head> head_of(const TableLine& line, const AxisTableOptions& options) {
+Result<Head> head_of(const TableLine& line, AxisTableOptions options) {
   constexpr std::string_view expected =
       ":START AXIS POSUNIT=PRIMARY CORUNIT=PRIMARY/1000 SAMPDIST=NUMBER OFFSET=NUMBER";
   const std::vector<std::string_view> words = text::words(line.text);
   if (words.size() < 2 || words[0] != ":START") return refused(line, expected);
-  if (!text::equal_ignoring_case(words[1], options.axis))
+  if (!is_axis_named(words[1], options))
     return fail(fmt::format("found the axis {}, expected {}", text::quoted(words[1]), text::quoted(options.axis)),
                 {line.number, 0});
   std::optional<double> spacing, first;

@@ -47,7 +47,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
 }
 
 /// "; X LSCRWCOM (P15) = …" names the axis.
-Result<void> check_head(const TableLine& line, const AxisTableOptions& options) {
+Result<void> check_head(const TableLine& line, AxisTableOptions& options) {
   const std::vector<std::string_view> words = text::words(line.text);
   if (words.size() < 3 || words[0] != ";" || words[2] != "LSCRWCOM") return {};
   return check_axis_named(words[1], options, line);
@@ -55,8 +55,9 @@ Result<void> check_head(const TableLine& line, const AxisTableOptions& options) 
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
   std::vector<double> positions, up, down;
+  AxisTableOptions named = options;
   for (TableLine line : lines_of(text)) {
-    AXIOMETRY_TRY_VOID(check_head(line, options));
+    AXIOMETRY_TRY_VOID(check_head(line, named));
     line.text = text::trim(line.text.substr(0, line.text.find(';')));
     if (line.text.empty()) continue;
     const std::size_t blank = line.text.find(' ');

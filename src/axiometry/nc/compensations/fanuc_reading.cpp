@@ -48,7 +48,7 @@ Result<void> take_point(const TableLine& line, Tape& tape) {
 }
 
 /// Of what a comment says is held against the options what they say too: the axis, and what one count is.
-Result<void> check_comment(const TableLine& line, const AxisTableOptions& options) {
+Result<void> check_comment(const TableLine& line, AxisTableOptions& options) {
   if (const std::size_t behind = line.text.find(behind_axis); behind != std::string_view::npos)
     return check_axis_named(text::trim(line.text.substr(1, behind - 1)), options, line);
   if (!line.text.starts_with(before_count)) return {};
@@ -57,7 +57,7 @@ Result<void> check_comment(const TableLine& line, const AxisTableOptions& option
   return check_count_text(count, options, line);
 }
 
-Result<void> take_parameter(const TableLine& line, const AxisTableOptions& options, Tape& tape) {
+Result<void> take_parameter(const TableLine& line, AxisTableOptions& options, Tape& tape) {
   if (line.text.starts_with('(')) return check_comment(line, options);
   constexpr std::string_view expected = "PARAMETER = NUMBER, or a comment in brackets";
   const auto a = assignment_of(line.text);
@@ -69,7 +69,8 @@ Result<void> take_parameter(const TableLine& line, const AxisTableOptions& optio
   return {};
 }
 
-Result<Tape> tape_of(std::string_view text, const AxisTableOptions& options) {
+/// The axis and the count that its comments say are those of the options where nobody told them.
+Result<Tape> tape_of(std::string_view text, AxisTableOptions& options) {
   Tape tape;
   int percents = 0;
   for (TableLine line : lines_of(text)) {
@@ -150,8 +151,9 @@ Result<std::vector<double>> summed(const Tape& tape, const Frame& f, long long f
 }  // namespace
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options, bool each_way) {
-  AXIOMETRY_TRY(const Tape tape, tape_of(text, options));
-  AXIOMETRY_TRY(const Frame f, frame_of(tape, options, each_way));
+  AxisTableOptions named = options;
+  AXIOMETRY_TRY(const Tape tape, tape_of(text, named));
+  AXIOMETRY_TRY(const Frame f, frame_of(tape, named, each_way));
   AXIOMETRY_TRY(std::vector<double> up, summed(tape, f, f.first));
   std::vector<double> down = up;
   if (each_way) {

@@ -42,6 +42,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
   std::vector<double> positions, up, down;
   bool has_begun = false, has_head = false, has_ended = false;
+  AxisTableOptions named = options;
   for (TableLine line : lines_of(text)) {
     line.text = text::trim(line.text);
     if (line.text.empty()) continue;
@@ -53,7 +54,7 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
       has_begun = true;
     } else if (!has_head) {
       if (words.size() != 4 || words[0] != "NR" || words[1] != "AXISPOS" || words[2] != "BACKLASH" ||
-          !text::equal_ignoring_case(words[3], options.axis))
+          !is_axis_named(words[3], named))
         return refused(line, fmt::format("the columns NR AXISPOS BACKLASH {}", options.axis));
       has_head = true;
     } else if (has_ended) {

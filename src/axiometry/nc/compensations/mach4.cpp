@@ -65,6 +65,7 @@ Result<void> take_assignment(const TableLine& line, const Assignment& a, Sheet& 
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
   Sheet sheet;
+  AxisTableOptions named = options;
   for (TableLine line : lines_of(text)) {
     line.text = text::trim(line.text.substr(0, line.text.find(';')));
     if (line.text.empty()) continue;
@@ -73,8 +74,7 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
       continue;
     }
     if (line.text.starts_with("Motor of ")) {
-      if (!text::equal_ignoring_case(line.text.substr(9), options.axis))
-        return refused(line, fmt::format("the motor of {}", options.axis));
+      if (!is_axis_named(line.text.substr(9), named)) return refused(line, fmt::format("the motor of {}", named.axis));
       continue;
     }
     const auto numbers = sheet.map < 0 ? std::nullopt : numbers_of(line.text);

@@ -66,7 +66,7 @@ struct Sheet {
   std::map<long long, long long> points;
 };
 
-Result<Sheet> sheet_of(std::string_view text, const AxisTableOptions& options) {
+Result<Sheet> sheet_of(std::string_view text, AxisTableOptions options) {
   Sheet sheet;
   for (TableLine line : lines_of(text)) {
     line.text = text::trim(line.text);
@@ -76,8 +76,7 @@ Result<Sheet> sheet_of(std::string_view text, const AxisTableOptions& options) {
         words.size() == 2 && words[0].starts_with('#') ? whole_number(words[0].substr(1)) : std::nullopt;
     if (!number) return refused(line, "#NUMBER VALUE");
     if (*number == 4001 || *number == 4002) {
-      if (!text::equal_ignoring_case(words[1], options.axis))
-        return refused(line, fmt::format("the axis {}", options.axis));
+      if (!is_axis_named(words[1], options)) return refused(line, fmt::format("the axis {}", options.axis));
       continue;
     }
     if (*number >= 4003 && *number <= 4007) {

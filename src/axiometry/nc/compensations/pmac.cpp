@@ -146,7 +146,7 @@ struct Program {
   bool is_on = false;
 };
 
-Result<void> take(TableLine line, const AxisTableOptions& options, const Motors& motors, Program& program) {
+Result<void> take(TableLine line, AxisTableOptions& options, const Motors& motors, Program& program) {
   if (line.text.starts_with(count_mark)) return check_count_text(line.text.substr(count_mark.size()), options, line);
   if (line.text.starts_with(range_mark) && !program.range) {
     const auto words = text::words(line.text.substr(range_mark.size()));
@@ -198,8 +198,9 @@ Result<void> check_range(double range, double step, const Buffer& buffer, AxisKi
                   format_rounded(steps, 3), buffer.entries, buffer.entries - 1));
 }
 
-Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
+Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& told) {
   Program program;
+  AxisTableOptions options = told;
   AXIOMETRY_TRY(const Motors motors, motors_of(options));
   for (const TableLine& line : lines_of(text)) AXIOMETRY_TRY_VOID(take(line, options, motors, program));
   if (program.buffers.empty() || !program.is_on) return fail("found no table with I51=1 behind it, expected both");

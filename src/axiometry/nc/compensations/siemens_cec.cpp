@@ -66,17 +66,25 @@ struct Table {
   bool has_input = false, has_output = false;
 };
 
-Result<void> take_axis(const TableLine& line, const Assignment& a, const std::string& expected, bool& has_it) {
+Result<void> take_axis(const TableLine& line, const Assignment& a, AxisTableOptions& options, bool& has_it) {
   std::string_view axis = a.value;
   if (axis.size() > 2 && axis.front() == '(' && axis.back() == ')') axis = text::trim(axis.substr(1, axis.size() - 2));
-  if (has_it || !text::equal_ignoring_case(axis, expected))
-    return fail(fmt::format("found the axis {}, expected {} once", text::quoted(axis), text::quoted(expected)),
+  if (has_it || !is_axis_named(axis, options))
+    return fail(fmt::format("found the axis {}, expected {} once", text::quoted(axis), text::quoted(options.axis)),
                 {line.number, 0});
   has_it = true;
   return {};
 }
 
-Result<void> take(const TableLine& line, const AxisTableOptions& options, std::map<long long, Table>& tables) {
+Result<void> take_output(const TableLine& line, const Assignment& a, AxisTableOptions& options, bool& has_it) {
+  if (options.output_axis.empty()) return take_axis(line, a, options, has_it);
+  AxisTableOptions output = options;
+  output.axis = options.output_axis;
+  output.axis_told = true;
+  return take_axis(line, a, output, has_it);
+}
+
+Result<void> take(const TableLine& line, AxisTableOptions& options, std::map<long long, Table>& tables) {
   constexpr std::string_view expected = "$AN_CEC[TABLE,N]=NUMBER or what belongs to it";
   constexpr long long tables_most = 1000;
   const auto a = assignment_of(line.text);
@@ -84,8 +92,8 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, std::m
   if (!number || *number < 0 || *number > tables_most) return refused(line, expected);
   Table& table = tables[*number];
   const std::string name = text::to_lower(a->name);
-  if (name == "$an_cec_input_axis") return take_axis(line, *a, options.axis, table.has_input);
-  if (name == "$an_cec_output_axis") return take_axis(line, *a, output_of(options), table.has_output);
+  if (name == "$an_cec_input_axis") return take_axis(line, *a, options, table.has_input);
+  if (name == "$an_cec_output_axis") return take_output(line, *a, options, table.has_output);
   const auto value = parse_number(a->value);
   if (!value) return refused(line, expected);
   if (name == "$an_cec" && a->indices.size() == 2) return table.values.put(a->indices[1], *value, line);
@@ -119,8 +127,9 @@ Result<AxisCorrection> curve_of(const Table& table, const AxisTableOptions& opti
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
   std::map<long long, Table> tables;
+  AxisTableOptions named = options;
   AXIOMETRY_TRY(const std::vector<TableLine> lines, siemens::assignments(text));
-  for (const TableLine& line : lines) AXIOMETRY_TRY_VOID(take(line, options, tables));
+  for (const TableLine& line : lines) AXIOMETRY_TRY_VOID(take(line, named, tables));
   std::optional<AxisCorrection> up, down;
   for (const auto& [number, table] : tables) {
     AXIOMETRY_TRY(const AxisCorrection curve, curve_of(table, options));

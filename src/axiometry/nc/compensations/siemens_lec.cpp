@@ -49,7 +49,7 @@ struct Found {
 };
 
 /// One line of the table of this axis and encoder.
-Result<void> take(const TableLine& line, const AxisTableOptions& options, Found& found) {
+Result<void> take(const TableLine& line, AxisTableOptions& options, Found& found) {
   constexpr std::string_view expected =
       "$AA_ENC_COMP[ENCODER,N,AXIS]=NUMBER or one of its _STEP, _MIN, _MAX, _IS_MODULO";
   const auto assignment = assignment_of(line.text);
@@ -71,8 +71,9 @@ Result<void> take(const TableLine& line, const AxisTableOptions& options, Found&
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
   Found found;
+  AxisTableOptions named = options;
   AXIOMETRY_TRY(const std::vector<TableLine> lines, siemens::assignments(text));
-  for (const TableLine& line : lines) AXIOMETRY_TRY_VOID(take(line, options, found));
+  for (const TableLine& line : lines) AXIOMETRY_TRY_VOID(take(line, named, found));
   AXIOMETRY_TRY(const std::size_t count, found.frame.points(options));
   AXIOMETRY_TRY(std::vector<double> values, found.values.all(count));
   for (double& value : values) value /= -unit_per_deviation(options);

@@ -70,14 +70,14 @@ Result<void> take_entry(const TableLine& line, std::string_view name, long long 
   return {};
 }
 
-Result<List> list_of(std::string_view text, const AxisTableOptions& options) {
+Result<List> list_of(std::string_view text, AxisTableOptions options) {
   List list;
   for (const TableLine& line : lines_of(text)) {
     const std::vector<std::string_view> words = text::words(line.text.substr(0, line.text.find('#')));
     if (words.empty()) continue;
     if (words.size() != 2) return refused(line, "NAME VALUE");
     if (words[0] == "kopf.log_achs_name") {
-      if (!text::equal_ignoring_case(words[1], options.axis))
+      if (!is_axis_named(words[1], options))
         return fail(fmt::format("found the axis {}, expected {}", text::quoted(words[1]), text::quoted(options.axis)),
                     {line.number, 0});
       continue;

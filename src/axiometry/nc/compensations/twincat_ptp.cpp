@@ -78,6 +78,8 @@ std::optional<long long> last_index(std::string_view text) {
 }
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& options) {
+  const bool is_named_for_axis = text.contains(sign);  // the array, as it is here; elsewhere its name says nothing
+  AxisTableOptions named = options;
   std::optional<long long> stated;
   bool is_closed = false;
   std::vector<double> positions, values;
@@ -88,9 +90,9 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
       stated = last_index(line.text);
       if (!stated) return refused(line, "NAME : ARRAY[0..N] OF ST_PositionCompensationTableElement := [");
       std::string_view name = text::trim(line.text.substr(0, line.text.find(':')));
-      if (name.ends_with(behind_axis) && name != behind_axis) {
+      if (is_named_for_axis && name.ends_with(behind_axis) && name != behind_axis) {
         name.remove_suffix(behind_axis.size());
-        AXIOMETRY_TRY_VOID(check_axis_named(name, options, line));
+        AXIOMETRY_TRY_VOID(check_axis_named(name, named, line));
       }
       continue;
     }

@@ -132,16 +132,25 @@ Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& sta
               [&](const Axis& axis) { return axis.kind == stated.kind && same(axis.name, stated.name); });
 }
 
+Result<bool> stays_linked(Connection& connection, Id linked, const Machine& stated) {
+  if (given(stated.serial_number) || !given(stated.name)) return false;
+  AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection, linked));
+  return std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, stated.name); });
+}
+
+Result<KnownAxis> known_axis(Connection& connection, const StatedAxis& stated) {
+  if (stated.linked) {
+    AXIOMETRY_TRY(const bool stays, stays_linked(connection, *stated.linked, stated.machine));
+    if (stays) return known_axis(connection, *stated.linked, stated.axis);
+  }
+  AXIOMETRY_TRY(const KnownMachine machine, known_machine(connection, stated.machine));
+  if (!machine) return std::nullopt;
+  return known_axis(connection, machine->id, stated.axis);
+}
+
 Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated) {
   AXIOMETRY_TRY(const auto instruments, all_assets<Instrument>(connection));
   return known_among(connection, instruments, stated);
-}
-
-/// A test that states no number stays with the machine that it was linked with, as long as that is or was called so.
-Result<bool> StatedAssets::stays_linked(const Machine& stated) {
-  if (!linked_ || given(stated.serial_number)) return false;
-  AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection_, *linked_));
-  return std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, stated.name); });
 }
 
 Result<Id> StatedAssets::found_or_added(const Machine& stated) {
@@ -166,8 +175,10 @@ Result<Id> StatedAssets::found_or_added(const Machine& stated) {
 
 Result<std::optional<Id>> StatedAssets::machine(const Machine& stated) {
   if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
-  AXIOMETRY_TRY(const bool stays, stays_linked(stated));
-  if (stays) return linked_;
+  if (linked_) {
+    AXIOMETRY_TRY(const bool stays, stays_linked(connection_, *linked_, stated));
+    if (stays) return linked_;
+  }
   const Names names{stated.serial_number, stated.manufacturer, stated.name};
   if (const auto looked_for = machines_.find(names); looked_for != machines_.end()) return looked_for->second;
   AXIOMETRY_TRY(const Id id, found_or_added(stated));

@@ -33,8 +33,21 @@ using KnownInstrument = std::optional<Versioned<Instrument>>;
 Result<MachineMeant> machine_meant(Connection& connection, const Machine& stated);
 Result<KnownMachine> known_machine(Connection& connection, const Machine& stated);
 
+/// Whether a test that states no number stays with the machine that it was linked with: as long as that is or was
+/// called so.
+Result<bool> stays_linked(Connection& connection, Id linked, const Machine& stated);
+
 /// The machine's axis of the same kind and name, now or before.
 Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& stated);
+
+/// What a test states, and the machine that it is linked with where the archive has the test.
+struct StatedAxis {
+  const Machine& machine;
+  const Axis& axis;
+  std::optional<Id> linked{};
+};
+/// That axis of the machine that the test stays with, else of the one that it means.
+Result<KnownAxis> known_axis(Connection& connection, const StatedAxis& stated);
 
 /// The instrument with the same serial number, now or before, unless both say who made it and differ; of one without,
 /// that of the same manufacturer and type which has none either, or the only one.
@@ -56,7 +69,6 @@ class StatedAssets {
  private:
   using Names = std::array<std::string, 3>;
 
-  Result<bool> stays_linked(const Machine& stated);
   Result<Id> found_or_added(const Machine& stated);
   Result<InstrumentUse> found_or_added(const Instrument& stated);
 
