@@ -152,7 +152,7 @@ double AdditiveFit::share(std::size_t row, std::size_t column) const {
   return (1.0 - 1.0 / static_cast<double>(row_counts[row])) * (1.0 - 1.0 / static_cast<double>(column_counts[column]));
 }
 
-AdditiveFit fit_additive(std::span<const double> table, std::size_t columns) {
+AdditiveFit fit_additive(std::span<const double> table, std::size_t columns, GapStart start) {
   AXIOMETRY_CONTRACT(columns > 0 && table.size() % columns == 0);
   const std::size_t rows = table.size() / columns;
   AdditiveFit fit{columns,
@@ -165,7 +165,7 @@ AdditiveFit fit_additive(std::span<const double> table, std::size_t columns) {
   sweep_rows(fit);
   double spread = 0.0;
   for (double x : fit.residuals) spread = std::max(spread, std::abs(present(x)));
-  start_from_full_table(fit);
+  if (start == GapStart::filled) start_from_full_table(fit);
   std::vector<double> means;
   for (int pass = 0; pass < passes_at_most; ++pass) {
     const double moved = sweep_columns(fit, means);

@@ -24,9 +24,14 @@ struct AdditiveFit {
   double share(std::size_t row, std::size_t column) const;
 };
 
-/// Least squares of both, NaN standing for a value that is missing. A full table takes one pass, and so does one with
-/// up to eight gaps, which are filled first; more gaps take some more, until the levels move by less than 1e-12 of the
-/// table's spread (at most 60). Contract: whole rows.
-AdditiveFit fit_additive(std::span<const double> table, std::size_t columns);
+/// Where the sweeps begin that find the fit of a table with gaps. Both end at the same least squares but for rounding.
+enum class GapStart {
+  means_of_rows,  ///< so that what is shown of a fit keeps every digit from version to version
+  filled,         ///< of up to eight gaps, by what the others let expect of them, so that one pass does: for searches
+};
+
+/// Least squares of both, NaN standing for a value that is missing. A full table takes one pass, one with gaps a few
+/// more, until the levels move by less than 1e-12 of the table's spread (at most 60). Contract: whole rows.
+AdditiveFit fit_additive(std::span<const double> table, std::size_t columns, GapStart start = GapStart::means_of_rows);
 
 }  // namespace axiometry::numeric
