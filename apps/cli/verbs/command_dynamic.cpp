@@ -7,6 +7,7 @@
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
@@ -68,6 +69,16 @@ void add_dynamic(const Verb& program, int& exit_code) {
              [&o](double x) { o.rate_hz = checked_positive("--rate", x, most); });
   add_number(*verb, {"--units-per-count", "MM", "mm or degrees per count, for layouts of counts"},
              [&o](double x) { o.units_per_count = x; });
+  add_read(*verb, {"--stream-axis", "N", "Which axis or column of a stream of several (1)"},
+           [&o](const std::string& word) -> Result<void> {
+             constexpr unsigned long long streams_most = 1'000'000;
+             const auto number = parse_count(word);
+             if (!number || *number < 1 || *number > streams_most)
+               return fail(
+                   fmt::format("found {}, expected a whole number from {} to {}", text::quoted(word), 1, streams_most));
+             o.stream_axis = static_cast<std::size_t>(*number - 1);
+             return {};
+           });
   verb->add_flag("--reverse", o.reverse, "The instrument counts up when the axis moves down");
   add_number(*verb, {"--feed", "FEED", "Feed that was asked for, mm/min or °/min"},
              [&o](double x) { o.feed = checked_positive("--feed", x, most); });

@@ -50,10 +50,10 @@ constexpr Phrase claims_rows[] = {
     {"Yes", "Ja"},
     {"contradicted by 1 point", "1 Punkt widerspricht"},
     {"contradicted by {0#} points", "{0} Punkte widersprechen"},
-    {"found a test dated {0=}, which names no day that can be read, and temperatures of {1=}: nobody knows whose these "
-     "are",
-     "eine Prüfung mit dem Datum {0}, das keinen lesbaren Tag nennt, und Temperaturen vom {1}: Niemand weiß, wessen "
-     "Temperaturen dies sind"},
+    {"found a test dated {0=}, which names no day that can be read: nobody can check that its temperatures, of {1=}, "
+     "are of that day",
+     "eine Prüfung mit dem Datum {0}, das keinen lesbaren Tag nennt: Niemand kann nachprüfen, ob ihre "
+     "Temperaturen, vom {1}, von diesem Tag sind"},
     {"found dates of calibration that name no day or month, so that nobody can tell whether it held on the day of the "
      "test: {0=}",
      "Kalibrierdaten, die keinen Tag oder Monat nennen, sodass niemand sagen kann, ob die Kalibrierung am Tag der "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,10 +22,11 @@ struct DynamicOptions {
   std::string stream{};             ///< id of the layout; empty: recognised by content
   std::optional<double> rate_hz{};  ///< for layouts that tell no time
   std::optional<double> units_per_count{};
-  bool reverse = false;                    ///< it counts up when the axis moves down
-  std::optional<double> window_s{};        ///< capture::usual_window_s()
-  std::optional<double> from_s{}, to_s{};  ///< only that part of the recording
-  std::optional<double> feed{};            ///< that was asked for, native units per minute
+  std::optional<std::size_t> stream_axis{};  ///< of a stream of several, 0 is the first; else as the columns are called
+  bool reverse = false;                      ///< it counts up when the axis moves down
+  std::optional<double> window_s{};          ///< capture::usual_window_s()
+  std::optional<double> from_s{}, to_s{};    ///< only that part of the recording
+  std::optional<double> feed{};              ///< that was asked for, native units per minute
   double uniform_share = 0.05;
 };
 

@@ -111,6 +111,8 @@ Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
   recording.kind = options.kind;
   recording.rate_hz = options.rate_hz;
   recording.units_per_count = options.units_per_count;
+  recording.axis = options.stream_axis.value_or(0);
+  recording.axis_stated = options.stream_axis.has_value();
   AXIOMETRY_TRY(const auto reader, layout->open(recording));
   EvenSamples samples(options);
   Sha256 digest;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "tests/support/temporary_folder.h"
@@ -41,6 +42,24 @@ TEST(DynamicReading, RefusesAMissingSampleHoweverFastTheyCome) {
     const auto motion = measured(2000, [&](std::size_t k) { return k == 1000 ? 2.0 * step_s : step_s; });
     ASSERT_FALSE(motion) << step_s;
     EXPECT_NE(motion.error().message.find("samples are missing"), std::string::npos) << motion.error().message;
+  }
+}
+
+TEST(DynamicReading, TakesTheColumnThatIsStated) {
+  std::string text = "time [s],x [mm],y [mm]\n";
+  for (int k = 0; k < 2000; ++k) text += fmt::format("{:.3f},{:.3f},{:.3f}\n", 1e-3 * k, 0.1 * k, 0.05 * k);
+  const testing_support::TemporaryFolder folder;
+  const std::string file = folder.written("run.csv", text);
+  const auto unknown = measure_dynamic(file, {});
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().message.find("expected --stream-axis"), std::string::npos) << unknown.error().message;
+  DynamicOptions options;
+  for (const auto& [axis, velocity] : {std::pair(std::size_t{0}, 100.0), std::pair(std::size_t{1}, 50.0)}) {
+    options.stream_axis = axis;
+    const auto motion = measure_dynamic(file, options);
+    ASSERT_TRUE(motion) << motion.error().message;
+    ASSERT_EQ(motion->stretches.size(), 1u);
+    EXPECT_NEAR(motion->stretches[0].velocity, velocity, 1e-4);
   }
 }
 

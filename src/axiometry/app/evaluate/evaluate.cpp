@@ -184,12 +184,11 @@ Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessme
   AXIOMETRY_TRY(EvaluatedTemperatures found, evaluate_log_with_test(*options.temperatures, course_of(test).duration));
   std::vector<iso230_2::Finding>& findings = assessment.findings;
   std::ranges::move(iso230_2::environment_findings(found.environment, depth), std::back_inserter(findings));
-  auto of_other_day = other_day(test, found);
+  auto day = other_day(test, found);
+  const bool of_other_day = day && day->severity != iso230_2::Severity::note;
   assessment.temperatures_recorded = found.environment.ends_recorded && !of_other_day;
-  if (of_other_day)
-    findings.push_back(*std::move(of_other_day));
-  else
-    std::ranges::move(contradicted_temperatures(test, found), std::back_inserter(findings));
+  if (of_other_day || (day && depth == iso230_2::Depth::every_finding)) findings.push_back(*std::move(day));
+  if (!of_other_day) std::ranges::move(contradicted_temperatures(test, found), std::back_inserter(findings));
   if (depth == iso230_2::Depth::every_finding)
     for (const std::string& remark : found.log.remarks)
       findings.push_back({"temperature-log-remark", iso230_2::source_clause, iso230_2::Severity::note,

@@ -110,6 +110,28 @@ TEST(LogWithTest, ContradictsTemperaturesThatAreStated) {
   EXPECT_EQ(told(35), 2) << "at the beginning and at the end";
 }
 
+TEST(LogWithTest, ContradictsTemperaturesOfTheMachineOnlyAtTheSamePlace) {
+  const auto told = [](const char* role, const char* location, double celsius) {
+    axiometry::Test test = hour_of_test(true);
+    TemperatureSensor sensor;
+    sensor.role = role;
+    sensor.location = location;
+    sensor.start = Temperature::celsius(celsius);
+    test.metadata.environment.sensors = {sensor};
+    EvaluateOptions options;
+    options.temperatures = log_of(20);
+    const auto evaluated = evaluate_test(std::move(test), options);
+    return evaluated && std::ranges::any_of(evaluated->assessment.findings, [](const iso230_2::Finding& finding) {
+             return finding.id == "environment-log-contradicts";
+           });
+  };
+  EXPECT_FALSE(told("machine", "spindle nut", 27)) << "the log has the bed";
+  EXPECT_FALSE(told("machine", "", 27)) << "nobody knows where";
+  EXPECT_TRUE(told("machine", "t1 Bed", 27));
+  EXPECT_FALSE(told("machine", "t1 Bed", 21));
+  EXPECT_TRUE(told("Air", "above the table", 27)) << "the air is one";
+}
+
 TEST(LogWithTest, OfAnotherDayIsTold) {
   const auto told = [](const std::string& day) {
     axiometry::Test test = hour_of_test(true);
@@ -126,9 +148,29 @@ TEST(LogWithTest, OfAnotherDayIsTold) {
   EXPECT_TRUE(told("2026-03-01"));
   EXPECT_TRUE(told("2026-03-03"));
   EXPECT_FALSE(told("20260302"));
-  EXPECT_TRUE(told("15 May 2014")) << "no day that can be read";
+  EXPECT_FALSE(told("15 May 2014")) << "no day that can be read";
   EXPECT_FALSE(told("unknown"));
   EXPECT_FALSE(told("")) << "not stated, which is told elsewhere";
+}
+
+TEST(LogWithTest, OfADateThatCannotBeReadIsNoted) {
+  axiometry::Test test = hour_of_test(true);
+  test.metadata.conditions.date = "15 May 2014";
+  EvaluateOptions options;
+  options.temperatures = log_of(35);
+  const auto evaluated = evaluate_test(test, options);
+  ASSERT_TRUE(evaluated);
+  EXPECT_TRUE(evaluated->assessment.temperatures_recorded) << "somebody said when the test began";
+  EXPECT_THAT(evaluated->assessment.findings,
+              Contains(testing::AllOf(Field(&iso230_2::Finding::id, "environment-day-not-read"),
+                                      Field(&iso230_2::Finding::severity, iso230_2::Severity::note))));
+  EXPECT_THAT(evaluated->assessment.findings, Contains(Field(&iso230_2::Finding::id, "environment-log-contradicts")));
+  options.temperatures->request.began = "";
+  const auto alone = evaluate_test(test, options);
+  ASSERT_TRUE(alone);
+  EXPECT_THAT(alone->assessment.findings,
+              testing::Not(Contains(Field(&iso230_2::Finding::id, "environment-day-not-read"))))
+      << "nobody says that the log is of the test";
 }
 
 TEST(LogWithTest, FailsWithTheNameOfTheLog) {
