@@ -95,9 +95,11 @@ export function MotionsPage() {
           </ul>
         )}
         {files.length > 0 && (
+          <div class="form-grid"><PlanChoice take={(plan) => void add([plan])} /></div>
+        )}
+        {files.length > 0 && (
           <details open>
             <summary>{t('options')}</summary>
-            <PlanChoice take={(plan) => void add([plan])} />
             <MotionFields kind={kind} form={form} on_change={set_form} />
           </details>
         )}

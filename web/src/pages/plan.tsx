@@ -12,7 +12,7 @@ import { decimal, language, screen_theme } from '../settings';
 import { PlanFields } from './plan/fields';
 import { form_of, new_form, request_of, type PlanForm } from './plan/form';
 import { Keep, PlanFile } from './plan/keep';
-import { Outcome, TargetTable } from './plan/outcome';
+import { is_of_positions, Outcome, TargetTable } from './plan/outcome';
 import { ProgramPanel } from './plan/program';
 import { t } from './plan/texts';
 import './plan.css';
@@ -124,7 +124,7 @@ function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | 
             </a>
           ))}
           <PlanFile id={plan.id} />
-          <a class="button primary" href={`/captures/new?plan=${plan.id}`}>{t('capture_with')}</a>
+          {is_of_positions(plan.plan) && <a class="button primary" href={`/captures/new?plan=${plan.id}`}>{t('capture_with')}</a>}
         </div>
       </header>
       <p class="notice">{t('whole_plan')}</p>

@@ -8,6 +8,7 @@ import { when } from '../../numbers';
 import { go, unsaved } from '../../router';
 import { decimal, language } from '../../settings';
 import type { PlanForm } from './form';
+import { is_of_positions } from './outcome';
 import { t } from './texts';
 
 /** The version that is to be followed by another. */
@@ -92,7 +93,7 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
             </button>
           ))}
           {kept && <PlanFile id={kept.id} />}
-          {kept && <a class="button" href={`/captures/new${query({ plan: kept.id })}`}>{t('capture_with')}</a>}
+          {kept && is_of_positions(kept.plan) && <a class="button" href={`/captures/new${query({ plan: kept.id })}`}>{t('capture_with')}</a>}
         </div>
       </header>
       {kept && (

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
-import type { PlanDraft, PlanPart } from '../../api/types';
+import type { PlanDraft, PlanFile, PlanPart } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { FindingList } from '../../components/findings';
 import { fixed, shortest } from '../../numbers';
 import { t } from './texts';
+
+/** Whether positions (EXX) are among what is read at its stops; of others the standard says nothing, and no capture reads them. */
+export const is_of_positions = ({ errors }: PlanFile): boolean => !errors || errors.length === 0 || errors.some((name) => name[1] === name[2]);
 
 /** What a plan comes to: the figures first, then what the standard says, then the way of the axis in the chosen test. */
 export function Outcome({ draft, figure_on_paper, unit, part, choose, children }: {
@@ -15,7 +18,7 @@ export function Outcome({ draft, figure_on_paper, unit, part, choose, children }
   const targets = part?.targets ?? draft.targets;
   const runs = part?.runs ?? chosen.runs;
   const errors = chosen.errors ?? [];
-  const of_positions = errors.length === 0 || errors.some((name) => name[1] === name[2]);   // EXX; of others the standard says nothing
+  const of_positions = is_of_positions(chosen);
   const accords = draft.conforming && !(of_positions && draft.findings.some((finding) => finding.severity === 'missing'));
   const alt = t('figure_of', { n: targets.length, runs });
   return (
