@@ -24,14 +24,8 @@ struct AdditiveFit {
   double share(std::size_t row, std::size_t column) const;
 };
 
-/// Where the sweeps begin that find the fit of a table with gaps. Both end at the same least squares but for rounding.
-enum class GapStart {
-  means_of_rows,  ///< so that what is shown of a fit keeps every digit from version to version
-  filled,         ///< of up to eight gaps, by what the others let expect of them, so that one pass does: for searches
-};
-
-/// Least squares of both, NaN standing for a value that is missing. A full table takes one pass, one with gaps a few
+/// Least squares of both, NaN standing for a value that is missing. A full table takes one pass; one with gaps a few
 /// more, until the levels move by less than 1e-12 of the table's spread (at most 60). Contract: whole rows.
-AdditiveFit fit_additive(std::span<const double> table, std::size_t columns, GapStart start = GapStart::means_of_rows);
+AdditiveFit fit_additive(std::span<const double> table, std::size_t columns);
 
 }  // namespace axiometry::numeric

@@ -101,7 +101,7 @@ std::vector<Candidate> pooled_outliers(const AdditiveFit& whole, std::span<const
     if (next->is_significant(level)) significant = seen.size();
     if (seen.size() == at_most) break;
     table[next->at.row * fit.columns + next->at.column] = std::numeric_limits<double>::quiet_NaN();
-    fit = fit_additive(table, fit.columns, numeric::GapStart::filled);
+    fit = fit_additive(table, fit.columns);
   }
   std::vector<Candidate> all;
   for (std::size_t k = 0; k < significant; ++k) all.push_back({seen[k].at, seen[k].p()});
