@@ -97,7 +97,8 @@ class JsonSchemas {
 
   static bool is_known(std::string_view keyword) {
     constexpr std::string_view known =
-        " $ref allOf anyOf oneOf type enum const minimum maximum exclusiveMaximum minLength pattern items prefixItems "
+        " $ref allOf anyOf oneOf type enum const minimum maximum exclusiveMinimum exclusiveMaximum minLength pattern "
+        "items prefixItems "
         "minItems maxItems uniqueItems properties required propertyNames additionalProperties unevaluatedProperties "
         "format "
         "description default examples ";
@@ -125,8 +126,10 @@ class JsonSchemas {
   static Found of_plain(const Value& schema, const Value& value, const std::string& place) {
     Found found;
     const Value *least = schema.find("minimum"), *most = schema.find("maximum"), *end = schema.find("exclusiveMaximum");
+    const Value* above = schema.find("exclusiveMinimum");
     const double x = value.is(Kind::number) ? value.number() : std::nan("");
-    if ((least && x < least->number()) || (most && x > most->number()) || (end && x >= end->number()))
+    if ((least && x < least->number()) || (most && x > most->number()) || (end && x >= end->number()) ||
+        (above && x <= above->number()))
       found.fault(place, fmt::format("found {}, expected it within its bounds", x));
     const Value* length = schema.find("minLength");
     if (length && value.is(Kind::text) && static_cast<double>(value.text().size()) < length->number())

@@ -35,7 +35,6 @@ Result<const Recording*> recognise_recording(std::string_view head) {
 
 Result<void> check_times_and_positions(const RecordingOptions& options) {
   if (options.units_per_count) return fail("found a length per count for a stream of positions, expected none");
-  if (options.rate_hz) return fail("found a rate for a stream that tells its times, expected none");
   return {};
 }
 

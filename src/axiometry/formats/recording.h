@@ -96,9 +96,11 @@ const Recording* find_recording(std::string_view id);
 /// read.
 Result<const Recording*> recognise_recording(std::string_view head);
 
-/// Of a layout whose samples are times and positions: fails on a length per count and on a rate, which would not be
-/// used.
+/// Of a layout whose samples are times and positions: fails on a length per count, which would not be used.
 Result<void> check_times_and_positions(const RecordingOptions& options);
+/// What its reader remarks where a rate was given.
+inline constexpr std::string_view unused_rate =
+    "the rate that was given is not used, since the recording tells its times";
 
 /// mm per count of an interferometer: λ divided by the counts that a wavelength of path has (2, 4 or 8 after optics and
 /// electronics). The wavelength is that in the air of the test. Fails unless both are positive.

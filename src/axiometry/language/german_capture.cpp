@@ -41,8 +41,6 @@ constexpr Phrase capture_rows[] = {
     {"found a part, a datum or a zero for a plan of lines, expected none: lengths have a dead path that is not known",
      "ein Teil, ein Bezug oder ein Nullpunkt zu einem Plan von Linien; erwartet: keines davon, denn Längen haben eine "
      "unbekannte Totstrecke"},
-    {"found a rate for a stream that tells its times, expected none",
-     "Abtastrate für einen Strom, der seine Zeiten nennt; erwartet: keine"},
     {"found a rate of {0#} samples a second, expected 0.001 to 10000000",
      "eine Rate von {0} Abtastwerten je Sekunde; erwartet: 0,001 bis 10000000"},
     {"found a recording of {0#} samples, expected at most {1#}",
@@ -283,6 +281,8 @@ constexpr Phrase capture_rows[] = {
     {"the instrument was silent for more than a second {0#} times, {1#} s at most: samples may be missing there",
      "das Messgerät schwieg {0} Mal länger als eine Sekunde, höchstens {1}\u00a0s: Dort können Abtastwerte fehlen"},
     {"the numbers of the file were taken as angles in mrad", "die Zahlen der Datei gelten als Winkel in mrad"},
+    {"the rate that was given is not used, since the recording tells its times",
+     "die angegebene Abtastrate wird nicht verwendet, denn die Aufzeichnung nennt ihre Zeiten"},
     {"the recording ended before", "die Aufzeichnung endete vorher"},
     {"the recording ended before {0} and the {1#} behind it", "die Aufzeichnung endete vor {0} und den {1} danach"},
     {"the recording gave {0#} of the {1#} readings of the plan",

@@ -335,7 +335,7 @@ TEST(GermanReport, KeepsWhatTheUserWrote) {
   for (const char* word :
        {"Reversal error", "3.5 to 4.5", "Test report", "found 4 runs, expected 5", "Bericht Findings", "Missing",
         "Note", "Figures", "Value (Linearachse)", "Achse Value · Reversal error", "Position Value / ",
-        "Wiederholpräzision, Achse Value", "machine ohne Seriennummer"})
+        "Wiederholpräzision, Achse Value", "machine ohne Hersteller und Seriennummer"})
     EXPECT_THAT(html, HasSubstr(word));
   for (const char* word : {"3,5 bis", "3,5 to", "Achse Wert", "Umkehrspanne ·", "Bericht Feststellungen"})
     EXPECT_THAT(html, Not(HasSubstr(word)));

@@ -39,13 +39,19 @@ std::string keys_with(const Value& result, std::string_view verdict) {
   return keys;
 }
 
+/// Nothing where it is 0: nothing is known without doubt.
+Exact unless_zero(const Exact& U) {
+  const Interval rounding = Interval::of(1e-30);
+  return U && surely_at_most(*U, rounding) ? Exact() : U;
+}
+
 /// That of the method that stands with the results; nothing of Monte Carlo, which states an interval.
 Exact U_of_record(const Value& result, const Found& found, Parameter p) {
   const Value* uncertainty = present_value(&result, "uncertainty");
   const std::string_view method = text_member(present_value(uncertainty, "record"), "method");
-  if (method.empty() || method == "annex_a") return of(found.annex_a.U, p);
+  if (method.empty() || method == "annex_a") return unless_zero(of(found.annex_a.U, p));
   const auto U = number_member(present_value(present_value(uncertainty, method), key_of(p)), "U");
-  return method == "gum" && U ? Exact(Interval::of(*U)) : std::nullopt;
+  return method == "gum" && U ? unless_zero(Interval::of(*U)) : std::nullopt;
 }
 
 /// The cells of one line of RFC 4180.

@@ -39,7 +39,7 @@ TEST(MotionEvaluation, RefusesAFileOfAnotherAxisThanThatOfItsError) {
   for (const char* name : {"X", "x", "X1", "X axis", "Table", "V"})
     EXPECT_EQ(straight_fault("# error: EYX\n# axis.name: " + std::string(name) + "\n"), "") << name;
   EXPECT_EQ(straight_fault("# axis.name: Z\n"), "") << "no error is named";
-  EXPECT_THAT(square_fault("# positive: +Y\n# axis.name: Z\n", "# positive: -X\n"), HasSubstr("the axis 'Z'"))
+  EXPECT_THAT(square_fault("# positive: +Y\n# axis.name: Z\n", "# positive: -X\n"), HasSubstr("the axis \"Z\""))
       << "the senses name the errors";
 }
 
@@ -60,17 +60,17 @@ TEST(MotionEvaluation, TakesNoDeviationsOfPositionsForAStraightness) {
 
 TEST(MotionEvaluation, HasFilesOfOneMachine) {
   EXPECT_THAT(square_fault("# error: EYX\n# machine.name: M5\n", "# error: EXY\n# machine.name: M6\n"),
-              HasSubstr("found the machines 'M5' and 'M6', expected files of one"));
+              HasSubstr("found the machines \"M5\" and \"M6\", expected files of one"));
   EXPECT_THAT(square_fault("# machine.name: M5\n# machine.serial_number: 1\n",
                            "# machine.name: m5 \n# machine.serial_number: 2\n"),
-              HasSubstr("serial numbers '1' and '2'"));
+              HasSubstr("serial numbers \"1\" and \"2\""));
   EXPECT_EQ(square_fault("# machine.name: M5\n# machine.serial_number: 1\n", "# machine.name: m5\n"), "");
   EXPECT_EQ(square_fault("# machine.name: DMU 50\n# machine.serial_number: 12a\n",
                          "# machine.name: DMU50\n# machine.serial_number: 12A \n"),
             "")
       << "one serial number is one machine";
   EXPECT_THAT(square_fault("# machine.name: M5\n# machine.serial_number: 1\n", "# machine.name: M6\n"),
-              HasSubstr("the machines 'M5' and 'M6'"));
+              HasSubstr("the machines \"M5\" and \"M6\""));
   EXPECT_EQ(square_fault("# machine.name: M5\n", ""), "");
   const std::string one = "# machine.name: M5\nposition_mm,EAX_urad\n0,1\n400,2\n";
   const std::string two = "# machine.name: M6\nposition_mm,EBX_urad\n0,1\n400,2\n";

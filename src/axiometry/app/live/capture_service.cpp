@@ -331,10 +331,12 @@ std::vector<CaptureState> CaptureService::states() {
   for (const auto& [id, capture] : captures_) states.push_back(capture->state({}));
   for (const auto& [id, state] : restarting_)
     if (!captures_.contains(id)) states.push_back(state);
+  // Between giving up its lock and taking it again the folder has one that is being reached again, too.
+  const auto is_listed = [&](store::Id id) { return captures_.contains(id) || restarting_.contains(id); };
   for (const CaptureFolder::Left& left : folder_.left_behind())
-    if (!captures_.contains(left.id)) states.push_back(state_of(left.order, left.id, Stage::interrupted));
+    if (!is_listed(left.id)) states.push_back(state_of(left.order, left.id, Stage::interrupted));
   for (const CaptureFolder::Ended& ended : folder_.ended())
-    if (!captures_.contains(ended.id)) states.push_back(state_of(ended));
+    if (!is_listed(ended.id)) states.push_back(state_of(ended));
   std::ranges::sort(states, std::greater(), &CaptureState::id);
   return states;
 }

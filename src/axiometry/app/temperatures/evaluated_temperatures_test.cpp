@@ -106,7 +106,7 @@ TEST(LogWithTest, ContradictsTemperaturesThatAreStated) {
     const Evaluated evaluated = evaluated_with(log_of(celsius));
     return std::ranges::count(evaluated.assessment.findings, "environment-log-contradicts", &iso230_2::Finding::id);
   };
-  EXPECT_EQ(told(20), 0) << "20 and 22 °C are stated, and the log has 20 and a second sensor 21";
+  EXPECT_EQ(told(21), 0) << "20 and 22 °C are stated";
   EXPECT_EQ(told(35), 2) << "at the beginning and at the end";
 }
 

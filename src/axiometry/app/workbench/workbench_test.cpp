@@ -105,11 +105,12 @@ TEST_F(TheWorkbench, SaysWhatBecameOfTheMachineThatATestStates) {
   };
   EXPECT_THAT(remarks("# machine.name: Mill 5\n"), IsEmpty());
   EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 11\n"),
-              ElementsAre("machine 1 had no serial number and takes over '11', which this test states"));
+              ElementsAre("machine 1 had no serial number and takes over \"11\", which this test states"));
   EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 22\n"), IsEmpty());
-  EXPECT_THAT(remarks("# machine.name: Mill 5\n# axis.name: Y\n"),
-              ElementsAre("2 machines of the archive are called 'Mill 5', and no serial number in this test tells them "
-                          "apart: it is kept with a machine without a number"));
+  EXPECT_THAT(
+      remarks("# machine.name: Mill 5\n# axis.name: Y\n"),
+      ElementsAre("2 machines of the archive are called \"Mill 5\", and no serial number in this test tells them "
+                  "apart: it is kept with a machine without a number"));
   EXPECT_EQ(store.counts()->machines, 3);
 }
 

@@ -23,6 +23,12 @@ std::unexpected<Error> fail_long_line(TextPosition at) {
 
 }  // namespace
 
+std::vector<std::string> LineReader::remarks() const {
+  std::vector<std::string> all = judge_.remarks();
+  if (kind_ == StampJudge::Kind::times && options_.rate_hz) all.emplace_back(unused_rate);
+  return all;
+}
+
 Result<void> LineReader::feed(std::string_view bytes, const SampleSink& sink) {
   auto taken = take_lines(bytes, sink);
   auto flushed = flush(sink);  // also what stood before a refused line

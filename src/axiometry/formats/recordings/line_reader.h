@@ -22,11 +22,11 @@ class LineReader : public RecordingReader {
   std::size_t unfinished() const final { return begun_.size(); }
   std::uint64_t without_break() const final { return without_break_; }
   std::size_t lost() const final { return damaged_ + lost_ + judge_.rejected(); }
-  std::vector<std::string> remarks() const final { return judge_.remarks(); }
+  std::vector<std::string> remarks() const final;
 
  protected:
   /// `kind`: of the stamps that are judged.
-  LineReader(const RecordingOptions& options, StampJudge::Kind kind) : options_(options), judge_(kind) {}
+  LineReader(const RecordingOptions& options, StampJudge::Kind kind) : options_(options), kind_(kind), judge_(kind) {}
 
   const RecordingOptions& options() const { return options_; }
 
@@ -60,6 +60,7 @@ class LineReader : public RecordingReader {
   void forget_line();
 
   RecordingOptions options_;
+  StampJudge::Kind kind_;
   StampJudge judge_;
   bool skip_to_break_ = false;
   std::string begun_;  // a line whose break has not come yet

@@ -116,6 +116,12 @@ Result<std::optional<Header>> header_of(std::string_view bytes) {
 
 class NpyReader final : public RecordingReader {
  public:
+  explicit NpyReader(bool rate_given) : rate_given_(rate_given) {}
+
+  std::vector<std::string> remarks() const override {
+    return rate_given_ ? std::vector{std::string(unused_rate)} : std::vector<std::string>{};
+  }
+
   Result<void> feed(std::string_view bytes, const SampleSink& sink) override {
     if (!shape_) {
       begun_ += bytes;
@@ -146,6 +152,7 @@ class NpyReader final : public RecordingReader {
   std::size_t lost() const override { return 0; }
 
  private:
+  bool rate_given_ = false;
   Result<void> feed_data(std::string_view bytes, const SampleSink& sink) {
     if (!begun_.empty()) {
       const std::size_t missing = std::min(sizeof(Sample) - begun_.size(), bytes.size());
@@ -219,7 +226,7 @@ class NpyReader final : public RecordingReader {
 Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
   AXIOMETRY_TRY_VOID(check_times_and_positions(options));
   if (options.axis > 0) return fail(fmt::format("found axis {} of an array, expected 1: it has one", options.axis + 1));
-  return std::make_unique<NpyReader>();
+  return std::make_unique<NpyReader>(options.rate_hz.has_value());
 }
 
 int recognise(std::string_view head) { return head.starts_with(magic) ? 100 : 0; }

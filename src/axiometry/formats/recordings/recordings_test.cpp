@@ -93,10 +93,13 @@ TEST(TimePosition, RefusesWhatItHasNoUseFor) {
   RecordingOptions counted;
   counted.units_per_count = 0.001;
   EXPECT_THAT(read_samples("time-position", "1,2\n", counted).refusal, HasSubstr("found a length per count"));
-  RecordingOptions rated;
+  RecordingOptions rated;  // as the options of kept recordings may hold it
   rated.rate_hz = 7.0;
-  for (const char* layout : {"time-position", "npy", "camonitor-stream"})
-    EXPECT_THAT(read_samples(layout, "", rated).refusal, HasSubstr("found a rate")) << layout;
+  for (const char* layout : {"time-position", "npy", "camonitor-stream"}) {
+    const auto reader = find_recording(layout)->open(rated);
+    ASSERT_TRUE(reader) << layout;
+    EXPECT_THAT((*reader)->remarks(), ::testing::Contains(std::string(unused_rate))) << layout;
+  }
 }
 
 TEST(TimePosition, RefusesWhatIsNoSampleAndSaysWhere) {

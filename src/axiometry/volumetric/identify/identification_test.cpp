@@ -352,7 +352,7 @@ TEST(Identify, NoticesStationsInAnotherFrame) {
   const auto result = identify(machine.model, lengths, {});
   ASSERT_TRUE(result) << result.error().message;
   ASSERT_NE(finding(*result, "volumetric-station-frame"), nullptr);
-  EXPECT_THAT(finding(*result, "volumetric-station-frame")->message, HasSubstr("(-300, 0, 0) mm"));
+  EXPECT_THAT(finding(*result, "volumetric-station-frame")->message, HasSubstr("(−300; 0; 0) mm"));
 }
 
 TEST(Identify, NoticesThatLengthsOfTwoSetupsAreMixed) {
