@@ -297,7 +297,8 @@ TEST_F(CompensationRoutes, report_a_table_with_the_comments_of_an_earlier_progra
   const std::size_t count = table.find("; one count = ");
   ASSERT_NE(count, table.npos);
   table.erase(count, table.find('\n', count) + 1 - count);
-  ASSERT_TRUE(keep_instead(table));
+  const auto kept_table = keep_instead(table);
+  ASSERT_TRUE(kept_table) << kept_table.error().message;
   const Response html = send("GET", "/compensations/1/report.html");
   EXPECT_EQ(html.status, 200) << html.body;
   const std::size_t entry = table.find('\n', table.find("DEFINE COMP")) + 1;

@@ -2208,9 +2208,9 @@ export interface components {
         PlanFile: {
             /** @enum {unknown} */
             format?: "axiometry-plan/1" | null;
-            /** @description Standard whose terms the plan uses. */
+            /** @description Standard whose terms the plan uses: ISO 230-2:2014, or ISO 230-6:2002 along a diagonal. */
             standard?: string | null;
-            /** @description Clause that describes the test; absent when none does. */
+            /** @description Clause that describes the test: 5.3.2 to 5.3.5, Annex B or Annex C; absent when none does. */
             clause?: string | null;
             /** @description Which test of several this is. */
             title?: string | null;
