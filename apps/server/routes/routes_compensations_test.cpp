@@ -285,26 +285,28 @@ TEST_F(CompensationRoutes, report_a_table_with_the_comments_of_an_earlier_progra
   receive(test_of_axis(1.0, 1), "x.csv");
   std::string table =
       keep(1, R"({"control": "pmac", "resolution": 0.1, "start": 50, "end": 400, "step": 50})").find("table")->text();
-  const auto keep_instead = [&](const std::string& bytes) {
+  const auto keep_with = [&](const std::string& bytes) {
     return archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::Compensation>> {
       AXIOMETRY_TRY(auto kept, t.get<store::Compensation>(1));
       const store::Content content = app::hashed_content("old.pmc", "compensation-table", bytes);
       AXIOMETRY_TRY_VOID(t.keep(content, {"A. Tester", ""}));
       kept.value.files.front().content = content.sha256;
-      return t.change(1, kept.version, kept.value, {"A. Tester", ""});
+      return t.add(kept.value, {"A. Tester", ""});
     });
   };
   const std::size_t count = table.find("; one count = ");
   ASSERT_NE(count, table.npos);
   table.erase(count, table.find('\n', count) + 1 - count);
-  const auto kept_table = keep_instead(table);
-  ASSERT_TRUE(kept_table) << kept_table.error().message;
-  const Response html = send("GET", "/compensations/1/report.html");
+  const auto of_earlier = keep_with(table);
+  ASSERT_TRUE(of_earlier) << of_earlier.error().message;
+  const Response html = send("GET", fmt::format("/compensations/{}/report.html", of_earlier->id));
   EXPECT_EQ(html.status, 200) << html.body;
   const std::size_t entry = table.find('\n', table.find("DEFINE COMP")) + 1;
   table.replace(entry, table.find('\n', entry) - entry, "1600");
-  ASSERT_TRUE(keep_instead(table));
-  EXPECT_THAT(refusal(send("GET", "/compensations/1/report.html"), 409), HasSubstr("another table"));
+  const auto of_another = keep_with(table);
+  ASSERT_TRUE(of_another) << of_another.error().message;
+  EXPECT_THAT(refusal(send("GET", fmt::format("/compensations/{}/report.html", of_another->id)), 409),
+              HasSubstr("another table"));
 }
 
 TEST_F(CompensationRoutes, doubt_a_retest_that_is_older_than_the_table) {
