@@ -49,9 +49,9 @@ Value outcome_readings_to_json(const Outcome& outcome) {
 }
 
 /// Members whose texts are this program's, wherever they stand in a result; but not what users wrote.
-constexpr std::array<std::string_view, 15> spoken = {"message",     "title",    "note",         "notes",     "label",
-                                                     "remarks",     "withheld", "origin_title", "use_title", "sign",
-                                                     "turned_sign", "loading",  "verified",     "inferred",  "gaps"};
+constexpr std::array<std::string_view, 16> spoken = {
+    "message",      "remark",    "title", "note",        "notes",   "label",    "remarks",  "withheld",
+    "origin_title", "use_title", "sign",  "turned_sign", "loading", "verified", "inferred", "gaps"};
 constexpr std::array<std::string_view, 5> of_users = {"metadata", "source", "axis", "tolerance_table", "program"};
 
 bool among(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
