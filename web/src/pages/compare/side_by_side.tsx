@@ -78,7 +78,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
             <tr>
               {tests.map((test, n) => (
                 <Fragment key={test.id}>
-                  <th scope="col" class="number value">{head_of(methods[n] ?? null)}, {unit_sign(test.result.unit)}</th>
+                  <th scope="col" class="number value">{head_of(methods[n] ?? null)},{stacked ? <br /> : ' '}{unit_sign(test.result.unit)}</th>
                   {n > 0 && !stacked && <th scope="col" class="number">{t('difference')}</th>}
                 </Fragment>
               ))}
