@@ -295,14 +295,19 @@ TEST_F(CalibrationRoutes, keep_straightness_angles_and_squareness_apart_from_tes
   EXPECT_NEAR(*figure_of(again, "C0Y", ""), -10.0 + 2 * 4.84813681, 1e-6);
 }
 
-TEST_F(CalibrationRoutes, keep_readings_alone_with_the_plan_that_they_were_taken_after) {
+Plan one_run_along(const char* axis) {
   Plan plan;
-  plan.axis.name = "X";
+  plan.axis.name = axis;
   plan.targets = {Position::native(0.0), Position::native(100.0), Position::native(200.0)};
   plan.cycle = TestCycle::unidirectional;
   plan.runs = 1;
   plan.overrun = Position::native(5.0);
   plan.feed = 1000.0;
+  return plan;
+}
+
+TEST_F(CalibrationRoutes, keep_readings_alone_with_the_plan_that_they_were_taken_after) {
+  Plan plan = one_run_along("X");
   const Value kept = value_of(
       keep({{"readings", "EYX_um\n0\n0.6\n0\n"}, {"plan", formats::write_plan(plan)}}, {{"kind", "straightness"}}),
       201);
@@ -318,15 +323,7 @@ TEST_F(CalibrationRoutes, keep_readings_alone_with_the_plan_that_they_were_taken
 }
 
 TEST_F(CalibrationRoutes, keep_a_squareness_of_readings_alone_with_a_plan_for_each_line) {
-  Plan x;
-  x.axis.name = "X";
-  x.targets = {Position::native(0.0), Position::native(100.0), Position::native(200.0)};
-  x.cycle = TestCycle::unidirectional;
-  x.runs = 1;
-  x.overrun = Position::native(5.0);
-  x.feed = 1000.0;
-  Plan y = x;
-  y.axis.name = "Y";
+  const Plan x = one_run_along("X"), y = one_run_along("Y");
   const std::string of_x = formats::write_plan(x), of_y = formats::write_plan(y);
   const std::string eyx = "EYX_um\n0\n1\n2\n", exy = "EXY_um\n0\n2\n4\n";
   const Value kept = value_of(keep({{"readings", eyx}, {"readings-2", exy}, {"plan", of_x}, {"plan-2", of_y}},

@@ -73,6 +73,13 @@ class PolarAdjustment {
     return {};
   }
 
+  /// In the coordinates of the state.
+  std::vector<Eigen::Vector3d> nominal_points() const {
+    std::vector<Eigen::Vector3d> nominal;
+    for (const Vector3& p : options_.nominal_mm) nominal.push_back(eigen(p) - centre_);
+    return nominal;
+  }
+
   struct NominalMisfit {
     double rms_mm = 0.0;
     std::size_t farthest = 0;
@@ -206,12 +213,9 @@ class PolarAdjustment {
       const PolarPose pose = state_.poses[*station];
       move(pose.turn.transpose(), -(pose.turn.transpose() * pose.at));
     } else {
-      std::vector<Eigen::Vector3d> nominal;
+      const std::vector<Eigen::Vector3d> nominal = nominal_points();
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-      for (const Vector3& p : options_.nominal_mm) {
-        nominal.push_back(eigen(p) - centre_);
-        mean += nominal.back() / static_cast<double>(options_.nominal_mm.size());
-      }
+      for (const auto& p : nominal) mean += p / static_cast<double>(nominal.size());
       const Eigen::Matrix3d turn = best_turn(state_.points, nominal);
       move(turn, mean - turn * middle());
     }
@@ -222,8 +226,8 @@ class PolarAdjustment {
   /// What the turn onto the nominal points leaves must be errors of a machine, not points that are others.
   Result<void> check_nominal() const {
     if (datum_station()) return {};
-    std::vector<Eigen::Vector3d> nominal, mirrored;
-    for (const Vector3& p : options_.nominal_mm) nominal.push_back(eigen(p) - centre_);
+    const std::vector<Eigen::Vector3d> nominal = nominal_points();
+    std::vector<Eigen::Vector3d> mirrored;
     for (const auto& p : state_.points) mirrored.emplace_back(-p.x(), p.y(), p.z());
     const NominalMisfit misfit = misfit_of(state_.points, nominal);
     double spread = 0.0;
