@@ -236,8 +236,11 @@ std::vector<Matrix3> LinearSolution::blocks(std::span<const std::size_t> columns
     f.cholesky.matrixL().solveInPlace(y);
     for (std::size_t b = 0; b < some.size(); ++b) {
       const auto own = y.middleCols<width>(width * static_cast<Index>(b));
-      const auto nulls = f.nulls.middleRows<width>(first[b]);
-      const Eigen::Matrix3d inverse = own.transpose() * own - nulls * nulls.transpose();
+      Eigen::Matrix3d inverse = own.transpose() * own;
+      if (f.nulls.cols() > 0) {  // rows of no columns begin nowhere
+        const auto nulls = f.nulls.middleRows<width>(first[b]);
+        inverse -= nulls * nulls.transpose();
+      }
       Matrix3& block = blocks.emplace_back();
       for (Index i = 0; i < width; ++i)
         for (Index k = 0; k < width; ++k)
