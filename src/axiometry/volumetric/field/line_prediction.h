@@ -24,7 +24,10 @@ struct TestedLine {
 
 struct PredictedLine {
   TestedLine line;
-  bool has_directions = false;     ///< whether the model tells them apart; else `down` is `up`
+  bool has_directions = false;  ///< whether the model tells them apart on this line; else `down` is `up`
+  /// Where other errors differ by direction: those of which nothing tells it and which move this line, in the order of
+  /// error_names().
+  std::vector<std::size_t> untold_reversals;
   std::vector<Estimate> up, down;  ///< µm, at each target, less the mean of all
   Estimate systematic;             ///< E: largest less smallest of all, µm
   double reversal_um = 0.0;        ///< B: the largest |up − down|
@@ -33,8 +36,8 @@ struct PredictedLine {
   std::vector<double> covariance_um2;
 };
 
-/// Absent where the lengths do not tell the line, but for a constant. Contract: two targets or more, rising, on the
-/// line; ends that differ.
+/// By direction where the errors tell it, else the mean of both. Absent where the lengths do not tell that either, but
+/// for a constant. Contract: two targets or more, rising, on the line; ends that differ.
 std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine line);
 
 /// Axis 0 to 2 along itself through `through_mm`, whose coordinate of that axis does not count, over the travel that
