@@ -128,6 +128,28 @@ std::vector<std::size_t> untold_reversals(const ErrorModel& model, const std::ve
   return errors;
 }
 
+/// As if there were no other, less its own mean.
+PredictedLine of_direction(const PredictedLine& both, Direction direction) {
+  PredictedLine one{.line = both.line};
+  one.up = direction == Direction::up ? both.up : both.down;
+  const std::size_t m = one.up.size(), first = direction == Direction::up ? 0 : m;
+  const double share = 1.0 / static_cast<double>(m);
+  double mean = 0.0, mean_covariance = 0.0;
+  std::vector<double> of_mean(m, 0.0);  // its covariance with each
+  for (std::size_t i = 0; i < m; ++i) {
+    mean += share * one.up[i].value;
+    for (std::size_t k = 0; k < m; ++k) of_mean[i] += share * both.covariance_um2[(first + i) * 2 * m + first + k];
+    mean_covariance += share * of_mean[i];
+  }
+  for (Estimate& e : one.up) e.value -= mean;
+  one.down = one.up;
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t k = 0; k < m; ++k)
+      one.covariance_um2.push_back(both.covariance_um2[(first + i) * 2 * m + first + k] - of_mean[i] - of_mean[k] +
+                                   mean_covariance);
+  return one;
+}
+
 UntoldReversal untold_reversal(const MeasuredMeans& measured) {
   constexpr double rounding_um2 = 1e-6;  // (1 nm)²: readings are printed to that
   UntoldReversal reversal;
@@ -217,6 +239,16 @@ std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_vie
 LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured) {
   const std::size_t m = predicted.up.size();
   AXIOMETRY_CONTRACT(measured.up_um.size() == m && measured.down_um.size() == m);
+  if (predicted.has_directions && !measured.both_directions) {
+    const PredictedLine alone = of_direction(predicted, measured.direction);
+    LineComparison one = compare(alone, measured);
+    one.direction = measured.direction;
+    const double mean =
+        (measured.direction == Direction::up ? predicted.up : predicted.down).front().value - alone.up.front().value;
+    for (std::vector<double>* values : {&one.measured_um, &one.predicted_um})
+      for (double& value : *values) value += mean;
+    return one;
+  }
   LineComparison comparison;
   comparison.by_direction = predicted.has_directions;
   if (!comparison.by_direction && measured.both_directions) comparison.reversal = untold_reversal(measured);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/series.h"
 #include "axiometry/volumetric/field/error_model.h"
 
 /// What a test along a straight line would show: of one axis after ISO 230-2, of a diagonal after ISO 230-6. The zero
@@ -59,6 +60,7 @@ struct MeasuredMeans {
   std::vector<double> up_um, down_um;      ///< at each target
   std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent
   bool both_directions = true;             ///< whether they are two means, and not one in both places
+  Direction direction = Direction::up;     ///< of one alone
 };
 
 /// What a test of both directions shows, and errors without directions cannot: up less down, held against 0.
@@ -71,8 +73,10 @@ struct UntoldReversal {
   double probability = 1.0;  ///< of a χ² as large or larger without reversal
 };
 struct LineComparison {
-  bool by_direction = false;        ///< else means of both directions are compared
-  std::vector<double> measured_um;  ///< less their mean; up, and behind it down where by direction
+  bool by_direction = false;           ///< else means of both directions are compared, or
+  std::optional<Direction> direction;  ///< the one that was measured, where the errors tell it
+  /// Less their mean; up, and behind it down where by direction. Of one direction that of what is predicted is added.
+  std::vector<double> measured_um;
   std::vector<double> predicted_um;
   std::vector<double> normalised;  ///< difference over its standard uncertainty
   double chi_squared = 0.0;
@@ -80,7 +84,7 @@ struct LineComparison {
   double probability = 1.0;                ///< of a χ² as large or larger when prediction and test agree
   std::optional<UntoldReversal> reversal;  ///< of a test of both directions where means of both are compared
 };
-/// Contract: as many means as targets.
+/// Of a test of one direction that direction, less its own mean. Contract: as many means as targets.
 LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured);
 
 }  // namespace axiometry::volumetric

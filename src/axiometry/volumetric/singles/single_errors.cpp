@@ -222,8 +222,8 @@ class SingleAssembly {
       add_lacking(e, told_halves_, lacks);
       if (!lacks.empty())
         findings_.push_back({"single-directions-lacking", false,
-                             fmt::format("what the directions of {} differ by is told at the line where it was read "
-                                         "alone: there it holds {}, not read in both directions",
+                             fmt::format("what the directions of {} differ by is told only at the line where it was "
+                                         "read: there it holds {}, not read in both directions",
                                          error_name(e), lacks)});
     }
     put_rows(c.half(e.axis), e, half);

@@ -221,9 +221,8 @@ TEST(SingleReversalOfAModel, IsToldAtItsLineAloneWhereARotationWasReadInOneDirec
   ASSERT_TRUE(made) << made.error().message;
   ASSERT_EQ(made->findings.size(), 2u);
   EXPECT_EQ(made->findings[0].id, "single-directions-lacking");
-  EXPECT_TRUE(
-      made->findings[0].message.starts_with("what the directions of EXX differ by is told at the line where it "
-                                            "was read alone: there it holds ECX (lever "))
+  EXPECT_TRUE(made->findings[0].message.starts_with(
+      "what the directions of EXX differ by is told only at the line where it was read: there it holds ECX (lever "))
       << made->findings[0].message;
   EXPECT_TRUE(made->model.unseen_means().empty());
   EXPECT_EQ(made->model.unseen_reversals(), (std::vector<std::size_t>{0, 1, 5}));  // EXX, EYX, ECX
