@@ -25,18 +25,18 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr const char* directed_machine =
-    R"({"chain": "XFYZ", "travel_mm": {"X": [-900, 0], "Y": [0, 500], "Z": [-400, 0]}, "tools_mm": {"T": [0, 0, -150]}})";
+    R"({"chain": "XFYZ", "travel_mm": {"X": [-900, 0], "Y": [0, 500], "Z": [-400, 0]},
+        "tools_mm": {"T": [0, 0, -150]}})";
 
-/// Six positions from −900 to 0 mm, three runs that scatter by `scatter`; what a position reads in a direction, and
-/// nothing where that is not a number.
-std::string directed_test(const std::string& head, const std::function<double(int, bool)>& read, double scatter = 0.1) {
+/// Six positions from −900 to 0 mm, three runs that scatter by 0.1; what a position reads in a direction, and nothing
+/// where that is not a number.
+std::string directed_test(const std::string& head, const std::function<double(int, bool)>& read) {
   std::string text = head;
   for (const int run : {1, 2, 3})
     for (int k = 0; k < 6; ++k)
       for (const bool up : {true, false})
         if (const double value = read(k, up); std::isfinite(value))
-          text +=
-              fmt::format("{},{},{},{:.4f}\n", -900 + 180 * k, run, up ? "up" : "down", value + scatter * (run - 2));
+          text += fmt::format("{},{},{},{:.4f}\n", -900 + 180 * k, run, up ? "up" : "down", value + 0.1 * (run - 2));
   return text;
 }
 const std::string directed_positions = "# axis.name: X\ntarget_mm,run,direction,deviation_um\n";
