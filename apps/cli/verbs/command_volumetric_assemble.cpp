@@ -10,6 +10,7 @@
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/volumetric/assemble_singles.h"
+#include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
@@ -27,6 +28,7 @@ constexpr const char* assemble_examples =
 squareness --positive …: C0Y=square.json, or in µrad with its U (k = 2): C0Y=-12.5,1.2.
 C0Y turns Y about Z, B0Z turns Z about Y, A0Z turns Z about X. --at says for each axis where the axes stood and
 with which tool while it was measured: rotations act on displacements by the lever from there.
+An error that was read in both directions has a curve of each; --reversal none keeps their mean alone.
 Examples:
   axiometry volumetric assemble EXX=x.csv EYX=yx.csv ECX=cx.csv C0Y=-12.5,1.2 --machine machine.json \
     --at X=0,300,-200@T1 --at Y=500,0,-200@T1 --instrument EYX=0.4,0.5 --out result.json
@@ -120,6 +122,14 @@ void add_volumetric_assemble(const Verb& volumetric, int& exit_code) {
                    "Expanded uncertainty (k = 2) of the readings of one error, A + B per metre, µm or µrad; repeated")
       ->type_name("ERROR=A,B")
       ->one_at_a_time();
+  add_read(
+      *verb,
+      {"--reversal", "MODEL", "Curves of both directions where they were read: curves, or none: their mean (curves)"},
+      [arguments](const std::string& word) -> Result<void> {
+        AXIOMETRY_TRY(arguments->request.reversal, app::parse_reversal(word));
+        if (arguments->request.reversal != volumetric::Reversal::constant) return {};
+        return fail("found constant, expected curves or none: readings have a difference at every position");
+      });
   verb->add_option("--out", arguments->out, "The model, for volumetric field, predict, compensate and export, to FILE")
       ->check(fault_of_name)
       ->type_name("FILE")

@@ -77,6 +77,10 @@ constexpr Phrase volume_report_rows[] = {
     {"Measured ↑ / µm", "Gemessen ↑ / µm"},
     {"Measured ↓ / µm", "Gemessen ↓ / µm"},
     {"Measurement", "Messung"},
+    {"Nothing tells by what the directions differ of some errors on {0}: E is that of the mean of both directions "
+     "there, without reversal.",
+     "Nichts sagt, worin sich die Richtungen einiger Abweichungen auf {0} unterscheiden: E ist dort das des "
+     "Mittelwerts beider Richtungen, ohne Umkehrspanne."},
     {"Over a grid of the travel that was observed. Without rigid motion: less the displacement and rotation of the "
      "whole machine that fit best, which the place of a workpiece takes away. 95 % of the grid have no more than the "
      "last column.",
@@ -100,6 +104,9 @@ constexpr Phrase volume_report_rows[] = {
      "Aus den 21 Abweichungen vorhergesagt, nicht gemessen: Erst eine weitere Kalibrierung beweist es."},
     {"Prediction", "Vorhersage"},
     {"Probability of as much by chance", "Wahrscheinlichkeit, dass es Zufall ist"},
+    {"Range and u are those of the mean of both directions; ↑ − ↓ is what these differ by, – where nothing tells it.",
+     "Spannweite und u sind die des Mittelwerts beider Richtungen; ↑ − ↓ ist, worin sich diese unterscheiden, – wo "
+     "nichts es sagt."},
     {"Range or value", "Spannweite oder Wert"},
     {"Reading, in the order of measurement", "Messwert in der Reihenfolge der Messung"},
     {"Readings set aside", "Ausgesonderte Messwerte"},
@@ -191,13 +198,24 @@ constexpr Phrase volume_report_rows[] = {
      "{0} Zielpositionen, wo eine Prüfung nach ISO 230-2 mindestens {1} hat: Was die Achse zwischen ihnen tut, hat "
      "niemand gemessen"},
     {"largest u", "größtes u"},
+    {"largest ↑ − ↓", "größtes ↑ − ↓"},
     {"mean of both directions", "Mittel beider Richtungen"},
     {"moving down", "Bewegung abwärts"},
     {"moving up", "Bewegung aufwärts"},
     {"not measured: {0=}; what depends on them has no number",
      "nicht gemessen: {0}; was davon abhängt, hat keinen Wert"},
     {"not told", "nicht bestimmt"},
+    {"not told: not all errors of this line are known by direction",
+     "nicht bestimmt: nicht alle Abweichungen dieser Linie sind nach der Richtung bekannt"},
     {"not told: the errors have no directions", "nicht bestimmt: die Abweichungen kennen keine Richtung"},
+    {"nothing tells by what the directions differ of {0} on this line: what is predicted is the mean of both, without "
+     "reversal",
+     "nichts sagt, worin sich die Richtungen von {0} auf dieser Linie unterscheiden: Vorhergesagt ist der Mittelwert "
+     "beider, ohne Umkehrspanne"},
+    {"nothing tells by what the directions differ of {0}: the table holds the mean of both on this line, and what they "
+     "differ by stays beside what remains here",
+     "nichts sagt, worin sich die Richtungen von {0} unterscheiden: Die Tabelle enthält auf dieser Linie den "
+     "Mittelwert beider, und worin sie sich unterscheiden, bleibt neben dem, was hier bleibt"},
     {"of the errors measured singly, from which this was made: {0}",
      "von den einzeln gemessenen Abweichungen, aus denen dies gemacht ist: {0}"},
     {"one count of the control is taken for 1 µm (--resolution), and many controls in inches count in 0.0001 inch "
@@ -217,6 +235,8 @@ constexpr Phrase volume_report_rows[] = {
     {"predicted", "vorhergesagt"},
     {"predicted ↑", "vorhergesagt ↑"},
     {"predicted ↓", "vorhergesagt ↓"},
+    {"read in one direction alone, which is taken for the mean of both: {0=}",
+     "nur in einer Richtung abgelesen, die als Mittelwert beider genommen wird: {0}"},
     {"roll", "Rollen"},
     {"root mean square of a station", "quadratisches Mittel eines Standorts"},
     {"rotation {0=} at {1#} mm", "Drehung {0} bei {1} mm"},
@@ -260,6 +280,10 @@ constexpr Phrase volume_report_rows[] = {
      "prediction of another point",
      "die Prüfung gibt den Werkzeugpunkt {0} an, und das Werkzeug {1} hat {2}: Wo beide gleich gezählt sind, ist dies "
      "die Vorhersage eines anderen Punkts"},
+    {"what the directions of {0=} differ by is told only at the line where it was read: there it holds {1}, not read "
+     "in both directions",
+     "worin sich die Richtungen von {0} unterscheiden, ist nur auf der Linie bestimmt, auf der es abgelesen wurde: "
+     "Dort enthält es {1}, nicht in beiden Richtungen abgelesen"},
     {"with the table", "mit Tabelle"},
     {"with the table ↑", "mit Tabelle ↑"},
     {"with the table ↓", "mit Tabelle ↓"},
@@ -286,8 +310,14 @@ constexpr Phrase volume_report_rows[] = {
      "über welchen die Rechtwinkligkeit gemessen ist"},
     {"{0=}: no uncertainty of the instrument is stated: U does not hold it",
      "{0}: Keine Unsicherheit des Messgeräts angegeben: U enthält sie nicht"},
+    {"{0=}: of one run of each direction, what these differ by is taken to be as uncertain as readings of the "
+     "instrument that have nothing in common",
+     "{0}: Bei einem Durchlauf je Richtung gilt, worin sich diese unterscheiden, als so unsicher wie Messwerte des "
+     "Messgeräts, die nichts gemeinsam haben"},
     {"{0=}: only from {1#} to {2#} mm, where all its errors were read",
      "{0}: nur von {1} bis {2} mm, wo alle Abweichungen abgelesen sind"},
+    {"{0=}: positions at the ends that were approached from one side alone are left out: {1}",
+     "{0}: Positionen an den Enden, die nur von einer Seite angefahren wurden, sind weggelassen: {1}"},
     {"{0=}: readings between the {1#} nodes lie up to {2#} from the straight lines",
      "{0}: Messwerte zwischen den {1} Stützpunkten liegen bis zu {2} neben den Geraden"},
 };

@@ -52,6 +52,8 @@ Value singles_to_json(const Assembled& a) {
     value.add("sha256", item.sha256.empty() ? Value() : Value(item.sha256));
     value.add("runs", item.runs > 0 ? Value(item.runs) : Value());
     value.add("u_largest", item.u_largest);
+    value.add("directions", item.directions.empty() ? Value() : Value(item.directions));
+    value.add("reversal_largest", item.directions == "both" ? Value(item.reversal) : Value());
     value.add("instrument", instrument_to_json(item.instrument));
     value.add("equipment", item.equipment.empty() ? Value() : Value(item.equipment));
   }
@@ -67,43 +69,62 @@ Value singles_to_json(const Assembled& a) {
   return object;
 }
 
-/// Range of a curve and the largest uncertainty along it, from its nodes; absent where it has no number.
-std::optional<std::pair<double, double>> extent_of(const volumetric::ErrorModel& model, ErrorMotion error) {
+/// What is shown of an error: the range of its curve of both directions, or its value; the largest uncertainty, and by
+/// what its directions differ the most where that is told.
+struct ErrorExtent {
+  double size = 0.0, u = 0.0;
+  std::optional<double> reversal = {};
+};
+
+/// From the nodes of a curve; absent where it has no number.
+std::optional<ErrorExtent> extent_of(const volumetric::ErrorModel& model, ErrorMotion error) {
   const volumetric::CurveBasis& basis = model.coefficients().basis(error.axis);
-  double lowest = 0.0, highest = 0.0, u = 0.0;
+  double lowest = 0.0, highest = 0.0;
+  ErrorExtent extent{.reversal = 0.0};
   for (std::size_t n = 0; n <= basis.size(); ++n) {
     const double share = static_cast<double>(n) / static_cast<double>(basis.size());
-    const auto value = model.motion(error, basis.lower_mm() + share * (basis.upper_mm() - basis.lower_mm()));
+    const double at = basis.lower_mm() + share * (basis.upper_mm() - basis.lower_mm());
+    const auto value = model.motion(error, at), up = model.motion(error, at, 1.0), down = model.motion(error, at, -1.0);
     if (!value) return std::nullopt;
+    if (!up || !down)
+      extent.reversal.reset();
+    else if (extent.reversal)
+      extent.reversal = std::max(*extent.reversal, std::abs(up->value - down->value));
     lowest = n == 0 ? value->value : std::min(lowest, value->value);
     highest = n == 0 ? value->value : std::max(highest, value->value);
-    u = std::max(u, value->u);
+    extent.u = std::max(extent.u, value->u);
   }
-  return std::pair{highest - lowest, u};
+  extent.size = highest - lowest;
+  return extent;
 }
 
 report::Table singles_table(const Assembled& a, const report::Options& options) {
   report::Table table;
   table.columns = {{plain("Error"), Align::start, true},
                    {plain("Range or value"), Align::decimal},
-                   {plain("largest u"), Align::decimal},
-                   {plain("Unit")},
-                   {plain("File")}};
+                   {plain("largest u"), Align::decimal}};
+  const bool by_direction = a.made.model.coefficients().reversal() != volumetric::Reversal::none;
+  if (by_direction) table.columns.push_back({plain("largest ↑ − ↓"), Align::decimal});
+  table.columns.push_back({plain("Unit")});
+  table.columns.push_back({plain("File")});
   const bool named = std::ranges::any_of(a.items, [](const AssembledItem& item) { return !item.equipment.empty(); });
   if (named) table.columns.push_back({plain("Test equipment")});
   for (const AssembledItem& item : a.items) {
     auto& row = table.rows.emplace_back();
     row.push_back({report::verbatim(item.name)});
     const auto error = volumetric::error_motion_named(item.name);
-    std::optional<std::pair<double, double>> shown;
+    std::optional<ErrorExtent> shown;
     if (error) {
       shown = extent_of(a.made.model, *error);
     } else if (const auto value = a.made.model.squareness(*squareness_named(item.name))) {
-      shown = std::pair{value->value, value->u};
+      shown = ErrorExtent{value->value, value->u};
     }
-    for (const auto& number :
-         {shown ? std::optional(shown->first) : std::nullopt, shown ? std::optional(shown->second) : std::nullopt})
+    const auto add = [&](std::optional<double> number) {
       row.push_back(number ? number_cell(*number, 2, options) : report::TableCell{plain("–"), report::Tone::quiet});
+    };
+    add(shown ? std::optional(shown->size) : std::nullopt);
+    add(shown ? std::optional(shown->u) : std::nullopt);
+    if (by_direction) add(shown ? shown->reversal : std::nullopt);
     row.push_back(word_cell(error && !error->is_rotation() ? "µm" : "µrad"));
     row.push_back({report::verbatim(item.file)});
     if (named) row.push_back({report::verbatim(item.equipment)});
@@ -112,6 +133,10 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
       plain("In the axes of the machine, without constants and without the slope of straightness, rotations "
             "taken out of displacements by their levers. Uncertainties (k = 1): scatter of the means and, "
             "where it was stated, the instrument, independent from one position to the next.")};
+  if (by_direction)
+    table.notes.push_back(
+        plain("Range and u are those of the mean of both directions; ↑ − ↓ is what these differ by, – where nothing "
+              "tells it."));
   return table;
 }
 
@@ -162,7 +187,7 @@ Result<SingleItem> parse_single(std::string_view text) {
 Result<Assembled> assemble_singles(const AssembleRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.machine));
   AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(bytes), request.machine));
-  AXIOMETRY_TRY(ReadSingles read, read_singles(request.items));
+  AXIOMETRY_TRY(ReadSingles read, read_singles(request.items, request.reversal));
   volumetric::SingleErrors& errors = read.errors;
   read.remarks.insert(read.remarks.begin(), machine.remarks.begin(), machine.remarks.end());
   for (std::size_t a = 0; a < 3; ++a) {

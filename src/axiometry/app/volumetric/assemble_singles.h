@@ -30,7 +30,8 @@ struct SingleStand {
 struct AssembleRequest {
   std::string machine;  ///< file
   std::vector<SingleItem> items;
-  std::array<std::optional<SingleStand>, 3> stands{};  ///< of X, Y, Z
+  std::array<std::optional<SingleStand>, 3> stands{};            ///< of X, Y, Z
+  volumetric::Reversal reversal = volumetric::Reversal::curves;  ///< or none: means of both directions
 };
 
 struct AssembledItem {
@@ -40,7 +41,9 @@ struct AssembledItem {
   std::size_t runs = 0;    ///< likewise 0; of squareness the larger of both lines
   double u_largest = 0.0;  ///< of its readings, or of the squareness, µm or µrad, k = 1
   std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< µm or µrad: as given, or as its file states
-  std::string equipment{};  ///< maker, type and serial number of what it was measured with; empty where not named
+  std::string directions{};  ///< in which its readings were: "both", "up", "down"; empty of squareness
+  double reversal = 0.0;     ///< of both the largest |up − down| of its means, µm or µrad
+  std::string equipment{};   ///< maker, type and serial number of what it was measured with; empty where not named
 };
 
 struct Assembled {
@@ -59,9 +62,8 @@ Result<SingleItem> parse_single(std::string_view text);
 /// read_motion_result() reads what `axiometry straightness`, `angles` and `squareness` wrote; squareness from the last
 /// of these, by its lines over the range that all errors of each axis have in common (measured_square.h). Fails, with
 /// the file's name, as reading does, on an error named twice, on a file that names another error or axis, on squareness
-/// whose lines do not tell its sign in the machine, on two uncertainties of one instrument, on a test of a rotary axis,
-/// on a target approached from one side where others were from both, on readings whose uncertainty nothing tells (one
-/// run and no instrument), and as model_of_singles().
+/// whose lines do not tell its sign in the machine, on two uncertainties of one instrument, on a test of a rotary axis
+/// or along another line, as single_means() and as model_of_singles().
 Result<Assembled> assemble_singles(const AssembleRequest& request);
 
 /// The 21 errors, and as JSON everything, with the member "model" that `volumetric field` and the others read.

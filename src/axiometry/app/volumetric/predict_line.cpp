@@ -22,6 +22,7 @@
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/report/volumetric.h"
 #include "axiometry/standards/iso230_2/parameters.h"
+#include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::app {
 namespace {
@@ -95,6 +96,7 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
   if (const auto& offset = test.metadata.conditions.tool_offset_mm; offset.size() == 3)
     targets.offset_mm = Vector3{offset[0], offset[1], offset[2]};
   targets.means->both_directions = up && down;
+  targets.means->direction = up ? Direction::up : Direction::down;
   double squares = 0.0, count = 0.0;
   for (const auto& p : positions)
     for (const auto& s : {p.s_up, p.s_down})
@@ -314,16 +316,18 @@ Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request
     return fail(
         "found a line of which the readings do not tell all errors, expected one that they tell: see the "
         "findings of the result");
+  if (!predicted->untold_reversals.empty())
+    findings.push_back({"volumetric-prediction-means", false,
+                        fmt::format("nothing tells by what the directions differ of {} on this line: what is predicted "
+                                    "is the mean of both, without reversal",
+                                    volumetric::error_list(predicted->untold_reversals))});
   PredictedTest test{request, std::move(kept.model), tool, *std::move(predicted), {}, {}};
   if (targets && targets->means) {
-    if (!targets->means->both_directions && test.predicted.has_directions)
-      return in_file(Result<PredictedTest>(fail("found readings of one direction, expected both, as the errors have")),
-                     request.measured);
     test.comparison = volumetric::compare(test.predicted, *targets->means);
     tell_comparison(test);
-    std::ranges::move(findings, std::back_inserter(test.findings));
-    std::ranges::stable_partition(test.findings, &NamedFinding::serious);
   }
+  std::ranges::move(findings, std::back_inserter(test.findings));
+  std::ranges::stable_partition(test.findings, &NamedFinding::serious);
   put_first(kept.against, test.findings);
   return test;
 }
@@ -355,7 +359,8 @@ Experiment present(const PredictedTest& test, const report::Options& options) {
     for (std::size_t k = 0; k < c.measured_um.size(); ++k) {
       Value& item = items.push(Value::object());
       item.add("position_mm", test.predicted.line.positions_mm[k % m]);
-      item.add("direction", !c.by_direction ? "mean" : k < m ? "up" : "down");
+      const Direction direction = c.direction.value_or(k < m ? Direction::up : Direction::down);
+      item.add("direction", !c.by_direction && !c.direction ? "mean" : direction == Direction::up ? "up" : "down");
       item.add("measured_um", c.measured_um[k]);
       item.add("predicted_um", c.predicted_um[k]);
       item.add("normalised", c.normalised[k]);

@@ -34,8 +34,8 @@ struct PredictedTest {
 
 /// A line that plan or test state is the one that is predicted; an axis with its place, or a diagonal, must be the same
 /// line, and so must the axis that they name and the tool point of a test that states its line. Fails as the files, on
-/// a line that is not stated or stated twice, on targets where the errors are not known, on a line of which the lengths
-/// do not tell all, and on a test of one direction where the errors have directions.
+/// a line that is not stated or stated twice, on targets where the errors are not known, and on a line of which the
+/// lengths do not tell all. A test of one direction is held against that direction where the errors tell it.
 Result<PredictedTest> predict_test(const PredictRequest& request);
 
 /// The same of a model that is at hand; request.result is only its name.

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "axiometry/app/error_motions/motion_evaluation.h"
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/volumetric/single_means.h"
 #include "axiometry/base/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/motions/motion_result.h"
@@ -22,7 +24,7 @@ namespace {
 
 using formats::MotionResult;
 using volumetric::ErrorMotion;
-using volumetric::SingleMotion;
+using volumetric::Reversal;
 
 constexpr double reversal_told = 0.005;  // µm or µrad: what is printed
 constexpr double single_urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
@@ -32,21 +34,6 @@ struct LostReversal {
   double size = 0.0;
   std::string of;
 };
-
-/// Standard uncertainty of a mean: the scatter of n runs in each direction there is, and the instrument's.
-std::optional<double> mean_u(const std::optional<double>& s_up, const std::optional<double>& s_down, std::size_t n_up,
-                             std::size_t n_down, double instrument) {
-  double variance = 0.0;
-  int directions = 0;
-  for (const auto& [s, n] : {std::pair{s_up, n_up}, std::pair{s_down, n_down}}) {
-    if (n == 0) continue;
-    ++directions;
-    if (!s && instrument == 0.0) return std::nullopt;
-    if (s) variance += *s * *s / static_cast<double>(n);
-  }
-  const double both = static_cast<double>(directions * directions);
-  return std::sqrt(variance / both + instrument * instrument);
-}
 
 /// "Acme LI-1 1234; Acme optics", as far as named.
 std::string equipment_text(const std::vector<Equipment>& equipment) {
@@ -60,54 +47,60 @@ std::string equipment_text(const std::vector<Equipment>& equipment) {
   return all;
 }
 
-Error no_uncertainty(std::string_view name) {
-  return Error{fmt::format("found one run of {} and no uncertainty of its instrument, expected more runs or that "
-                           "uncertainty: nothing tells how well it is known",
-                           name),
-               {},
-               {}};
+Result<ReadSingle> with_means(ReadSingle read, std::vector<PositionMeans> positions, Reversal reversal) {
+  AXIOMETRY_TRY(SingleMeans means,
+                single_means(read.motion.error, std::move(positions), read.item.instrument, reversal));
+  read.motion = std::move(means.motion);
+  read.item.directions = std::move(means.directions);
+  read.item.reversal = means.reversal;
+  read.item.u_largest = *std::ranges::max_element(read.motion.u);
+  if (!read.item.instrument) read.remarks.emplace_back(no_instrument_remark);
+  std::ranges::move(means.remarks, std::back_inserter(read.remarks));
+  return read;
 }
 
-Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
+/// Where the axis stands at a position of a test, and whether it moves up where positions grow.
+struct AxisPlace {
+  double at_zero_mm = 0.0;
+  double sense = 1.0;
+};
+
+/// A test may state its line in space, which may lead down the axis.
+Result<AxisPlace> place_of_test(const Axis& axis, std::size_t wanted) {
+  const char letter = static_cast<char>('X' + wanted);
+  if (axis.kind != AxisKind::linear) return fail("found a rotary axis, expected a test of a linear one");
+  if (!axis.name.empty() && axis.name != std::string(1, letter))
+    return fail(fmt::format("found a test of axis {}, expected one of {} as E{}{} is", text::quoted(axis.name), letter,
+                            letter, letter));
+  const auto line = spatial_line(axis);
+  if (!line) return AxisPlace{};
+  constexpr double aside = 1e-3;
+  if (std::abs(line->direction[wanted]) < 1.0 - aside * aside)
+    return fail(
+        fmt::format("found a test along a line that {} does not move on alone, expected one along {}", letter, letter));
+  return AxisPlace{line->origin_mm[wanted], line->direction[wanted] > 0.0 ? 1.0 : -1.0};
+}
+
+Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error, Reversal reversal) {
   AXIOMETRY_TRY(Test test, read_test(item.file));
-  const Metadata& metadata = test.metadata;
-  if (metadata.axis.kind != AxisKind::linear)
-    return std::unexpected(in_file(Error{"found a rotary axis, expected a test of a linear one", {}, {}}, item.file));
-  const char letter = static_cast<char>('X' + error.axis);
-  if (!metadata.axis.name.empty() && metadata.axis.name != std::string(1, letter))
-    return std::unexpected(in_file(Error{fmt::format("found a test of axis {}, expected one of {} as {} is",
-                                                     text::quoted(metadata.axis.name), letter, item.name),
-                                         {},
-                                         {}},
-                                   item.file));
-  ReadSingle read{{error, {}, {}, {}}, {item.name, item.file, test.provenance.sha256, test.series.run_count()}, {}};
-  const iso230_2::Evaluation evaluation = iso230_2::evaluate(test.series);
-  const auto number = [](const std::optional<Deviation>& d) {
-    return d ? std::optional(d->in_native()) : std::optional<double>();
-  };
+  AXIOMETRY_TRY(const AxisPlace place, in_file(place_of_test(test.metadata.axis, error.axis), item.file));
+  ReadSingle read{{error, {}, {}, {}, {}}, {item.name, item.file, test.provenance.sha256, test.series.run_count()}, {}};
   read.item.instrument = item.instrument;
-  read.item.equipment = equipment_text(metadata.equipment);
-  if (!item.instrument) read.remarks.emplace_back(no_instrument_remark);
-  const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
-  const double first = evaluation.positions.front().target.in_native();
-  for (const iso230_2::PositionResult& p : evaluation.positions) {
+  read.item.equipment = equipment_text(test.metadata.equipment);
+  const auto along = [&](const std::optional<Deviation>& mean, const std::optional<Deviation>& s, std::size_t runs) {
+    return mean ? std::optional(DirectionMean{place.sense * mean->in_native(),
+                                              s ? std::optional(s->in_native()) : std::nullopt, runs})
+                : std::nullopt;
+  };
+  std::vector<PositionMeans> positions;
+  for (const iso230_2::PositionResult& p : iso230_2::evaluate_positions(test.series)) {
     if (!p.mean_up && !p.mean_down) continue;
-    const double at = p.target.in_native();
-    if (both && !(p.mean_up && p.mean_down))
-      return std::unexpected(in_file(
-          Error{fmt::format("found {} mm approached from one side alone, expected both as at the other targets", at),
-                {},
-                {}},
-          item.file));
-    const double instrument = item.instrument ? item.instrument->standard(std::abs(at - first)) : 0.0;
-    const auto u = mean_u(number(p.s_up), number(p.s_down), p.count_up, p.count_down, instrument);
-    if (!u) return std::unexpected(in_file(no_uncertainty(item.name), item.file));
-    read.motion.positions_mm.push_back(at);
-    read.motion.values.push_back((p.mean ? *p.mean : p.mean_up ? *p.mean_up : *p.mean_down).in_native());
-    read.motion.u.push_back(*u);
-    if (both) read.reversal = std::max(read.reversal, std::abs(p.mean_up->in_native() - p.mean_down->in_native()));
+    PositionMeans means{place.at_zero_mm + place.sense * p.target.in_native(), along(p.mean_up, p.s_up, p.count_up),
+                        along(p.mean_down, p.s_down, p.count_down)};
+    if (place.sense < 0.0) std::swap(means.up, means.down);
+    positions.push_back(means);
   }
-  return read;
+  return in_file(with_means(std::move(read), std::move(positions), reversal), item.file);
 }
 
 /// A file of readings, in the form that results are read in.
@@ -122,7 +115,7 @@ MotionResult as_result(const MeasuredMotion& measured) {
   result.means = path.means;
   for (const error_motions::MotionPosition& p : motion.positions) {
     result.positions_mm.push_back(p.position_mm);
-    result.reversal = std::max(result.reversal, std::abs(p.reversal.value_or(0.0)));
+    if (p.reversal) result.halves.push_back(0.5 * *p.reversal);
     if (p.s_up) result.s_up.push_back(*p.s_up);
     if (p.s_down) result.s_down.push_back(*p.s_down);
   }
@@ -159,63 +152,42 @@ Result<std::optional<error_motions::InstrumentUncertainty>> instrument_of(const 
 }
 
 Result<ReadSingle> read_motion(const SingleItem& item, ErrorMotion error, const MotionResult& result,
-                               std::string sha256) {
+                               std::string sha256, Reversal reversal) {
   const double factor = result.unit == MotionUnit::arcsec ? single_urad_per_arcsec : 1.0;
-  ReadSingle read{{error, {}, {}, {}}, {item.name, item.file, std::move(sha256), result.runs}, {}};
+  ReadSingle read{{error, {}, {}, {}, {}}, {item.name, item.file, std::move(sha256), result.runs}, {}};
   AXIOMETRY_TRY(read.item.instrument, instrument_of(item, result, factor));
   read.item.equipment = equipment_text(result.equipment);
-  const double first = result.positions_mm.front();
-  const auto scatter = [&](const std::vector<double>& s, std::size_t i) {
-    return s.empty() ? std::optional<double>() : std::optional(factor * s[i]);
-  };
-  for (std::size_t i = 0; i < result.positions_mm.size(); ++i) {
-    const double at = result.positions_mm[i];
-    const double instrument = read.item.instrument ? read.item.instrument->standard(std::abs(at - first)) : 0.0;
-    const auto u = mean_u(scatter(result.s_up, i), scatter(result.s_down, i), result.has_up ? result.runs : 0,
-                          result.has_down ? result.runs : 0, instrument);
-    if (!u) return std::unexpected(no_uncertainty(item.name));
-    read.motion.positions_mm.push_back(at);
-    read.motion.values.push_back(factor * result.means[i]);
-    read.motion.u.push_back(*u);
-  }
   read.remarks = result.remarks;
   std::erase(read.remarks, no_instrument_remark);
-  if (!read.item.instrument) read.remarks.emplace_back(no_instrument_remark);
-  read.reversal = factor * result.reversal;
   read.is_sense_stated = result.sense.has_value();
-  return read;
+  std::vector<PositionMeans> positions;
+  for (std::size_t i = 0; i < result.positions_mm.size(); ++i) {
+    const auto direction = [&](bool is_there, double side, const std::vector<double>& s) {
+      const double half = result.halves.empty() ? 0.0 : result.halves[i];
+      return is_there
+                 ? std::optional(DirectionMean{factor * (result.means[i] + side * half),
+                                               s.empty() ? std::nullopt : std::optional(factor * s[i]), result.runs})
+                 : std::nullopt;
+    };
+    positions.push_back({result.positions_mm[i], direction(result.has_up, 1.0, result.s_up),
+                         direction(result.has_down, -1.0, result.s_down)});
+  }
+  return with_means(std::move(read), std::move(positions), reversal);
 }
 
-Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error) {
+Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error, Reversal reversal) {
   MotionRequest request;
   request.file = item.file;
   AXIOMETRY_TRY(request.error, motion_name(item.name));
   AXIOMETRY_TRY(const std::string bytes, file_bytes(item.file));
   if (formats::looks_like_motion_result(bytes)) {
     AXIOMETRY_TRY(const MotionResult result, in_file(result_of(bytes, item, *request.error), item.file));
-    return in_file(read_motion(item, error, result, sha256(bytes)), item.file);
+    return in_file(read_motion(item, error, result, sha256(bytes), reversal), item.file);
   }
   request.bytes = bytes;
   AXIOMETRY_TRY(const MeasuredMotion measured,
                 error.is_rotation() ? measure_angle(request) : measure_straightness(request));
-  return in_file(read_motion(item, error, as_result(measured), measured.sha256), item.file);
-}
-
-/// Positions ascend; a test in the order of its targets may descend.
-Result<void> put_in_order(SingleMotion& motion, const SingleItem& item) {
-  if (motion.positions_mm.size() < 2)
-    return std::unexpected(in_file(Error{"found one position, expected two or more", {}, {}}, item.file));
-  std::vector<std::size_t> order(motion.positions_mm.size());
-  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::ranges::sort(order, {}, [&](std::size_t k) { return motion.positions_mm[k]; });
-  SingleMotion sorted{motion.error, {}, {}, {}};
-  for (const std::size_t k : order) {
-    sorted.positions_mm.push_back(motion.positions_mm[k]);
-    sorted.values.push_back(motion.values[k]);
-    sorted.u.push_back(motion.u[k]);
-  }
-  motion = std::move(sorted);
-  return {};
+  return in_file(read_motion(item, error, as_result(measured), measured.sha256, reversal), item.file);
 }
 
 /// Positive along the axes, with the weights of the slope that the result has.
@@ -244,7 +216,7 @@ Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, v
   const formats::LocationResult& location = *results.location;
   if (location.name != item.name)
     return fail(fmt::format("found {} in this result, expected {} as given", location.name, item.name));
-  if (!location.k) return std::unexpected(no_uncertainty(item.name));
+  if (!location.k) return std::unexpected(no_uncertainty_of(item.name));
   ReadSquare read;
   read.measured.which = which;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -270,11 +242,8 @@ Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, v
 
 }  // namespace
 
-Result<ReadSingle> read_single(const SingleItem& item, ErrorMotion error) {
-  AXIOMETRY_TRY(ReadSingle read, error.is_positioning() ? read_positioning(item, error) : read_other(item, error));
-  AXIOMETRY_TRY_VOID(put_in_order(read.motion, item));
-  read.item.u_largest = *std::ranges::max_element(read.motion.u);
-  return read;
+Result<ReadSingle> read_single(const SingleItem& item, ErrorMotion error, Reversal reversal) {
+  return error.is_positioning() ? read_positioning(item, error, reversal) : read_other(item, error, reversal);
 }
 
 Result<ReadSquare> read_square(const SingleItem& item, volumetric::Squareness which) {
@@ -288,10 +257,10 @@ std::optional<volumetric::Squareness> squareness_named(std::string_view name) {
   return static_cast<volumetric::Squareness>(found - volumetric::squareness_names.begin());
 }
 
-Result<ReadSingles> read_singles(const std::vector<SingleItem>& items) {
+Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, Reversal reversal) {
   ReadSingles all;
   std::vector<std::pair<std::size_t, volumetric::SquareMeasurement>> squares;  // each with its place in the list
-  std::string of_unknown_sense;
+  std::string of_unknown_sense, of_one_direction;
   std::array<LostReversal, 2> lost_reversal;  // of displacements, of rotations
   for (const SingleItem& item : items) {
     if (std::ranges::find(all.items, item.name, &AssembledItem::name) != all.items.end())
@@ -308,11 +277,12 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items) {
       squares.emplace_back(all.items.size(), std::move(read.measured));
       all.items.push_back(std::move(read.item));
     } else {
-      AXIOMETRY_TRY(ReadSingle read, read_single(item, *volumetric::error_motion_named(item.name)));
+      AXIOMETRY_TRY(ReadSingle read, read_single(item, *volumetric::error_motion_named(item.name), reversal));
       remark(read.remarks);
       if (!read.is_sense_stated) of_unknown_sense += (of_unknown_sense.empty() ? "" : ", ") + item.name;
+      if (read.item.directions != "both") of_one_direction += (of_one_direction.empty() ? "" : ", ") + item.name;
       LostReversal& lost = lost_reversal[read.motion.error.is_rotation() ? 1 : 0];
-      if (read.reversal > lost.size) lost = {read.reversal, item.name};
+      if (reversal == Reversal::none && read.item.reversal > lost.size) lost = {read.item.reversal, item.name};
       all.errors.motions.push_back(std::move(read.motion));
       all.items.push_back(std::move(read.item));
     }
@@ -330,6 +300,8 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items) {
           "{} differ by direction, by up to {:.2f} {} of {}: the errors hold their mean, and what is made of "
           "them has no reversal",
           k == 0 ? "displacements" : "rotations", lost.size, k == 0 ? "µm" : "µrad", lost.of));
+  if (!of_one_direction.empty())
+    all.remarks.push_back("read in one direction alone, which is taken for the mean of both: " + of_one_direction);
   if (!of_unknown_sense.empty())
     all.remarks.push_back(
         fmt::format("nothing states which way these are positive, so they are taken along the axes of the machine and "

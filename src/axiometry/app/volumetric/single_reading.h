@@ -17,14 +17,13 @@ struct ReadSingle {
   volumetric::SingleMotion motion;  ///< in axes of the machine, positions ascending
   AssembledItem item;
   std::vector<std::string> remarks;
-  double reversal = 0.0;  ///< the largest by which means of both directions differ, µm or µrad: lost in `motion`
   bool is_sense_stated = true;  ///< whether anybody said which way its readings are positive
 };
 
 /// Positioning from a test in any format; the others from readings as CSV, or from what `axiometry straightness`,
-/// `angles` or `squareness` wrote as JSON, where the item's error is looked for among several. Fails as
-/// assemble_singles() says.
-Result<ReadSingle> read_single(const SingleItem& item, volumetric::ErrorMotion error);
+/// `angles` or `squareness` wrote as JSON, where the item's error is looked for among several; with Reversal::none
+/// means of both directions alone. Fails as assemble_singles() says.
+Result<ReadSingle> read_single(const SingleItem& item, volumetric::ErrorMotion error, volumetric::Reversal reversal);
 
 /// All of them, squareness after the motions that it is counted over. Fails on an error named twice.
 struct ReadSingles {
@@ -32,7 +31,7 @@ struct ReadSingles {
   std::vector<AssembledItem> items;
   std::vector<std::string> remarks;
 };
-Result<ReadSingles> read_singles(const std::vector<SingleItem>& items);
+Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, volumetric::Reversal reversal);
 
 /// C0Y, B0Z, A0Z.
 std::optional<volumetric::Squareness> squareness_named(std::string_view name);

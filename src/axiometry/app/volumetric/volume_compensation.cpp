@@ -18,6 +18,7 @@
 #include "axiometry/base/rounded_text.h"
 #include "axiometry/compensation/fit.h"
 #include "axiometry/volumetric/field/field_rows.h"
+#include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::app {
 namespace {
@@ -29,14 +30,9 @@ using volumetric::ErrorModel;
 constexpr std::size_t places = 201;  // along the line: between what tables can hold
 constexpr std::string_view axis_letters = "XYZ";
 
-Approaches approaching(std::size_t axis, double direction) {
-  Approaches approaches{};
-  approaches[axis] = direction;
-  return approaches;
-}
-
-Result<LineOfVolume> line_through_middle(const ErrorModel& model, const VolumeCompensationRequest& request,
-                                         Vector3 tool_mm) {
+/// By direction of approach, or the mean of both; absent where the readings do not tell that of every place.
+std::optional<LineOfVolume> line_by(const ErrorModel& model, const VolumeCompensationRequest& request, Vector3 tool_mm,
+                                    bool by_direction) {
   LineOfVolume line;
   for (std::size_t k = 0; k < places; ++k) {
     Vector3 shares{0.5, 0.5, 0.5};
@@ -45,18 +41,30 @@ Result<LineOfVolume> line_through_middle(const ErrorModel& model, const VolumeCo
     line.positions_mm.push_back(q[request.along]);
     for (const auto& [values, u, direction] :
          {std::tuple(&line.up_um, &line.up_u_um, 1.0), std::tuple(&line.down_um, &line.down_u_um, -1.0)}) {
-      const auto field = model.at(q, tool_mm, approaching(request.along, direction));
+      Approaches approaches{};
+      if (by_direction) approaches[request.along] = direction;
+      const auto field = model.at(q, tool_mm, approaches);
       const auto& value = field.error_um[request.component];
-      if (!value)
-        return fail(
-            "found that the readings do not tell the error of the tool point with this tool, expected all of it: a "
-            "control would take a number that nobody measured");
+      if (!value) return std::nullopt;
       values->push_back(*value);
       u->push_back(std::sqrt(field.covariance_um2[request.component][request.component]));
       line.largest_u_um = std::max(line.largest_u_um, u->back());
     }
   }
   return line;
+}
+
+Result<LineOfVolume> line_through_middle(const ErrorModel& model, const VolumeCompensationRequest& request,
+                                         Vector3 tool_mm) {
+  if (auto line = line_by(model, request, tool_mm, true)) return *std::move(line);
+  auto line = line_by(model, request, tool_mm, false);
+  if (!line)
+    return fail(
+        "found that the readings do not tell the error of the tool point with this tool, expected all of it: a "
+        "control would take a number that nobody measured");
+  for (const std::size_t e : model.unseen_reversals())
+    if (e / volumetric::motion_count == request.along) line->untold_reversals.push_back(e);
+  return *std::move(line);
 }
 
 Result<Series> series_of(const LineOfVolume& line) {
@@ -145,6 +153,12 @@ std::vector<NamedFinding> findings_of(const VolumeCompensation& made, const std:
                                       bool count_said) {
   std::vector<NamedFinding> findings;
   if (nodes.size() > 1) add_findings_of_ends(nodes, made.line, findings);
+  if (!made.line.untold_reversals.empty())
+    findings.push_back(
+        {"volume-table-of-means", false,
+         fmt::format("nothing tells by what the directions differ of {}: the table holds the mean of both on this "
+                     "line, and what they differ by stays beside what remains here",
+                     volumetric::error_list(made.line.untold_reversals))});
   if (made.line_before_um < 4.0 * made.line.largest_u_um)
     findings.push_back(
         {"volume-table-of-uncertainty", true,

@@ -32,6 +32,8 @@ struct LineOfVolume {
   std::vector<double> up_um, down_um;
   std::vector<double> up_u_um, down_u_um;  ///< standard uncertainty of each
   double largest_u_um = 0.0;               ///< the largest of them
+  /// Errors whose directions nothing tells apart, for which both are the mean; in the order of error_names().
+  std::vector<std::size_t> untold_reversals = {};
 };
 
 /// What is moved and what of it: of `along` = `component` EXX with what rotations do on the line, of Y and X EXY with

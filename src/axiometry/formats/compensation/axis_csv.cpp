@@ -16,7 +16,8 @@ constexpr std::string_view axis_manual =
 position, on the line through the middle of the volume with one tool, which is what serves the whole volume best.
 
 Where errors differ by direction, the deviations of each stand behind their means (up: the axis came to rest moving to
-larger positions). The head says how large the error of the tool point was and how large it stays: straightness,
+larger positions), unless nothing tells this of some of them: then the head names these, and there are means alone. The
+head says how large the error of the tool point was and how large it stays: straightness,
 squareness and what rotations do away from the middle remain. A positive number: the axis goes too far; to compensate,
 it is taken away. What a certain control wants beside (intervals, increments, its sign) is not said here.
 )";
@@ -29,9 +30,9 @@ Result<std::string> write_axis(const CompensationRequest& request) {
     return fail(
         "found that the readings do not tell the error of the tool point with this tool, expected all of it: a "
         "control would take a number that nobody measured");
-  const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
+  const bool has_directions = tables->has_directions;
   std::string text = "# Deviations of positioning, for controls that compensate each axis alone, um\n" +
-                     compensation_head(model, "#", TableDirections::each);
+                     compensation_head(model, "#", has_directions ? TableDirections::each : TableDirections::means);
   fmt::format_to(
       std::back_inserter(text),
       "# Tool at {} {} {} mm from where the axes stand; lines through the middle of the volume\n"

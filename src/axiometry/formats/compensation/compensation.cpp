@@ -39,7 +39,7 @@ Result<std::string> written_table(const Compensation& compensation, const Compen
 }
 
 Result<void> check_all_told(const volumetric::ErrorModel& model) {
-  const auto unseen = model.unseen_errors();
+  const auto unseen = model.unseen_means();
   if (unseen.empty()) return {};
   return fail(
       fmt::format("found that the readings do not tell {}, expected all 21 errors: a control would take a number "
@@ -79,6 +79,8 @@ std::string compensation_head(const volumetric::ErrorModel& model, std::string_v
     line(directions == TableDirections::means
              ? "The errors differ by direction; these are the means of both."
              : "The errors differ by direction: up is where the axis came to rest moving to larger positions.");
+  if (const auto untold = model.unseen_reversals(); !untold.empty())
+    line(fmt::format("Nothing tells by what the directions differ of {}.", volumetric::error_list(untold)));
   return text;
 }
 
@@ -91,10 +93,11 @@ std::string effect_text(const volumetric::ErrorModel& model, std::string_view ma
       "{0} Error of the tool point without rigid motion, tool {1}, um:\n{0}   before {2}\n"
       "{0}   with these tables, predicted, {3}\n",
       mark, on_one_line(tool.name), sizes(effect.before), sizes(effect.after));
-  if (directions == TableDirections::means && model.coefficients().reversal() != volumetric::Reversal::none)
-    text += fmt::format("{}   and half of what the directions differ by, up to {:.2f}\n", mark,
-                        volumetric::half_reversal_um(model, tool.offset_mm));
-  return text;
+  if (directions != TableDirections::means || model.coefficients().reversal() == volumetric::Reversal::none)
+    return text;
+  const auto half = volumetric::half_reversal_um(model, tool.offset_mm);
+  return text + fmt::format("{}   and half of what the directions differ by, {}\n", mark,
+                            half ? fmt::format("up to {:.2f}", *half) : "which is not told of all errors");
 }
 
 std::string effects_of_all_errors(const CompensationRequest& request, std::string_view mark,

@@ -41,7 +41,7 @@ std::span<const Compensation* const> compensation_table();
 /// Fails with the ids that there are.
 Result<const Compensation*> compensation_named(std::string_view id);
 
-/// Fails, naming them, where errors are unseen.
+/// Fails, naming them, where errors are unseen in the mean of both directions.
 Result<void> check_all_told(const volumetric::ErrorModel& model);
 
 /// What tables of all errors hold: at_machine_zero() of the model, from where a control levers. Fails as

@@ -125,6 +125,28 @@ TEST(Compensation, OfEachDirectionWhereTheErrorsDiffer) {
   EXPECT_THAT(written("twincat-cnc", model), HasSubstr("half of what the directions differ by, up to 3.00\n"));
 }
 
+TEST(Compensation, HoldsMeansWhereNothingTellsTheDirectionsOfAnErrorItNeedsAndNamesThat) {
+  const auto without = [](const volumetric::ErrorMotion& untold) {
+    ErrorModel::Parts parts = scale_and_squareness(volumetric::Reversal::constant).parts();
+    std::vector<double>& direction = parts.unseen.emplace_back(parts.coefficients.raw(), 0.0);
+    direction[parts.coefficients.half(untold.axis) + untold.motion] = 1.0;
+    return ErrorModel(std::move(parts));
+  };
+  const ErrorModel yaw = without({0, 5}), straight = without({0, 1});
+  const std::string of_yaw = "# Nothing tells by what the directions differ of ECX.\n";
+  for (const std::string& text : {written("general-csv", yaw), written("axis-csv", yaw)}) {
+    EXPECT_THAT(text, HasSubstr("# The errors differ by direction; these are the means of both.\n" + of_yaw));
+    EXPECT_THAT(text, HasSubstr("half of what the directions differ by, which is not told of all errors\n"));
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("direction,"))) << text;
+    EXPECT_THAT(text, ::testing::Not(HasSubstr("up_um"))) << text;
+  }
+  EXPECT_THAT(written("general-csv", yaw), HasSubstr("\n1000,10.0000,"));
+  EXPECT_THAT(written("axis-csv", yaw), HasSubstr("\nX,1000,10.0000,0.0000\n"));
+  // Straightness of X moves no axis along itself.
+  EXPECT_THAT(written("axis-csv", straight), HasSubstr("\nX,1000,10.0000,0.0000,13.0000,0.0000,7.0000,0.0000\n"));
+  EXPECT_THAT(written("axis-csv", straight), HasSubstr("differ of EYX.\n"));
+}
+
 TEST(Compensation, OfAllErrorsLeavesWhatStraightLinesLeaveBetweenTheirPositions) {
   const auto found = known_identification(known_machine(), 80);
   const auto coarse = volumetric::effect_of_all_errors(found.model, {0, 0, -150}, 5);

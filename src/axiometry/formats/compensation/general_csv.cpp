@@ -25,22 +25,24 @@ squareness in µrad, names after ISO 230-1. A positive number: the tool, seen fr
 (or is turned too far about) the positive axis. To compensate, it is taken away.
 
 Where errors differ by direction, the rows come twice, behind the word `up` or `down`: an axis came to rest moving to
-larger positions, or to smaller ones. The head says what error of the tool point is left where a program draws straight
+larger positions, or to smaller ones. Where nothing tells this of some errors, the rows are means of both directions and
+the head names these errors. The head says what error of the tool point is left where a program draws straight
 lines between the rows. Rotations act from the machine's zero (functional points 0, 0, 0), whatever points the result
 states its straightness at.
 )";
 
 Result<std::string> write_general(const CompensationRequest& request) {
   AXIOMETRY_TRY(const volumetric::ErrorModel model, errors_for_a_control(request.model));
-  std::string text = "# All 21 errors after ISO 230-1, um and urad\n" +
-                     compensation_head(model, "#", TableDirections::each) +
+  const bool has_directions =
+      model.coefficients().reversal() != volumetric::Reversal::none && model.unseen_reversals().empty();
+  const TableDirections directions = has_directions ? TableDirections::each : TableDirections::means;
+  std::string text = "# All 21 errors after ISO 230-1, um and urad\n" + compensation_head(model, "#", directions) +
                      functional_points_text(request.model.machine(), "#");
   text +=
       "# A positive number: the tool, relative to the workpiece, stands too far along (is turned too far about) the\n"
       "# positive axis, actual less commanded. A control that adds what stands here would double the error.\n"
       "# Means of all motions are 0 and straightness is level: constants are a place of the whole machine.\n";
-  text += effects_of_all_errors({model, request.tool, request.nodes}, "#", TableDirections::each);
-  const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
+  text += effects_of_all_errors({model, request.tool, request.nodes}, "#", directions);
   if (has_directions) text += "direction,";
   std::array<std::vector<CurveNode>, axis_count * motion_count> curves;
   for (std::size_t a = 0; a < axis_count; ++a) {

@@ -108,8 +108,7 @@ Result<void> read_positions(const Value& object, MotionResult& motion) {
   const std::vector<double> up = motion.means;
   AXIOMETRY_TRY_VOID(read_course(*positions, "down", motion, &motion.s_down));
   if (motion.has_up && motion.has_down)
-    for (std::size_t i = 0; i < up.size(); ++i)
-      motion.reversal = std::max(motion.reversal, std::abs(up[i] - motion.means[i]));
+    for (std::size_t i = 0; i < up.size(); ++i) motion.halves.push_back(0.5 * (up[i] - motion.means[i]));
   if (motion.has_up && motion.has_down) AXIOMETRY_TRY_VOID(read_course(*positions, "mean", motion, nullptr));
   if (motion.means.empty() || (motion.has_up && motion.has_down && member_of(*positions, "mean") == nullptr))
     return fail("found no means over the positions, expected those of up, of down, or of both and mean",

@@ -24,7 +24,7 @@ struct MotionResult {
   bool has_up = false, has_down = false;
   std::vector<double> positions_mm;  ///< ascending
   std::vector<double> means;
-  double reversal = 0.0;             ///< of both directions the largest |up − down|
+  std::vector<double> halves;        ///< of both directions half of up less down at each position, else empty
   std::vector<double> s_up, s_down;  ///< over the runs; empty with one run, or without that direction
   std::optional<double> instrument_U, instrument_U_per_m;  ///< k = 2, in `unit`; both or none
   std::vector<std::string> remarks;

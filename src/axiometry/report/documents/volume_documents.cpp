@@ -58,7 +58,9 @@ Section predicted_section(const PredictedTestSubject& subject, const Options& op
                  {plain("B, reversal value"),
                   predicted.has_directions
                       ? text_cell(fmt::format("{} µm", format_fixed(predicted.reversal_um, 2, options.numbers)))
-                      : text_cell("not told: the errors have no directions")}};
+                  : predicted.untold_reversals.empty()
+                      ? text_cell("not told: the errors have no directions")
+                      : text_cell("not told: not all errors of this line are known by direction")}};
   Section section{"prediction", "Prediction", true, {std::move(facts)}};
   if (subject.comparison) {
     const LineComparison& c = *subject.comparison;

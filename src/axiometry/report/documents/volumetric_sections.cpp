@@ -37,6 +37,19 @@ void add_sizes(Table& table, const std::string& tool, std::string_view kind, con
   row.push_back(shown_number(sizes->percent_95, 1, options));
 }
 
+/// Those that are predicted without directions, "PPP-NNN, XY PP-NN".
+std::string diagonals_of_means(std::span<const ToolField> fields) {
+  std::string names;
+  for (const std::string& name : volumetric::diagonal_names())
+    if (std::ranges::any_of(fields, [&](const ToolField& field) {
+          return std::ranges::any_of(field.diagonals, [&](const volumetric::DiagonalOfTool& diagonal) {
+            return diagonal.name == name && diagonal.predicted && !diagonal.predicted->has_directions;
+          });
+        }))
+      names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
 }  // namespace
 
 Table finding_table(std::span<const volumetric::VolumetricFinding> findings) {
@@ -106,6 +119,7 @@ Section diagonals_section(const volumetric::ErrorModel& model, std::span<const T
         row.push_back(shown_number(e.u, 2, options));
       }
     }
+  const std::string of_means = diagonals_of_means(fields);
   const bool has_directions = model.coefficients().reversal() != volumetric::Reversal::none;
   table.notes = {
       has_directions
@@ -120,6 +134,11 @@ Section diagonals_section(const volumetric::ErrorModel& model, std::span<const T
                   "it. P "
                   "and N name the ends of the axes, P the larger; of a face the third axis stands in the middle."),
       plain("Errors can cancel along a diagonal: a small E of one proves little alone.")};
+  if (has_directions && !of_means.empty())
+    table.notes.push_back(
+        plain(fmt::format("Nothing tells by what the directions differ of some errors on {}: E is that of the mean of "
+                          "both directions there, without reversal.",
+                          of_means)));
   table.dense = true;
   return {"diagonals", "Diagonals, predicted", true, {std::move(table)}};
 }

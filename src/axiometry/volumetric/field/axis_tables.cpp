@@ -24,10 +24,12 @@ double between(const std::vector<AxisTableNode>& table, double position) {
 std::optional<AxisTables> axis_tables(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
   AXIOMETRY_CONTRACT(nodes >= 2);
   AxisTables tables;
+  tables.has_directions = model.coefficients().reversal() != Reversal::none;
   const Vector3 middle = place_in(model.observed(), {0.5, 0.5, 0.5});
   for (std::size_t a = 0; a < axis_count; ++a) {
     const auto line = predict_line(model, axis_line(model, a, middle, tool_mm, nodes));
     if (!line) return std::nullopt;
+    tables.has_directions = tables.has_directions && line->has_directions;
     for (std::size_t k = 0; k < nodes; ++k)
       tables.axes[a].push_back(
           {line->line.positions_mm[k],

@@ -18,6 +18,7 @@ struct AxisTableNode {
 };
 
 struct AxisTables {
+  bool has_directions = false;  ///< whether the errors tell the directions of all three axes apart
   std::array<std::vector<AxisTableNode>, axis_count> axes;
   TableEffect effect;
 };

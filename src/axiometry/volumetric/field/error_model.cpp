@@ -61,17 +61,25 @@ std::optional<Estimate> ErrorModel::squareness(Squareness which) const {
   return estimate({{parts_.coefficients.squareness() + static_cast<std::size_t>(which), 1.0}});
 }
 
-std::vector<std::size_t> ErrorModel::unseen_errors() const {
-  const Coefficients& c = parts_.coefficients;
+/// Of what is unseen, between two raw places.
+std::vector<std::size_t> ErrorModel::touched_errors(std::size_t first, std::size_t end) const {
   std::vector<bool> touched(axis_count * motion_count + 3, false);
   for (const auto& direction : parts_.unseen)
-    for (std::size_t k = 0; k < direction.size(); ++k)
-      if (std::abs(direction[k]) > told_most) touched[c.error_of(k)] = true;
+    for (std::size_t k = first; k < end; ++k)
+      if (std::abs(direction[k]) > told_most) touched[parts_.coefficients.error_of(k)] = true;
   std::vector<std::size_t> errors;
   for (std::size_t e = 0; e < touched.size(); ++e)
     if (touched[e]) errors.push_back(e);
   return errors;
 }
+
+std::vector<std::size_t> ErrorModel::unseen_means() const { return touched_errors(0, parts_.coefficients.half(0)); }
+
+std::vector<std::size_t> ErrorModel::unseen_reversals() const {
+  return touched_errors(parts_.coefficients.half(0), parts_.coefficients.raw());
+}
+
+std::vector<std::size_t> ErrorModel::unseen_errors() const { return touched_errors(0, parts_.coefficients.raw()); }
 
 /// A displacement that all places share with this tool, as squareness gives that is counted from the machine's zero, is
 /// the place of the whole machine.

@@ -59,7 +59,10 @@ class ErrorModel {
   std::optional<Estimate> motion(ErrorMotion error, double position_mm, double approach = 0.0) const;
   std::optional<Estimate> squareness(Squareness which) const;
 
-  /// Errors of which at least one number is missing, 0 to 20 in the order of error_names().
+  /// Errors of which at least one number is missing, 0 to 20 in the order of error_names(): of the mean of both
+  /// directions, of what these differ by, or of any of them.
+  std::vector<std::size_t> unseen_means() const;
+  std::vector<std::size_t> unseen_reversals() const;
   std::vector<std::size_t> unseen_errors() const;
 
   /// δ at q with a tool, to first order (kinematics.h).
@@ -71,6 +74,7 @@ class ErrorModel {
 
  private:
   std::optional<Estimate> estimate(const std::vector<std::pair<std::size_t, double>>& row) const;
+  std::vector<std::size_t> touched_errors(std::size_t first_place, std::size_t end_place) const;
   bool is_told_but_for_a_constant(const BeamRow& row, Vector3 tool_mm, std::size_t component) const;
 
   Parts parts_;

@@ -108,6 +108,48 @@ std::optional<std::pair<Vector3, Vector3>> ends_of(std::string_view name) {
   return std::pair{from, to};
 }
 
+bool are_told(const ErrorModel& model, const std::vector<DenseRow>& rows) {
+  return std::ranges::all_of(rows, [&](const DenseRow& row) { return is_told(model, row); });
+}
+
+/// Errors whose directions are in what is not told of the rows.
+std::vector<std::size_t> untold_reversals(const ErrorModel& model, const std::vector<DenseRow>& rows) {
+  const Coefficients& c = model.coefficients();
+  std::vector<bool> touched(axis_count * motion_count, false);
+  for (const auto& direction : model.parts().unseen)
+    for (const DenseRow& row : rows) {
+      if (std::abs(std::inner_product(row.begin(), row.end(), direction.begin(), 0.0)) <= told_most) continue;
+      for (std::size_t k = c.half(0); k < c.raw(); ++k)
+        if (std::abs(direction[k]) > told_most && row[k] != 0.0) touched[c.error_of(k)] = true;
+    }
+  std::vector<std::size_t> errors;
+  for (std::size_t e = 0; e < touched.size(); ++e)
+    if (touched[e]) errors.push_back(e);
+  return errors;
+}
+
+/// As if there were no other, less its own mean.
+PredictedLine of_direction(const PredictedLine& both, Direction direction) {
+  PredictedLine one{.line = both.line};
+  one.up = direction == Direction::up ? both.up : both.down;
+  const std::size_t m = one.up.size(), first = direction == Direction::up ? 0 : m;
+  const double share = 1.0 / static_cast<double>(m);
+  double mean = 0.0, mean_covariance = 0.0;
+  std::vector<double> of_mean(m, 0.0);  // its covariance with each
+  for (std::size_t i = 0; i < m; ++i) {
+    mean += share * one.up[i].value;
+    for (std::size_t k = 0; k < m; ++k) of_mean[i] += share * both.covariance_um2[(first + i) * 2 * m + first + k];
+    mean_covariance += share * of_mean[i];
+  }
+  for (Estimate& e : one.up) e.value -= mean;
+  one.down = one.up;
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t k = 0; k < m; ++k)
+      one.covariance_um2.push_back(both.covariance_um2[(first + i) * 2 * m + first + k] - of_mean[i] - of_mean[k] +
+                                   mean_covariance);
+  return one;
+}
+
 UntoldReversal untold_reversal(const MeasuredMeans& measured) {
   constexpr double rounding_um2 = 1e-6;  // (1 nm)²: readings are printed to that
   UntoldReversal reversal;
@@ -134,11 +176,18 @@ UntoldReversal untold_reversal(const MeasuredMeans& measured) {
 
 std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine line) {
   AXIOMETRY_CONTRACT(line.positions_mm.size() >= 2 && norm(line.to_mm - line.from_mm) > 0.0);
-  const bool has_directions = model.coefficients().reversal() != Reversal::none;
-  const std::vector<DenseRow> rows = centred_rows(model, line, has_directions);
-  if (!std::ranges::all_of(rows, [&](const DenseRow& row) { return is_told(model, row); })) return std::nullopt;
+  bool has_directions = model.coefficients().reversal() != Reversal::none;
+  std::vector<DenseRow> rows = centred_rows(model, line, has_directions);
+  std::vector<std::size_t> untold;
+  if (has_directions && !are_told(model, rows)) {
+    untold = untold_reversals(model, rows);
+    has_directions = false;
+    rows = centred_rows(model, line, has_directions);
+  }
+  if (!are_told(model, rows)) return std::nullopt;
   const std::size_t m = line.positions_mm.size(), n = rows.size();
-  PredictedLine predicted{.line = std::move(line), .has_directions = has_directions};
+  PredictedLine predicted{
+      .line = std::move(line), .has_directions = has_directions, .untold_reversals = std::move(untold)};
   predicted.covariance_um2.resize(n * n);
   std::vector<Estimate> all;
   for (std::size_t i = 0; i < n; ++i) {
@@ -190,6 +239,16 @@ std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_vie
 LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured) {
   const std::size_t m = predicted.up.size();
   AXIOMETRY_CONTRACT(measured.up_um.size() == m && measured.down_um.size() == m);
+  if (predicted.has_directions && !measured.both_directions) {
+    const PredictedLine alone = of_direction(predicted, measured.direction);
+    LineComparison one = compare(alone, measured);
+    one.direction = measured.direction;
+    const double mean =
+        (measured.direction == Direction::up ? predicted.up : predicted.down).front().value - alone.up.front().value;
+    for (std::vector<double>* values : {&one.measured_um, &one.predicted_um})
+      for (double& value : *values) value += mean;
+    return one;
+  }
   LineComparison comparison;
   comparison.by_direction = predicted.has_directions;
   if (!comparison.by_direction && measured.both_directions) comparison.reversal = untold_reversal(measured);

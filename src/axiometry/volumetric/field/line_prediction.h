@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/series.h"
 #include "axiometry/volumetric/field/error_model.h"
 
 /// What a test along a straight line would show: of one axis after ISO 230-2, of a diagonal after ISO 230-6. The zero
@@ -24,7 +25,10 @@ struct TestedLine {
 
 struct PredictedLine {
   TestedLine line;
-  bool has_directions = false;     ///< whether the model tells them apart; else `down` is `up`
+  bool has_directions = false;  ///< whether the model tells them apart on this line; else `down` is `up`
+  /// Where other errors differ by direction: those of which nothing tells it and which move this line, in the order of
+  /// error_names().
+  std::vector<std::size_t> untold_reversals;
   std::vector<Estimate> up, down;  ///< µm, at each target, less the mean of all
   Estimate systematic;             ///< E: largest less smallest of all, µm
   double reversal_um = 0.0;        ///< B: the largest |up − down|
@@ -33,8 +37,8 @@ struct PredictedLine {
   std::vector<double> covariance_um2;
 };
 
-/// Absent where the lengths do not tell the line, but for a constant. Contract: two targets or more, rising, on the
-/// line; ends that differ.
+/// By direction where the errors tell it, else the mean of both. Absent where the lengths do not tell that either, but
+/// for a constant. Contract: two targets or more, rising, on the line; ends that differ.
 std::optional<PredictedLine> predict_line(const ErrorModel& model, TestedLine line);
 
 /// Axis 0 to 2 along itself through `through_mm`, whose coordinate of that axis does not count, over the travel that
@@ -56,6 +60,7 @@ struct MeasuredMeans {
   std::vector<double> up_um, down_um;      ///< at each target
   std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent
   bool both_directions = true;             ///< whether they are two means, and not one in both places
+  Direction direction = Direction::up;     ///< of one alone
 };
 
 /// What a test of both directions shows, and errors without directions cannot: up less down, held against 0.
@@ -68,8 +73,10 @@ struct UntoldReversal {
   double probability = 1.0;  ///< of a χ² as large or larger without reversal
 };
 struct LineComparison {
-  bool by_direction = false;        ///< else means of both directions are compared
-  std::vector<double> measured_um;  ///< less their mean; up, and behind it down where by direction
+  bool by_direction = false;           ///< else means of both directions are compared, or
+  std::optional<Direction> direction;  ///< the one that was measured, where the errors tell it
+  /// Less their mean; up, and behind it down where by direction. Of one direction that of what is predicted is added.
+  std::vector<double> measured_um;
   std::vector<double> predicted_um;
   std::vector<double> normalised;  ///< difference over its standard uncertainty
   double chi_squared = 0.0;
@@ -77,7 +84,7 @@ struct LineComparison {
   double probability = 1.0;                ///< of a χ² as large or larger when prediction and test agree
   std::optional<UntoldReversal> reversal;  ///< of a test of both directions where means of both are compared
 };
-/// Contract: as many means as targets.
+/// Of a test of one direction that direction, less its own mean. Contract: as many means as targets.
 LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured);
 
 }  // namespace axiometry::volumetric

@@ -61,8 +61,9 @@ std::optional<TableEffect> effect_of_all_errors(const ErrorModel& model, Vector3
   });
 }
 
-double half_reversal_um(const ErrorModel& model, Vector3 tool_mm) {
+std::optional<double> half_reversal_um(const ErrorModel& model, Vector3 tool_mm) {
   if (model.coefficients().reversal() == Reversal::none) return 0.0;
+  if (!model.unseen_reversals().empty()) return std::nullopt;
   const auto displacement = [&](Vector3 q, Approaches approaches) {
     return BeamRow(model.coefficients(), model.machine(), q, tool_mm, approaches).displacement_um(model.parts().values);
   };

@@ -25,7 +25,7 @@ std::optional<TableEffect> table_effect(const ErrorModel& model, Vector3 tool_mm
 std::optional<TableEffect> effect_of_all_errors(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes);
 
 /// What means of both directions leave: the largest displacement, µm, of the tool point from its mean over the ways in
-/// which the axes may come to rest. 0 without reversal.
-double half_reversal_um(const ErrorModel& model, Vector3 tool_mm);
+/// which the axes may come to rest. 0 without reversal; absent where errors are not all told by direction.
+std::optional<double> half_reversal_um(const ErrorModel& model, Vector3 tool_mm);
 
 }  // namespace axiometry::volumetric

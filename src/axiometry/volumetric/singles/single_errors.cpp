@@ -8,6 +8,7 @@
 
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/singles/measured_square.h"
+#include "axiometry/volumetric/singles/single_inputs.h"
 #include "axiometry/volumetric/singles/single_places.h"
 
 namespace axiometry::volumetric {
@@ -26,14 +27,19 @@ class SingleAssembly {
     if (errors_.motions.empty() && errors_.squareness.empty()) return fail("found no errors, expected one or more");
     AXIOMETRY_TRY_VOID(choose_bases());
     AXIOMETRY_TRY_VOID(check_single_places(machine_, errors_));
-    lay_out_inputs();
-    const Coefficients coefficients({bases_[0], bases_[1], bases_[2]}, Reversal::none);
-    rows_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(coefficients.raw()), static_cast<Eigen::Index>(inputs_));
+    inputs_.emplace(errors_, bases_);
+    const bool by_direction =
+        std::ranges::any_of(errors_.motions, [](const SingleMotion& m) { return m.reversal.has_value(); });
+    const Coefficients coefficients({bases_[0], bases_[1], bases_[2]},
+                                    by_direction ? Reversal::curves : Reversal::none);
+    rows_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(coefficients.raw()),
+                                  static_cast<Eigen::Index>(inputs_->count()));
     told_.assign(21, false);
-    for (std::size_t m = first_rotation; m < motion_count; ++m)
-      for (std::size_t a = 0; a < axis_count; ++a) put_motion(coefficients, {a, m});
-    for (std::size_t m = 0; m < first_rotation; ++m)
-      for (std::size_t a = 0; a < axis_count; ++a) put_motion(coefficients, {a, m});
+    for (const std::size_t m : std::array<std::size_t, motion_count>{3, 4, 5, 0, 1, 2})  // displacements hold rotations
+      for (std::size_t a = 0; a < axis_count; ++a) {
+        put_motion(coefficients, {a, m});
+        put_half(coefficients, {a, m});
+      }
     for (std::size_t k = 0; k < errors_.squareness.size(); ++k) put_squareness(coefficients, k);
     return finish(coefficients);
   }
@@ -81,63 +87,15 @@ class SingleAssembly {
     return {};
   }
 
-  /// Between which readings a node lies: (1 − share) of `above` − 1 and share of `above`.
-  struct NodeShare {
-    std::size_t above = 1;
-    double share = 0.0;
-  };
-  NodeShare share_of(const SingleMotion& m, std::size_t node) const {
-    const double at = node_mm(m.error.axis, node);
-    const auto found = std::ranges::lower_bound(m.positions_mm, at - 1e-9);
-    const auto k =
-        std::clamp<std::size_t>(static_cast<std::size_t>(found - m.positions_mm.begin()), 1, m.positions_mm.size() - 1);
-    const double low = m.positions_mm[k - 1], high = m.positions_mm[k];
-    return {k, std::clamp((at - low) / (high - low), 0.0, 1.0)};
-  }
-
-  /// Whether an error was read beyond the range that all of its axis have in common.
-  bool is_longer(const SingleMotion& m) const {
-    const CurveBasis& basis = bases_[m.error.axis];
-    return m.positions_mm.front() < basis.lower_mm() - 1e-6 || m.positions_mm.back() > basis.upper_mm() + 1e-6;
-  }
-
-  /// Inputs are the readings beside nodes, however many there are, all of a line longer than its curve, and squareness.
-  void lay_out_inputs() {
-    std::size_t next = 0;
-    for (const SingleMotion& m : errors_.motions) {
-      std::vector<std::size_t>& used = used_.emplace_back();
-      const bool all = m.error.is_straightness() && is_longer(m);
-      for (std::size_t k = 0; all && k < m.positions_mm.size(); ++k) used.push_back(k);
-      for (std::size_t n = 0; !all && n < bases_[m.error.axis].functions(); ++n) {
-        const std::size_t above = share_of(m, n).above;
-        for (const std::size_t k : {above - 1, above})
-          if (used.empty() || used.back() < k) used.push_back(k);
-      }
-      first_input_.push_back(next);
-      next += used.size();
-    }
-    first_square_ = next;
-    inputs_ = next + errors_.squareness.size();
-  }
-
-  Eigen::Index input_of(std::size_t item, std::size_t reading) const {
-    const auto at = std::ranges::lower_bound(used_[item], reading) - used_[item].begin();
-    return static_cast<Eigen::Index>(first_input_[item]) + at;
-  }
-
-  double node_mm(std::size_t axis, std::size_t node) const {
-    const CurveBasis& b = bases_[axis];
-    return b.lower_mm() + (b.upper_mm() - b.lower_mm()) * static_cast<double>(node) / static_cast<double>(b.size());
-  }
-
-  static Eigen::Index place(const Coefficients& c, ErrorMotion e, std::size_t node) {
-    return static_cast<Eigen::Index>(c.curve(e.axis) + node * motion_count + e.motion);
+  /// Of curves or halves of an axis that begin at `first`.
+  static Eigen::Index place(std::size_t first, ErrorMotion e, std::size_t node) {
+    return static_cast<Eigen::Index>(first + node * motion_count + e.motion);
   }
 
   Vector3 lever_mm(std::size_t axis, std::size_t node) const {
     const SinglePlace& at = *errors_.places[axis];
     Vector3 axes = at.axes_mm;
-    axes[axis] = node_mm(axis, node);
+    axes[axis] = inputs_->node_mm(axis, node);
     return machine_.levers_mm(axes, at.tool_mm)[axis];
   }
 
@@ -154,22 +112,30 @@ class SingleAssembly {
             LeverTerm{{e.axis, first_rotation + last}, next, -1.0}};
   }
 
-  /// [ω × r]_m at each node as sums of readings; of a rotation that is not told its name in `lacks`.
-  Eigen::MatrixXd lever_effect(const Coefficients& c, ErrorMotion e, std::string& lacks) const {
+  /// The longest lever of a rotation over the nodes, mm.
+  double longest_lever(std::size_t axis, const LeverTerm& term) const {
+    double longest = 0.0;
+    for (std::size_t n = 0; n < bases_[axis].functions(); ++n)
+      longest = std::max(longest, std::abs(lever_mm(axis, n)[term.lever]));
+    return longest;
+  }
+
+  /// [ω × r]_m at each node as sums of readings, of the curves or halves of the axis that begin at `first`.
+  Eigen::MatrixXd lever_effect(std::size_t first, ErrorMotion e) const {
     const std::size_t nodes = bases_[e.axis].functions();
     Eigen::MatrixXd effect = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes), rows_.cols());
-    for (const LeverTerm& term : lever_terms(e)) {
-      double longest = 0.0;
-      for (std::size_t n = 0; n < nodes; ++n) {
-        const double lever = lever_mm(e.axis, n)[term.lever];
-        longest = std::max(longest, std::abs(lever));
-        // µrad × mm = 1e-3 µm
-        effect.row(static_cast<Eigen::Index>(n)) += 1e-3 * term.sign * lever * rows_.row(place(c, term.rotation, n));
-      }
-      if (longest > lever_least_mm && !told_[index(term.rotation)])
-        lacks += fmt::format("{}{} (lever {:.1f} mm)", lacks.empty() ? "" : ", ", error_name(term.rotation), longest);
-    }
+    for (const LeverTerm& term : lever_terms(e))
+      for (std::size_t n = 0; n < nodes; ++n)  // µrad × mm = 1e-3 µm
+        effect.row(static_cast<Eigen::Index>(n)) +=
+            1e-3 * term.sign * lever_mm(e.axis, n)[term.lever] * rows_.row(place(first, term.rotation, n));
     return effect;
+  }
+
+  /// Rotations with a lever at the line of an error that are not `told`, behind those that are named already.
+  void add_lacking(ErrorMotion e, const auto& told, std::string& lacks) const {
+    for (const LeverTerm& term : lever_terms(e))
+      if (const double longest = longest_lever(e.axis, term); longest > lever_least_mm && !told[index(term.rotation)])
+        lacks += fmt::format("{}{} (lever {:.1f} mm)", lacks.empty() ? "" : ", ", error_name(term.rotation), longest);
   }
 
   /// What the rotations of the other axes, where these stood, make of the slope of a line: those before it in the chain
@@ -198,7 +164,7 @@ class SingleAssembly {
         }
         const ActiveFunctions f = bases_[b].at(stood_mm);
         for (std::size_t k = 0; k < f.count; ++k)
-          sum += term.sign * per_mm * f.values[k] * rows_.row(place(c, term.rotation, f.first + k));
+          sum += term.sign * per_mm * f.values[k] * rows_.row(place(c.curve(b), term.rotation, f.first + k));
       }
     }
     return sum;
@@ -220,63 +186,91 @@ class SingleAssembly {
     return slope;
   }
 
-  /// What was read of an error at each node, as sums of readings.
-  Eigen::MatrixXd read_at_nodes(std::size_t item) const {
-    const SingleMotion& m = errors_.motions[item];
-    const std::size_t nodes = bases_[m.error.axis].functions();
-    Eigen::MatrixXd curve = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(nodes), rows_.cols());
-    for (std::size_t n = 0; n < nodes; ++n) {
-      const auto [above, share] = share_of(m, n);
-      const auto row = static_cast<Eigen::Index>(n);
-      curve(row, input_of(item, above - 1)) += 1.0 - share;
-      curve(row, input_of(item, above)) += share;
-    }
-    return curve;
-  }
-
   void put_motion(const Coefficients& c, ErrorMotion e) {
     const auto item = of_error_[index(e)];
     if (!item) return;
-    const SingleMotion& m = errors_.motions[*item];
-    const std::size_t nodes = bases_[e.axis].functions();
-    Eigen::MatrixXd curve = read_at_nodes(*item);
-    std::vector<double> values;
-    for (std::size_t n = 0; n < nodes; ++n) {
-      const auto [above, share] = share_of(m, n);
-      values.push_back((1.0 - share) * m.values[above - 1] + share * m.values[above]);
-    }
-    tell_misfit(m, values);
+    tell_misfit(errors_.motions[*item]);
+    Eigen::MatrixXd curve = inputs_->means_at_nodes(*item);
     if (!e.is_rotation()) {
       std::string lacks;
-      curve -= lever_effect(c, e, lacks);
+      add_lacking(e, told_, lacks);
       if (!lacks.empty()) {
         findings_.push_back(
             {"single-rotation-lacking", false,
              fmt::format("{} has no number: at its line it holds {}, not measured", error_name(e), lacks)});
         return;
       }
+      curve -= lever_effect(c.curve(e.axis), e);
     }
     to_gauge(e.axis, curve, e.is_straightness());
-    for (std::size_t n = 0; n < nodes; ++n) rows_.row(place(c, e, n)) = curve.row(static_cast<Eigen::Index>(n));
+    put_rows(c.curve(e.axis), e, curve);
     told_[index(e)] = true;
   }
 
+  void put_rows(std::size_t first, ErrorMotion e, const Eigen::MatrixXd& at_nodes) {
+    for (Eigen::Index n = 0; n < at_nodes.rows(); ++n)
+      rows_.row(place(first, e, static_cast<std::size_t>(n))) = at_nodes.row(n);
+  }
+
+  /// Half of what the directions differ by. It stays as it was read, without a gauge: both were read from one zero.
+  void put_half(const Coefficients& c, ErrorMotion e) {
+    if (!told_[index(e)] || !errors_.motions[*of_error_[index(e)]].reversal) return;
+    Eigen::MatrixXd half = inputs_->halves_at_nodes(*of_error_[index(e)]);
+    if (!e.is_rotation()) {
+      half -= lever_effect(c.half(e.axis), e);
+      std::string lacks;
+      add_lacking(e, told_halves_, lacks);
+      if (!lacks.empty())
+        findings_.push_back({"single-directions-lacking", false,
+                             fmt::format("what the directions of {} differ by is told only at the line where it was "
+                                         "read: there it holds {}, not read in both directions",
+                                         error_name(e), lacks)});
+    }
+    put_rows(c.half(e.axis), e, half);
+    told_halves_[index(e)] = true;
+  }
+
+  /// What is not told of the directions, as it stands in ErrorModel::Parts. A rotation that was not read in both is in
+  /// what displacements differ by: their sum is told at the line where these were read, and nowhere else.
+  void add_untold_halves(const Coefficients& c, std::vector<std::vector<double>>& unseen) const {
+    for (std::size_t axis = 0; axis < axis_count; ++axis)
+      for (std::size_t n = 0; n < c.half_functions(axis); ++n)
+        for (std::size_t m = 0; m < motion_count; ++m) {
+          const ErrorMotion untold{axis, m};
+          if (told_halves_[index(untold)]) continue;
+          Eigen::VectorXd direction = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(c.raw()));
+          direction[place(c.half(axis), untold, n)] = 1.0;
+          for (std::size_t d = 0; untold.is_rotation() && d < first_rotation; ++d)
+            for (const LeverTerm& term : lever_terms({axis, d}))
+              if (told_halves_[index({axis, d})] && term.rotation == untold)
+                direction[place(c.half(axis), {axis, d}, n)] = -1e-3 * term.sign * lever_mm(axis, n)[term.lever];
+          direction.normalize();
+          unseen.emplace_back(direction.begin(), direction.end());
+        }
+  }
+
   /// How far readings between the nodes lie from the straight lines.
-  void tell_misfit(const SingleMotion& m, const std::vector<double>& nodes) {
+  void tell_misfit(const SingleMotion& m) {
     const CurveBasis& basis = bases_[m.error.axis];
+    const auto apart = [&](const std::vector<double>& numbers, std::size_t k) {
+      const ActiveFunctions f = basis.at(m.positions_mm[k]);
+      double shown = 0.0;
+      for (std::size_t i = 0; i < f.count; ++i)
+        shown += f.values[i] * inputs_->share_of(m, f.first + i).between(numbers);
+      return shown - numbers[k];
+    };
     double worst = 0.0;
     for (std::size_t k = 0; k < m.values.size(); ++k) {
       if (m.positions_mm[k] < basis.lower_mm() || m.positions_mm[k] > basis.upper_mm()) continue;
-      const ActiveFunctions f = basis.at(m.positions_mm[k]);
-      double shown = 0.0;
-      for (std::size_t i = 0; i < f.count; ++i) shown += f.values[i] * nodes[f.first + i];
-      worst = std::max(worst, std::abs(shown - m.values[k]));
+      // Of both directions the farther one: |mean| + |half|.
+      worst =
+          std::max(worst, std::abs(apart(m.values, k)) + (m.reversal ? std::abs(apart(m.reversal->halves, k)) : 0.0));
     }
     if (worst > 0.005)
       findings_.push_back(
           {"single-between-nodes", false,
            fmt::format("{}: readings between the {} nodes lie up to {:.2f} {} from the straight lines",
-                       error_name(m.error), nodes.size(), worst, m.error.is_rotation() ? "µrad" : "µm")});
+                       error_name(m.error), basis.functions(), worst, m.error.is_rotation() ? "µrad" : "µm")});
   }
 
   double urad_per_um(std::size_t axis) const {
@@ -287,11 +281,11 @@ class SingleAssembly {
   /// measured squareness belongs to that one.
   Eigen::RowVectorXd slope_gained_by_cut(std::size_t item) const {
     const SingleMotion& m = errors_.motions[item];
-    if (!is_longer(m)) return Eigen::RowVectorXd::Zero(rows_.cols());
-    Eigen::MatrixXd curve = read_at_nodes(item);
+    if (!inputs_->is_longer(m)) return Eigen::RowVectorXd::Zero(rows_.cols());
+    Eigen::MatrixXd curve = inputs_->means_at_nodes(item);
     Eigen::RowVectorXd gained = urad_per_um(m.error.axis) * to_gauge(m.error.axis, curve, false);
     const std::vector<double> weights = curve_slope_weights(m.positions_mm);
-    for (std::size_t k = 0; k < weights.size(); ++k) gained[input_of(item, k)] -= 1e3 * weights[k];
+    for (std::size_t k = 0; k < weights.size(); ++k) gained[inputs_->reading(item, k)] -= 1e3 * weights[k];
     return gained;
   }
 
@@ -303,7 +297,7 @@ class SingleAssembly {
     const auto row = static_cast<Eigen::Index>(c.squareness() + k);
     std::string lacks;
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
-    sum[static_cast<Eigen::Index>(first_square_ + item)] = 1.0;
+    sum[inputs_->square(item)] = 1.0;
     for (const ErrorMotion line : {square_lines[k].first, square_lines[k].second}) {
       const bool common = errors_.squareness[item].over_common_range;
       if (!common && is_of_unknown_range(line)) {
@@ -314,7 +308,8 @@ class SingleAssembly {
                          squareness_names[k], single_axis_letters[line.axis], error_name(line))});
         return;
       }
-      Eigen::MatrixXd effect = lever_effect(c, line, lacks);
+      add_lacking(line, told_, lacks);
+      Eigen::MatrixXd effect = lever_effect(c.curve(line.axis), line);
       sum -= square_lines[k].sign *
              (urad_per_um(line.axis) * to_gauge(line.axis, effect, false) + turned_by_others(c, line, lacks));
       if (const auto given = of_error_[index(line)]; given && !common)
@@ -331,21 +326,9 @@ class SingleAssembly {
   }
 
   Result<SingleModel> finish(const Coefficients& c) {
-    Eigen::VectorXd values(rows_.cols()), variances(rows_.cols());
-    Eigen::Index at = 0;
-    for (std::size_t item = 0; item < used_.size(); ++item)
-      for (const std::size_t k : used_[item]) {
-        const SingleMotion& m = errors_.motions[item];
-        values[at] = m.values[k];
-        variances[at++] = m.u[k] * m.u[k];
-      }
-    for (const SingleSquareness& s : errors_.squareness) {
-      values[at] = s.urad;
-      variances[at++] = s.u_urad * s.u_urad;
-    }
-    const Eigen::VectorXd found = rows_ * values;
-    const Eigen::MatrixXd covariance = rows_ * variances.asDiagonal() * rows_.transpose();
-    ErrorModel::Parts parts{std::move(machine_), c, {}, {}, {}, observed_};
+    const Eigen::VectorXd found = rows_ * inputs_->values();
+    const Eigen::MatrixXd covariance = inputs_->covariance(rows_);
+    ErrorModel::Parts parts{machine_, c, {}, {}, {}, observed_};
     parts.values.assign(found.data(), found.data() + found.size());
     parts.covariance.assign(covariance.data(), covariance.data() + covariance.size());  // symmetric
     std::string missing;
@@ -360,24 +343,24 @@ class SingleAssembly {
     if (!missing.empty())
       findings_.push_back(
           {"single-not-measured", false, fmt::format("not measured: {}; what depends on them has no number", missing)});
-    for (std::size_t raw = 0; raw < c.raw(); ++raw) {
+    for (std::size_t raw = 0; raw < c.half(0); ++raw) {
       if (told_[c.error_of(raw)]) continue;
       parts.unseen.emplace_back(c.raw(), 0.0).at(raw) = 1.0;
     }
+    add_untold_halves(c, parts.unseen);
     return SingleModel{ErrorModel(std::move(parts)), std::move(findings_)};
   }
 
   MachineModel machine_;
   const SingleErrors& errors_;
-  std::vector<std::vector<std::size_t>> used_;  ///< readings beside nodes, of each motion
-  std::vector<std::size_t> first_input_;        ///< of each motion
   std::array<std::optional<std::size_t>, axis_count * motion_count> of_error_{};
-  std::size_t first_square_ = 0, inputs_ = 0;
   std::vector<CurveBasis> bases_;
   std::array<bool, axis_count> cut_{};  ///< whether some errors of an axis were read beyond its curves
   TravelBox observed_;
+  std::optional<SingleInputs> inputs_;
   Eigen::MatrixXd rows_;
-  std::vector<bool> told_;  ///< in the order of error_names()
+  std::vector<bool> told_;                                     ///< in the order of error_names()
+  std::array<bool, axis_count * motion_count> told_halves_{};  ///< likewise
   std::vector<NamedFinding> findings_;
 };
 

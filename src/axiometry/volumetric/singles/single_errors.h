@@ -18,15 +18,28 @@
 /// they, and the rotations of the axes before it in the chain, make of the slope of both lines. Constants, and slopes
 /// of straightness, belong to no single measurement and are removed (gauge.h). Squareness belongs to the lines as they
 /// were read: where a straightness was read beyond the range that all errors of its axis have in common, what its slope
-/// is less there comes off. The model has no reversal: it holds the mean of both directions.
+/// is less there comes off.
+///
+/// Where an error was read in both directions it has, beside the curve of their mean, one of half of their difference,
+/// out of which those of the rotations are taken by the same levers. Of an error without it, what its directions differ
+/// by has no number; the mean has.
 namespace axiometry::volumetric {
+
+/// What readings in both directions have beside their mean, at the same positions. What both have in common, as what
+/// the instrument's zero and its errors are, is not in it.
+struct SingleReversal {
+  std::vector<double> halves;       ///< half of what is read moving up less what is read moving down, µm, µrad
+  std::vector<double> u;            ///< standard uncertainties, independent from one position to the next
+  std::vector<double> covariances;  ///< with the mean at the same position
+};
 
 /// Readings of one error motion, means over runs and directions; at least two.
 struct SingleMotion {
   ErrorMotion error;
-  std::vector<double> positions_mm;  ///< of its axis, ascending
-  std::vector<double> values;        ///< µm, µrad
-  std::vector<double> u;             ///< standard uncertainties, independent from one position to the next
+  std::vector<double> positions_mm;             ///< of its axis, ascending
+  std::vector<double> values;                   ///< µm, µrad
+  std::vector<double> u;                        ///< standard uncertainties, independent from one position to the next
+  std::optional<SingleReversal> reversal = {};  ///< absent where nothing tells the directions apart
 };
 
 struct SingleSquareness {

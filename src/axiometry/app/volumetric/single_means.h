@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "axiometry/base/result.h"
+#include "axiometry/standards/error_motions/motion_estimate.h"
+#include "axiometry/volumetric/singles/single_errors.h"
+
+/// From what was read of an error by direction to what a model is made from: the mean of both directions, and half of
+/// what they differ by.
+namespace axiometry::app {
+
+/// Over the runs of one direction at a position, µm or µrad.
+struct DirectionMean {
+  double mean = 0.0;
+  std::optional<double> s;  ///< standard deviation; absent of one run
+  std::size_t runs = 1;
+};
+
+struct PositionMeans {
+  double at_mm = 0.0;
+  std::optional<DirectionMean> up, down;  ///< one of them at least
+};
+
+struct SingleMeans {
+  volumetric::SingleMotion motion;  ///< positions ascending; with reversal where both directions are kept
+  std::string directions;           ///< "both", "up", "down"
+  double reversal = 0.0;            ///< of both the largest |up − down|
+  std::vector<std::string> remarks;
+};
+
+/// Of the mean u² = (s↑²/n↑ + s↓²/n↓)/4 + u_I², of the half the first part alone, their covariance (s↑²/n↑ − s↓²/n↓)/4;
+/// of one direction s²/n + u_I². What the instrument's uncertainty u_I holds both directions have in common. Of one
+/// run, whose s nobody knows, u_I² stands in the half for s²/n: as much as readings with nothing in common have.
+///
+/// With Reversal::none the mean alone. Positions at either end that were approached from one side alone, where others
+/// were from both, are left out with a remark. Fails on such a position between others, on fewer than two positions,
+/// and where nothing tells an uncertainty: one run and no instrument.
+Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<PositionMeans> positions,
+                                 const std::optional<error_motions::InstrumentUncertainty>& instrument,
+                                 volumetric::Reversal reversal);
+
+/// The refusal of an error, or of a squareness, that has neither runs nor an instrument.
+Error no_uncertainty_of(std::string_view name);
+
+}  // namespace axiometry::app
