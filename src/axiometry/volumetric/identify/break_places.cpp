@@ -9,7 +9,7 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr std::size_t least_beside_break = 2;  // one alone may be an outlier
+constexpr std::size_t least_beside_break = 2;      // one alone may be an outlier
 constexpr double thousandth = 13.815510557964274;  // 2 ln 1000, of χ²
 
 /// χ² of some readings about the mean, or the straight line, of those among them that fit a stretch; as much as can be

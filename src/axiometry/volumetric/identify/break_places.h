@@ -24,10 +24,10 @@ struct BreakPlace {
 ///   Σ_{i<c} ρ(z_i) + Σ_{i≥c} ρ(z_i),  ρ(z) = min(z², L² + 2 ln 1000),
 /// least over the readings of the two stretches beside it. Stations and errors are held as they were fitted; the dead
 /// path of each side, and its drift, are those that fit best for every c. L is outlier_limit(): what lies within it of
-/// one side and far from the other belongs to the one, and what is far from both has no say. Two readings stay on either
-/// side, also of what lies between two breaks. All places of a break in one pass: running sums, the readings that enter
-/// those of a side being the ones that ρ does not cut off there as it was fitted.
-/// `breaks` rise; `everything` has the weight of every reading, those that are left out included.
+/// one side and far from the other belongs to the one, and what is far from both has no say. Two readings stay on
+/// either side, also of what lies between two breaks. All places of a break in one pass: running sums, the readings
+/// that enter those of a side being the ones that ρ does not cut off there as it was fitted. `breaks` rise;
+/// `everything` has the weight of every reading, those that are left out included.
 std::vector<BreakPlace> break_places(const Problem& everything, const State& state,
                                      std::span<const double> residuals_um, std::span<const std::size_t> breaks);
 

@@ -12,8 +12,8 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-/// Lengths of one beam less all that is no dead path, σ = 1 µm, and what a fit with breaks at some places makes of them:
-/// of each stretch the mean of its readings, or its straight line, without those that no stretch explains.
+/// Lengths of one beam less all that is no dead path, σ = 1 µm, and what a fit with breaks at some places makes of
+/// them: of each stretch the mean of its readings, or its straight line, without those that no stretch explains.
 class CutBeam {
  public:
   CutBeam(std::vector<double> lengths_um, std::vector<std::size_t> breaks, bool drift = false)

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstdio>
+#include <cstdlib>
 
 #include "axiometry/volumetric/identify/identification.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
@@ -64,10 +64,10 @@ TEST(Identify, TellsOneOfTwoBreaksThatAreUnclearBesideEachOther) {
 
 /// What a set of lengths with breaks at random places was found to have.
 struct Placed {
-  std::size_t breaks = 0;   ///< with four readings and more on either side
-  std::size_t held = 0;     ///< of these: within what is told
-  std::size_t exact = 0;    ///< and to the reading
-  std::size_t elsewhere = 0;  ///< told where none is
+  std::size_t breaks = 0;       ///< with four readings and more on either side
+  std::size_t held = 0;         ///< of these: within what is told
+  std::size_t exact = 0;        ///< and to the reading
+  std::size_t elsewhere = 0;    ///< told where none is
   std::size_t jumps_wrong = 0;  ///< of those held: by more than four standard deviations of a reading
 
   void add(const Placed& other) {
@@ -94,7 +94,9 @@ Placed placed(unsigned seed, const TrialFaults& faults) {
   VolumetricLengths lengths = test::measured(machine, test::four_stations(), {.points = points});
   const std::size_t n = lengths.readings.size();
   const auto run_end = [&](std::size_t i) { return (i / points + 1) * points; };
-  const auto any = [&](std::size_t most) { return std::min(most - 1, static_cast<std::size_t>(machine.uniform(0.0, static_cast<double>(most)))); };
+  const auto any = [&](std::size_t most) {
+    return std::min(most - 1, static_cast<std::size_t>(machine.uniform(0.0, static_cast<double>(most))));
+  };
   for (std::size_t run = 0; run < n / points; ++run) {
     const double drift_mm = 1e-3 * faults.drift_um * machine.normal();
     for (std::size_t k = 0; k < points; ++k)
@@ -140,24 +142,52 @@ Placed placed(unsigned seed, const TrialFaults& faults) {
   return placed;
 }
 
-TEST(Identify, PlacesBreaksToTheReadingOrSaysBetweenWhich) {
+Placed placed(unsigned first_seed, unsigned sets, TrialFaults faults) {
   Placed all;
-  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 6;
-  for (unsigned seed = 100; seed < 100 + sets; ++seed) {
-    const Placed one = placed(seed, {.breaks = 5, .outliers = 4, .drift_um = seed % 2 == 0 ? 0.0 : 3.0});
-    all.add(one);
-    std::printf("seed %u: %zu held %zu exact %zu elsewhere %zu jumps %zu\n", seed, one.breaks, one.held, one.exact, one.elsewhere, one.jumps_wrong);
+  for (unsigned k = 0; k < sets; ++k) {
+    faults.drift_um = k % 2 == 0 ? 0.0 : 3.0;
+    all.add(placed(first_seed + k, faults));
   }
-  std::printf("all: %zu held %zu exact %zu elsewhere %zu jumps %zu\n", all.breaks, all.held, all.exact, all.elsewhere, all.jumps_wrong);
+  return all;
+}
+
+TEST(Identify, PlacesBreaksToTheReadingOrSaysBetweenWhich) {
+  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 4;
+  const Placed all = placed(100, sets, {.breaks = 5, .outliers = 4});
+  std::printf("all: %zu held %zu exact %zu elsewhere %zu jumps %zu\n", all.breaks, all.held, all.exact, all.elsewhere,
+              all.jumps_wrong);
+  EXPECT_EQ(all.elsewhere, 0u);
+  EXPECT_EQ(all.jumps_wrong, 0u);
 }
 
 TEST(Identify, TellsNoBreakInSetsWithoutOne) {
-  Placed all;
-  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 6;
-  for (unsigned seed = 500; seed < 500 + sets; ++seed)
-    all.add(placed(seed, {.outliers = 6, .drift_um = seed % 2 == 0 ? 0.0 : 3.0}));
-  std::printf("elsewhere %zu\n", all.elsewhere);
-  EXPECT_EQ(all.elsewhere, 0u);
+  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 4;
+  EXPECT_EQ(placed(500, sets, {.outliers = 6}).elsewhere, 0u);
+}
+
+/// Half way between both levels: on neither side is it an outlier.
+TEST(Identify, LeavesOutAReadingOfWhichNothingTellsOnWhichSideOfABreakItWasMeasured) {
+  test::TrueMachine machine("XFYZ", 47);
+  VolumetricLengths lengths = test::measured(machine, test::four_stations(), {.points = 80, .noise = false});
+  constexpr std::size_t broken = 5 * 80 + 40;
+  const double jump_mm = 8e-3 * machine.model.sigma_um(600.0);
+  for (std::size_t i = broken; i < 6 * 80; ++i) lengths.readings[i].length_mm += jump_mm;
+  lengths.readings[broken - 1].length_mm += 0.5 * jump_mm;
+  const auto result = identify(machine.model, lengths, {});
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->breaks.size(), 1u);
+  EXPECT_EQ(result->breaks[0].earliest_reading, broken - 1);
+  EXPECT_EQ(result->breaks[0].latest_reading, broken);
+  ASSERT_EQ(result->set_aside.size(), 1u);
+  EXPECT_EQ(result->set_aside[0].reading, broken - 1);
+  EXPECT_TRUE(result->set_aside[0].beside_break);
+  std::string told;
+  for (const VolumetricFinding& finding : result->findings) {
+    if (finding.id == "volumetric-beam-broken") told = finding.message;
+    EXPECT_NE(finding.id, "volumetric-set-aside") << finding.message;
+  }
+  EXPECT_TRUE(told.starts_with("between reading 439 and reading 441 of station \"B\" with tool \"side\"")) << told;
+  EXPECT_NE(told.find("the one length between was measured cannot be told, and it is left out"), std::string::npos);
 }
 
 }  // namespace

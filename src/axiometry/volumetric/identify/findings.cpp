@@ -79,7 +79,8 @@ void add_set_aside(const VolumetricLengths& lengths, const Identification& resul
   for (const SetAside& s : result.set_aside)
     if (!s.beside_break) outliers.push_back(s);
   if (outliers.empty()) return;
-  const SetAside worst = *std::ranges::max_element(outliers, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
+  const SetAside worst =
+      *std::ranges::max_element(outliers, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
   const double share = static_cast<double>(outliers.size()) / static_cast<double>(lengths.readings.size());
   findings.push_back(
       {"volumetric-set-aside", share > aside_share_most,
@@ -112,16 +113,18 @@ InDoubt in_doubt(const Identifier& done, const VolumetricLengths& lengths, const
 
 std::string break_text(const Identifier& done, const VolumetricLengths& lengths, const FoundBreak& found) {
   if (found.is_certain())
-    return fmt::format("before {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there on "
-                       "have a dead path of their own",
-                       reading_text(lengths, found.before_reading), found.jump_um);
+    return fmt::format(
+        "before {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there on "
+        "have a dead path of their own",
+        reading_text(lengths, found.before_reading), found.jump_um);
   const InDoubt doubt = in_doubt(done, lengths, found);
-  return fmt::format("between {} and {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there "
-                     "on have a dead path of their own; on which side of the break the {} between {} measured cannot "
-                     "be told, and {} left out",
-                     place_text(lengths, doubt.last_before), reading_text(lengths, found.latest_reading), found.jump_um,
-                     doubt.count == 1 ? "one length" : fmt::format("{} lengths", doubt.count),
-                     doubt.count == 1 ? "was" : "were", doubt.count == 1 ? "it is" : "they are");
+  return fmt::format(
+      "between {} and {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there "
+      "on have a dead path of their own; on which side of the break the {} between {} measured cannot "
+      "be told, and {} left out",
+      place_text(lengths, doubt.last_before), reading_text(lengths, found.latest_reading), found.jump_um,
+      doubt.count == 1 ? "one length" : fmt::format("{} lengths", doubt.count), doubt.count == 1 ? "was" : "were",
+      doubt.count == 1 ? "it is" : "they are");
 }
 
 void add_breaks(const Identifier& done, const VolumetricLengths& lengths, const Identification& result,

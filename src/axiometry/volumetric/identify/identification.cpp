@@ -81,8 +81,8 @@ std::vector<IdentifiedStretch> stretches_of(const Identifier& done) {
 std::vector<FoundBreak> breaks_of(const Identifier& done) {
   std::vector<FoundBreak> breaks;
   for (const detail::BreakPlace& place : done.breaks())
-    breaks.push_back({place.before, detail::jump_um(done.unknowns(), done.fit().state, place.before), place.earliest,
-                      place.latest});
+    breaks.push_back(
+        {place.before, detail::jump_um(done.unknowns(), done.fit().state, place.before), place.earliest, place.latest});
   return breaks;
 }
 
@@ -90,8 +90,8 @@ std::vector<SetAside> set_aside_of(const Identifier& done) {
   std::vector<SetAside> aside;
   for (std::size_t i = 0; i < done.set_aside().size(); ++i)
     if (done.set_aside()[i] || (done.in_doubt(i) && !done.is_copy(i)))
-      aside.push_back({i, done.fit().residuals_um[i], done.fit().residuals_um[i] / done.sigmas_um()[i],
-                       !done.set_aside()[i]});
+      aside.push_back(
+          {i, done.fit().residuals_um[i], done.fit().residuals_um[i] / done.sigmas_um()[i], !done.set_aside()[i]});
   return aside;
 }
 

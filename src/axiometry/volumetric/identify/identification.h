@@ -82,8 +82,8 @@ struct FoundBreak {
 
 struct SetAside {
   std::size_t reading = 0;
-  double residual_um = 0.0;  ///< measured less what the others predict
-  double normalised = 0.0;   ///< over its standard uncertainty
+  double residual_um = 0.0;   ///< measured less what the others predict
+  double normalised = 0.0;    ///< over its standard uncertainty
   bool beside_break = false;  ///< it may fit: but nothing tells on which side of a break it was measured
 };
 
