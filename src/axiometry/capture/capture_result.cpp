@@ -154,6 +154,7 @@ std::string_view event_name(EventKind kind) {
     case EventKind::repeated: return "repeated";
     case EventKind::wrong_direction: return "wrong direction";
     case EventKind::too_short: return "too short";
+    case EventKind::signal_lost: return "signal lost";
     case EventKind::unexpected: return "unexpected";
     case EventKind::unseen: return "not seen";
     case EventKind::restarted: return "restarted";

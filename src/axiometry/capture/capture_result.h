@@ -29,6 +29,7 @@ enum class EventKind {
   repeated,         ///< another standstill at an approach that has its reading: the first one is kept
   wrong_direction,  ///< at the expected target, but from the other side: not used
   too_short,        ///< at a target, but shorter than the shortest: not used
+  signal_lost,      ///< the value stood still to the last digit and then jumped: not used (Standstill::frozen_from_s)
   unexpected,       ///< at no target of the plan, or at one that was not due: not used
   unseen,           ///< the motion towards a target was not recorded, so its direction is not known: not used
   restarted,        ///< the first approach came again before the first pass was over: began again

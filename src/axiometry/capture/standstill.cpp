@@ -19,10 +19,18 @@ constexpr double noise_factor = 6.0;
 constexpr double quantum_factor = 1.5;
 constexpr double gap_steps = 10.0;
 constexpr double feed_share = 0.02;
+constexpr double slowest_limit_per_s = 500.0;
+constexpr double feeds_of_limit = 10.0;
+constexpr double jump_least = 0.5;           // mm or °
+constexpr std::size_t samples_to_judge = 3;  // two false ones in a row are no jump
+constexpr double hold_slack = 2.0;           // the first way may hide in the last digit
+constexpr double sharpest_start = 30'000.0;  // mm/s² or °/s²: 3 g
 constexpr double unlimited = std::numeric_limits<double>::max();
 constexpr double rotary_smallest = 1.0 / 3600.0, linear_smallest = 0.001;
 
 }  // namespace
+
+double fastest_motion(double feed) { return std::max(slowest_limit_per_s, feeds_of_limit * feed / 60.0); }
 
 StandstillOptions standstill_options(const Plan& plan) {
   const double dwell_s = plan.dwell.in_s();
@@ -34,7 +42,8 @@ StandstillOptions standstill_options(const Plan& plan) {
           .smallest = Position::native(smallest),
           .greatest = Position::native(feed_share * plan.feed / 60.0 * window_s),
           .threshold = {},
-          .turn = Position::native(plan.overrun.in_native() / 4)};
+          .turn = Position::native(plan.overrun.in_native() / 4),
+          .fastest_per_s = fastest_motion(plan.feed)};
 }
 
 StandstillDetector::StandstillDetector(const StandstillOptions& options)
@@ -78,25 +87,39 @@ std::vector<Standstill> StandstillDetector::push(std::span<const Sample> samples
     const std::size_t end = std::max(static_cast<std::size_t>(edge - samples.begin()), least);
     const bool whole = end < samples.size();
     const auto part = samples.first(std::min(end, samples.size()));
-    if (whole && before == 0) {
-      take(part, found);
-    } else {  // a cell that goes on over the end of a piece is put together
-      begun_.insert(begun_.end(), part.begin(), part.end());
-      if (whole) take(std::exchange(begun_, {}), found);
-    }
     samples = samples.subspan(part.size());
+    if (whole && before == 0) {
+      const auto left = part.subspan(take(part, true, found));
+      begun_.assign(left.begin(), left.end());
+      continue;
+    }
+    begun_.insert(begun_.end(), part.begin(), part.end());  // a cell that goes on over the end of a piece
+    if (!whole) continue;
+    const std::vector<Sample> cell = std::exchange(begun_, {});
+    begun_.assign(cell.begin() + static_cast<std::ptrdiff_t>(take(cell, true, found)), cell.end());
   }
   return found;
 }
 
 std::vector<Standstill> StandstillDetector::interrupt() {
   std::vector<Standstill> found;
+  take_begun(found);
+  gap(found);
+  return found;
+}
+
+std::vector<Standstill> StandstillDetector::jumped() {
+  std::vector<Standstill> found;
+  take_begun(found);
+  frozen_long() ? lose(found) : gap(found);
+  return found;
+}
+
+void StandstillDetector::take_begun(std::vector<Standstill>& found) {
   const std::vector<Sample> rest = std::exchange(begun_, {});
   const bool enough = rest.size() >= fewest_samples &&
                       rest.back().time_s - rest.front().time_s > options_.window.in_s() / cells_per_window / 2;
-  if (enough) take(rest, found);
-  gap(found);
-  return found;
+  if (enough) take(rest, false, found);
 }
 
 std::optional<StandstillDetector::Now> StandstillDetector::now() const {
@@ -104,8 +127,9 @@ std::optional<StandstillDetector::Now> StandstillDetector::now() const {
   return Now{Position::native(now_->mean), at_rest_};
 }
 
-/// The samples of one cell, perhaps with gaps before and within it.
-void StandstillDetector::take(std::span<const Sample> samples, std::vector<Standstill>& found) {
+/// The samples of one cell, perhaps with gaps before and within it. How many were taken: of what may be a jump the rest
+/// waits for more, where more come.
+std::size_t StandstillDetector::take(std::span<const Sample> samples, bool more_come, std::vector<Standstill>& found) {
   const double longest_s =
       usual_step_s_ > 0.0 ? std::max(options_.window.in_s(), gap_steps * usual_step_s_) : unlimited;
   if (last_ && samples.front().time_s - last_->time_s > longest_s) gap(found);
@@ -113,10 +137,71 @@ void StandstillDetector::take(std::span<const Sample> samples, std::vector<Stand
   std::size_t end = samples.size();
   if (sums.longest_step_s > longest_s)
     for (end = 1; samples[end].time_s - samples[end - 1].time_s <= longest_s;) ++end;
+  if (end == samples.size()) return take_piece(samples, sums, more_come, found);
   const auto before_gap = samples.first(end);
-  last_ = before_gap.back();
-  if (end >= fewest_samples) take_cell(before_gap, end == samples.size() ? sums : sums_of(before_gap), found);
-  if (end < samples.size()) take(samples.subspan(end), found);
+  take_piece(before_gap, sums_of(before_gap), false, found);
+  return end + take(samples.subspan(end), more_come, found);
+}
+
+/// Samples without a gap in time between them.
+std::size_t StandstillDetector::take_piece(std::span<const Sample> samples, const CellSums& sums, bool more_come,
+                                           std::vector<Standstill>& found) {
+  const auto leap = leap_at(samples);
+  const auto behind = samples.subspan(leap.value_or(samples.size()));
+  const auto still = samples.first(samples.size() - behind.size());
+  const bool too_few = behind.size() < samples_to_judge && more_come && !still.empty();
+  if (leap && (too_few || stays_away(behind))) {
+    if (!still.empty()) take_piece(still, sums_of(still), false, found);
+    if (too_few) return still.size();
+    lose(found);
+    return still.size() + take_piece(behind, sums_of(behind), more_come, found);
+  }
+  watch_value(samples, sums);
+  last_ = samples.back();
+  if (samples.size() >= fewest_samples) take_cell(samples, sums, found);
+  return samples.size();
+}
+
+/// How long it usually is one value on the way must have been seen: an instrument may be asked more often than it
+/// measures.
+bool StandstillDetector::frozen_long() const {
+  return frozen_ && usual_hold_s_ > 0.0 &&
+         frozen_->to_s - frozen_->from_s > std::max(options_.window.in_s(), gap_steps * usual_hold_s_);
+}
+
+/// Farther from a value that stood still than anything starts from rest within that time. Samples of one time came in
+/// one burst.
+bool StandstillDetector::is_away(const Sample& sample, double step_s) const {
+  const double time_s = std::max({step_s, usual_step_s_, hold_slack * usual_hold_s_});
+  const double reach = std::min(options_.fastest_per_s * time_s, 0.5 * sharpest_start * time_s * time_s);
+  return std::abs(sample.position - frozen_->position) > jump_least + reach;
+}
+
+/// A false sample or two do not.
+bool StandstillDetector::stays_away(std::span<const Sample> behind) const {
+  return std::ranges::all_of(behind.first(std::min(behind.size(), samples_to_judge)),
+                             [&](const Sample& s) { return is_away(s, 0.0); });
+}
+
+/// The first sample that is away from a value that had stood still for long.
+std::optional<std::size_t> StandstillDetector::leap_at(std::span<const Sample> samples) const {
+  if (!frozen_long()) return std::nullopt;
+  const auto first = std::ranges::find_if(samples, [&](const Sample& s) { return s.position != frozen_->position; });
+  if (first == samples.end()) return std::nullopt;
+  const double before_s = first == samples.begin() ? last_->time_s : std::prev(first)->time_s;
+  if (!is_away(*first, first->time_s - before_s)) return std::nullopt;
+  return static_cast<std::size_t>(first - samples.begin());
+}
+
+/// What goes on as it was has been the same value, false samples aside.
+void StandstillDetector::watch_value(std::span<const Sample> samples, const CellSums& sums) {
+  const bool goes_on = frozen_ && leap_at(samples) && samples.back().position == frozen_->position;
+  if (sums.lowest != sums.highest && !goes_on)
+    frozen_.reset();
+  else if (!goes_on && (!frozen_ || frozen_->position != samples.front().position))
+    frozen_ = {samples.front().position, samples.front().time_s, samples.back().time_s};
+  else
+    frozen_->to_s = samples.back().time_s;
 }
 
 void StandstillDetector::take_cell(std::span<const Sample> samples, const CellSums& sums,
@@ -140,10 +225,16 @@ void StandstillDetector::learn(std::span<const Sample> samples, const Cell& cell
   noises_.push_back(cell.scale);
   if (noises_.size() > noise_memory) noises_.pop_front();
   usual_step_s_ = (cell.end_s - cell.begin_s) / static_cast<double>(samples.size() - 1);
-  for (std::size_t k = 1; k < std::min(samples.size(), steps_looked_at); ++k) {
+  const std::size_t looked_at = std::min(samples.size(), steps_looked_at);
+  double changes = 0.0;
+  for (std::size_t k = 1; k < looked_at; ++k) {
     const double step = std::abs(samples[k].position - samples[k - 1].position);
+    if (step > 0.0) changes += 1.0;
     if (step > 0.0 && (quantum_ == 0.0 || step < quantum_)) quantum_ = step;
   }
+  if (changes == 0.0) return;
+  const double hold_s = (samples[looked_at - 1].time_s - samples.front().time_s) / changes;
+  usual_hold_s_ = usual_hold_s_ > 0.0 ? std::min(usual_hold_s_, hold_s) : hold_s;
 }
 
 void StandstillDetector::travel(std::span<const Sample> samples, const Cell& cell) {
@@ -158,6 +249,13 @@ void StandstillDetector::gap(std::vector<Standstill>& found) {
   window_.clear();
   travel_.forget();
   gap_behind_ = true;
+  frozen_.reset();
+}
+
+/// The signal, as it seems: a gap that was filled with the last value.
+void StandstillDetector::lose(std::vector<Standstill>& found) {
+  rest_.frozen_from_s = frozen_->from_s;
+  gap(found);
 }
 
 double StandstillDetector::threshold() const {

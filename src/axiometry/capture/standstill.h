@@ -32,10 +32,15 @@ struct StandstillOptions {
   Position greatest = Position::native(0.1);    ///< what it may never move by
   std::optional<Position> threshold{};          ///< T itself, instead of all that
   Position turn = Position::native(1.0);        ///< way back that counts as a change of direction
+  double fastest_per_s = 500.0;                 ///< nothing that is measured is faster, mm/s or °/s
 };
 
+/// What nothing that is driven at a feed (per minute) is taken to exceed, per second: 500, ten feeds if that is more.
+double fastest_motion(double feed);
+
 /// What suits a plan: W = dwell/4 within 0.1 s to 1 s (0.25 s without dwell), settling W, shortest the larger of
-/// dwell/2 and 2 W; smallest 1 µm or 1″; greatest 2 % of the way at the plan's feed in W; turn overrun/4.
+/// dwell/2 and 2 W; smallest 1 µm or 1″; greatest 2 % of the way at the plan's feed in W; turn overrun/4; fastest as
+/// fastest_motion() has it.
 StandstillOptions standstill_options(const Plan& plan);
 
 /// One stretch of rest.
@@ -55,6 +60,9 @@ struct Standstill {
   Position highest{};
   bool after_gap = false;  ///< samples are missing between the standstill before and this one
   bool cut_off = false;    ///< ended by missing samples or the end of the recording, not by motion
+  /// From here on its value stood still to the last digit, and jumped then: the instrument may have lost its signal,
+  /// and where the axis was meanwhile is not known.
+  std::optional<double> frozen_from_s{};
 };
 
 class StandstillDetector {
@@ -63,11 +71,15 @@ class StandstillDetector {
 
   /// The standstills that ended within these samples. Needs finite samples in order of time (contract: readers refuse
   /// others). The result does not depend on how a recording is cut into pieces. A step in time of more than W and ten
-  /// usual steps counts as a gap.
+  /// usual steps counts as a gap; so does a value that stands still to the last digit for more than W and ten times
+  /// what it usually does on the way, where it then jumps farther than anything moves between two samples, and stays.
   std::vector<Standstill> push(std::span<const Sample> samples);
 
   /// Samples are missing here, or the recording ends: the standstill that was going on, if there was one.
   std::vector<Standstill> interrupt();
+
+  /// The same where the samples behind this place jump away, as who hands them on has seen.
+  std::vector<Standstill> jumped();
 
   /// Where the axis is now, for people who watch; nothing before the first cell.
   struct Now {
@@ -87,12 +99,28 @@ class StandstillDetector {
     double slope() const;
   };
 
+  /// One value, over and over.
+  struct Frozen {
+    double position = 0.0;
+    double from_s = 0.0;
+    double to_s = 0.0;
+  };
+
   double cell_edge_s(const Sample& first) const;
-  void take(std::span<const Sample> samples, std::vector<Standstill>& found);
+  std::size_t take(std::span<const Sample> samples, bool more_come, std::vector<Standstill>& found);
+  std::size_t take_piece(std::span<const Sample> samples, const CellSums& sums, bool more_come,
+                         std::vector<Standstill>& found);
+  void take_begun(std::vector<Standstill>& found);
+  bool frozen_long() const;
+  std::optional<std::size_t> leap_at(std::span<const Sample> samples) const;
+  bool is_away(const Sample& sample, double step_s) const;
+  bool stays_away(std::span<const Sample> behind) const;
+  void watch_value(std::span<const Sample> samples, const CellSums& sums);
   void take_cell(std::span<const Sample> samples, const CellSums& sums, std::vector<Standstill>& found);
   void travel(std::span<const Sample> samples, const Cell& cell);
   void learn(std::span<const Sample> samples, const Cell& cell);
   void gap(std::vector<Standstill>& found);
+  void lose(std::vector<Standstill>& found);
   double threshold() const;
   bool settled(double threshold) const;
   void begin_rest(double threshold);
@@ -108,7 +136,9 @@ class StandstillDetector {
   std::deque<double> noises_;  // standard deviations of the last cells
   double usual_step_s_ = 0.0;  // between samples; 0 before the first cell
   double quantum_ = 0.0;       // q; 0 before two different samples were seen
-  bool gap_behind_ = true;     // nothing is known of the time before the recording
+  double usual_hold_s_ = 0.0;  // between two changes of the value on the way; 0 before one was seen
+  std::optional<Frozen> frozen_;
+  bool gap_behind_ = true;  // nothing is known of the time before the recording
   std::optional<Cell> now_;
 
   bool at_rest_ = false;

@@ -192,5 +192,124 @@ TEST(Standstill, SettlesForTheThresholdThatIsGiven) {
   EXPECT_EQ(detect(run.record(path), options).size(), 5u);
 }
 
+/// What an instrument sends that shows its last value from one time to another.
+std::vector<Sample> frozen(std::vector<Sample> samples, double from_s, double to_s) {
+  const auto first = std::ranges::lower_bound(samples, from_s, {}, &Sample::time_s);
+  for (auto s = first; s != samples.end() && s->time_s < to_s; ++s) s->position = first->position;
+  return samples;
+}
+
+std::size_t suspected(const std::vector<Standstill>& found) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(found, [](const Standstill& s) { return s.frozen_from_s.has_value(); }));
+}
+
+/// On the way from 0 to 20 the value stands still, and shows the axis at 20 only when it rests there.
+TEST(Standstill, IsSuspectedWhereTheValueFreezesOnTheWayAndJumps) {
+  MadeUpRun run;
+  const auto found = detect(frozen(run.record(path), 3.7, 5.2), standstill_options(run.plan));
+  ASSERT_EQ(found.size(), path.size() + 1);
+  ASSERT_TRUE(found[1].frozen_from_s);
+  EXPECT_NEAR(*found[1].frozen_from_s, 3.7, 0.15);
+  EXPECT_NEAR(found[1].end_s, 5.2, 0.01);
+  EXPECT_TRUE(found[1].cut_off);
+  EXPECT_TRUE(found[2].after_gap);
+  EXPECT_EQ(found[2].arrival, std::nullopt);  // it may have gone beyond 20 and come back
+  EXPECT_NEAR(found[2].position.in_native(), 20.0, 1e-4);
+  EXPECT_EQ(found[3].arrival, Direction::up);
+  EXPECT_EQ(suspected(found), 1u);
+}
+
+TEST(Standstill, IsSuspectedWhereTheValueFreezesAtRestAndJumpsAtTheNextOne) {
+  MadeUpRun run;
+  const auto found = detect(frozen(run.record(path), 5.5, 9.0), standstill_options(run.plan));
+  ASSERT_EQ(found.size(), path.size());
+  ASSERT_TRUE(found[1].frozen_from_s);
+  EXPECT_NEAR(*found[1].frozen_from_s, 5.5, 0.15);
+  EXPECT_EQ(found[2].arrival, std::nullopt);
+  EXPECT_EQ(suspected(found), 1u);
+}
+
+TEST(Standstill, IsSuspectedWhereverTheJumpLiesInACellAndHoweverTheRecordingIsCut) {
+  MadeUpRun run;
+  run.rate_hz = 90.0;
+  for (int late = 0; late < 30; ++late) {
+    const auto samples = frozen(run.record(path), 3.5, 5.0 + late / run.rate_hz);
+    const auto whole = detect(samples, standstill_options(run.plan));
+    EXPECT_EQ(suspected(whole), 1u) << late;
+    for (const std::size_t piece : {1, 2, 3, 7, 50}) {
+      const auto cut = detect(samples, standstill_options(run.plan), piece);
+      ASSERT_EQ(cut.size(), whole.size()) << late;
+      for (std::size_t k = 0; k < cut.size(); ++k) {
+        EXPECT_EQ(cut[k].frozen_from_s, whole[k].frozen_from_s);
+        EXPECT_EQ(cut[k].position, whole[k].position);
+        EXPECT_EQ(cut[k].count, whole[k].count);
+        EXPECT_EQ(cut[k].arrival, whole[k].arrival);
+      }
+    }
+  }
+}
+
+/// At rest an instrument without noise shows one value, too.
+TEST(Standstill, IsNotSuspectedWhereTheAxisLeavesAValueThatStoodStill) {
+  for (const double rate_hz : {20.0, 100.0, 1000.0, 10'000.0})
+    for (const double feed : {1200.0, 30'000.0}) {
+      MadeUpRun run;
+      run.rate_hz = rate_hz;
+      run.quantum = 0.001;
+      run.noise = 0.0;
+      const StandstillOptions options = standstill_options(run.plan);
+      run.plan.feed = feed;  // a jog is faster than the plan
+      const auto found = detect(run.record(path), options);
+      EXPECT_EQ(found.size(), path.size()) << rate_hz;
+      EXPECT_EQ(suspected(found), 0u) << rate_hz;
+    }
+}
+
+TEST(Standstill, IsNotSuspectedWhereAnInstrumentIsAskedMoreOftenThanItMeasures) {
+  for (const std::size_t times : {5, 50, 200}) {
+    MadeUpRun run;
+    run.rate_hz = 1000.0;
+    run.quantum = 0.001;
+    run.noise = 0.0;
+    const StandstillOptions options = standstill_options(run.plan);
+    run.plan.feed = 6000.0;
+    auto samples = run.record({{0.0, 0.0}, {20.0, 2.0}, {45.0, 2.0}, {20.0, 2.0}, {0.0, 2.0}});
+    for (std::size_t k = 0; k < samples.size(); ++k) samples[k].position = samples[k - k % times].position;
+    const auto found = detect(samples, options);
+    EXPECT_EQ(suspected(found), 0u) << times;
+  }
+}
+
+TEST(Standstill, IsNotSuspectedWhereSamplesAreFalse) {
+  for (const double height : {5.0, -1000.0})
+    for (std::size_t every = 90; every < 125; ++every) {
+      MadeUpRun run;
+      run.quantum = 0.001;
+      run.noise = 0.0;
+      auto samples = run.record(path);
+      for (std::size_t k = 2000; k < samples.size(); k += every) samples[k].position += height;
+      const auto found = detect(samples, standstill_options(run.plan));
+      EXPECT_EQ(suspected(found), 0u) << every;
+      std::size_t rejected = 0;
+      for (const Standstill& s : found) rejected += s.rejected;
+      EXPECT_GT(rejected, 15u) << every;
+    }
+}
+
+TEST(Standstill, IsSuspectedWhereWhoHandsTheSamplesOnSawTheJump) {
+  StandstillDetector detector(standstill_options(MadeUpRun{}.plan));
+  std::vector<Sample> samples;
+  for (int k = 0; k < 1000; ++k) samples.push_back({k / 500.0, k < 250 ? 10.0 + 0.04 * k : 20.0});
+  EXPECT_TRUE(detector.push(samples).empty());
+  const auto found = detector.jumped();
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_TRUE(found[0].frozen_from_s);
+  EXPECT_NEAR(*found[0].frozen_from_s, 0.5, 0.13);
+  for (int k = 0; k < 1000; ++k) samples[static_cast<std::size_t>(k)] = {3.0 + k / 500.0, 20.0 + (k % 2) * 1e-5};
+  detector.push(samples);
+  EXPECT_EQ(suspected(detector.jumped()), 0u);
+}
+
 }  // namespace
 }  // namespace axiometry::capture

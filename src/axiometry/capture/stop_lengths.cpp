@@ -38,7 +38,7 @@ class Outcome {
 
   StopLengths run() {
     lengths_.stops.resize(stops().size());
-    for (const Standstill& s : matcher_.standstills()) lengths_.standstills += long_enough(s) ? 1 : 0;
+    for (const Standstill& s : matcher_.standstills()) lengths_.standstills += is_usable(s) ? 1 : 0;
     find_ambiguous();
     std::size_t segment = 0;
     for (std::size_t k = 0; k < matches_.size(); ++k) {
@@ -48,7 +48,9 @@ class Outcome {
             {++segment, m.stop, standstill(m).begin_s, m.untold, stops()[m.stop].begins_segment});
       }
       StopOutcome& outcome = lengths_.stops[m.stop];
-      if (!long_enough(standstill(m)))
+      if (standstill(m).frozen_from_s)
+        outcome.lack = StopLack::signal_lost;
+      else if (!long_enough(standstill(m)))
         outcome.lack = StopLack::too_short;
       else if (ambiguous_[k])
         outcome.lack = StopLack::ambiguous;
@@ -65,6 +67,7 @@ class Outcome {
   std::span<const ExpectedStop> stops() const { return matcher_.stops(); }
   const Standstill& standstill(const StopMatch& match) const { return matcher_.standstills()[match.standstill]; }
   bool long_enough(const Standstill& s) const { return s.end_s - s.begin_s >= matcher_.options().shortest.in_s(); }
+  bool is_usable(const Standstill& s) const { return long_enough(s) && !s.frozen_from_s; }
 
   StopLength length_of(const Standstill& s, std::size_t segment) const {
     StopLength length{s.position.in_native(),
@@ -115,7 +118,7 @@ class Outcome {
     std::size_t next = 0;
     for (std::size_t k = matches_.front().standstill; k < matches_.back().standstill; ++k) {
       while (matches_[next].standstill < k) ++next;
-      if (matches_[next].standstill != k && long_enough(matcher_.standstills()[k]))
+      if (matches_[next].standstill != k && is_usable(matcher_.standstills()[k]))
         lengths_.unused.push_back(matcher_.standstills()[k]);
     }
   }
@@ -175,6 +178,7 @@ std::string_view lack_name(StopLack lack) {
   switch (lack) {
     case StopLack::no_standstill: return "no standstill";
     case StopLack::too_short: return "too short";
+    case StopLack::signal_lost: return "signal lost";
     case StopLack::ambiguous: return "ambiguous";
     case StopLack::not_reached: return "not reached";
   }
@@ -193,7 +197,7 @@ StopListener::StopListener(std::vector<ExpectedStop> stops, const StopOptions& o
 
 BeamWatch::Sink StopListener::sink() {
   return {.samples = [this](std::span<const Sample> samples) { take(detector_.push(samples)); },
-          .broken = [this](double) { take(detector_.interrupt()); },
+          .broken = [this](double) { take(detector_.jumped()); },
           .missing = [this](double time_s) { missing_s_.push_back(time_s); }};
 }
 

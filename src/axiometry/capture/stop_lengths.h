@@ -35,10 +35,12 @@ struct StopLength {
 enum class StopLack {
   no_standstill,  ///< the reflector did not rest there, or the recording does not show it
   too_short,      ///< it rested, but for less than the shortest time
+  signal_lost,    ///< the length stood still to the last digit and then jumped (Standstill::frozen_from_s)
   ambiguous,      ///< what was there may as well belong to another stop that has no length
   not_reached,    ///< the recording ended before
 };
-std::string_view lack_name(StopLack lack);  ///< "no standstill", "too short", "ambiguous", "not reached"
+/// "no standstill", "too short", "signal lost", "ambiguous", "not reached".
+std::string_view lack_name(StopLack lack);
 
 struct StopOutcome {
   std::optional<StopLength> length;

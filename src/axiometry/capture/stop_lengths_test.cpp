@@ -377,5 +377,24 @@ TEST(StopLengths, TakeTimeInProportionToTheStandstills) {
   EXPECT_LT(many, 30.0 * few + 0.2) << few;
 }
 
+/// The beam is lost on the way to a stop, near it; the length stands still until it is found again, at the stop behind.
+TEST(StopLengths, HasNoLengthOfAStopWhereItFrozeAndJumped) {
+  const auto points = volume_points(30);
+  MadeUpLengths run;
+  auto samples = run.record(places_of(points));
+  const auto plain = listen(run, places_of(points), points);
+  ASSERT_TRUE(plain && plain->stops[12].length);
+  const double rest_at_s = plain->stops[12].length->time_s, next_at_s = plain->stops[13].length->time_s;
+  const auto first = std::ranges::lower_bound(samples, rest_at_s, {}, &Sample::time_s);
+  for (auto s = first; s->time_s < next_at_s - 0.9 * rest_s / 2.0; ++s) s->position = first->position;
+  const auto lengths = lengths_at_stops(samples, stops_at(points, run.station_mm), options());
+  ASSERT_TRUE(lengths) << lengths.error().message;
+  EXPECT_EQ(lengths->found(), points.size() - 1);
+  EXPECT_FALSE(lengths->stops[12].length);
+  EXPECT_EQ(lengths->stops[12].lack, StopLack::signal_lost) << lack_name(lengths->stops[12].lack);
+  ASSERT_EQ(lengths->segments.size(), 1u);
+  EXPECT_EQ(lengths->segments[0].stop, 13u);
+}
+
 }  // namespace
 }  // namespace axiometry::capture

@@ -66,7 +66,7 @@ double StopMatcher::tolerance_mm(std::size_t from, std::size_t to) const {
 void StopMatcher::take(const Standstill& standstill) {
   standstills_.push_back(standstill);
   const Standstill& s = standstills_.back();
-  const bool too_short = s.end_s - s.begin_s < options_.shortest.in_s();
+  const bool too_short = s.frozen_from_s || s.end_s - s.begin_s < options_.shortest.in_s();  // no reading
   cost_limit_ = best().cost + cost_most;
   for (State& state : states_) {
     const double low = options_.reversed ? -s.highest.in_native() : s.lowest.in_native();

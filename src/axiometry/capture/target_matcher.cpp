@@ -102,6 +102,13 @@ std::optional<CapturedReading> TargetMatcher::match(const Standstill& s) {
   unseen_ = unseen_ || s.after_gap;
   lowest_ = std::min(lowest_, s.lowest.in_native());
   highest_ = std::max(highest_, s.highest.in_native());
+  if (s.frozen_from_s) {
+    event(EventKind::signal_lost, s.begin_s,
+          fmt::format("from {} s to {} s the instrument showed {} without a change of the last digit, and then jumped: "
+                      "it may have lost its signal; not used",
+                      format_fixed(*s.frozen_from_s, 2), format_fixed(s.end_s, 2), shown(s.position)));
+    return std::nullopt;
+  }
   const auto target = target_at(s.position);
   if (!target && at_turning_point(s.position)) {
     ++result_.overruns;

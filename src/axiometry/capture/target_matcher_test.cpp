@@ -296,5 +296,23 @@ TEST(CapturedTest, LeavesOutTargetsThatWereNeverReached) {
   EXPECT_TRUE(std::ranges::any_of(test->provenance.remarks, &SourceRemark::departs));
 }
 
+/// Close to a target the value stands still, while the axis goes there, rests, and goes on to the next one.
+TEST(TargetMatcher, TakesNoReadingOfAValueThatFrozeAndJumped) {
+  MadeUpRun run;
+  auto samples = run.record();
+  const double target = run.plan.targets[1].in_native();
+  const auto near = std::ranges::find_if(samples, [&](const Sample& s) { return s.position > target - 0.3; });
+  const auto end = near + static_cast<std::ptrdiff_t>(4.5 * run.rate_hz);
+  for (auto s = near; s != end; ++s) s->position = near->position;
+  ASSERT_GT(end->position, target + 10.0);
+  const CaptureResult result = capture_all(run.plan, samples);
+  auto expected = approaches(run.plan);
+  expected.erase(expected.begin() + 1, expected.begin() + 3);  // and the way to the next one was not seen
+  EXPECT_EQ(approaches_of(result), expected);
+  EXPECT_EQ(count_of(result, EventKind::signal_lost), 1u);
+  EXPECT_EQ(count_of(result, EventKind::unseen), 1u);
+  expect_true(run, result);
+}
+
 }  // namespace
 }  // namespace axiometry::capture

@@ -171,6 +171,12 @@ constexpr Phrase capture_rows[] = {
     {"found {0=} without its beginning AXIOMETRYTIMES2, read {1#} records of it that are sound",
      "{0} ohne seinen Anfang AXIOMETRYTIMES2; {1} unversehrte Einträge daraus gelesen"},
     {"found {0=}, expected it with the simulator only", "{0}; erwartet: nur beim Simulator"},
+    {"from {0#} s to {1#} s the instrument showed {2#} without a change of the last digit, and then jumped: it may "
+     "have "
+     "lost its signal; not used",
+     "von {0}\u00a0s bis {1}\u00a0s zeigte das Messgerät {2}, ohne dass sich die letzte Stelle änderte, und sprang "
+     "dann: Es "
+     "hat vielleicht sein Signal verloren; nicht verwendet"},
     {"half of all readings lie beyond {0#}: the zero of the instrument may be another than the plan's",
      "die Hälfte aller Messwerte liegt jenseits von {0}: Der Nullpunkt des Messgeräts ist vielleicht ein anderer als "
      "der des Plans"},
@@ -247,6 +253,7 @@ constexpr Phrase capture_rows[] = {
      "the noise of the recording",
      "Abtastwerte im Stillstand streuen um {0}, was {1} in einem Messwert lässt, bei einer Streuung zwischen den "
      "Durchläufen von {2}: R und A enthalten das Rauschen der Aufzeichnung"},
+    {"signal lost: {0}", "Signal verloren: {0}"},
     {"target {0#} run {1#}: {2}", "Zielposition {0}, Durchlauf {1}: {2}"},
     {"the axis rested {0#} s at the targets, half of the rests longer and half shorter, where the plan has {1#} s: the "
      "dwell is that of the recording",
@@ -280,6 +287,10 @@ constexpr Phrase capture_rows[] = {
      "das Messgerät schwieg {0} Mal länger als eine Sekunde, höchstens {1}\u00a0s: Dort können Abtastwerte fehlen"},
     {"the instrument was silent for more than a second {0#} times, {1#} s at most: samples may be missing there",
      "das Messgerät schwieg {0} Mal länger als eine Sekunde, höchstens {1}\u00a0s: Dort können Abtastwerte fehlen"},
+    {"the length stood still to the last digit there and then jumped: the instrument may have lost its signal",
+     "die Länge änderte sich dort nicht einmal in der letzten Stelle und sprang dann: Das Messgerät hat vielleicht "
+     "sein "
+     "Signal verloren"},
     {"the numbers of the file were taken as angles in mrad", "die Zahlen der Datei gelten als Winkel in mrad"},
     {"the rate that was given is not used, since the recording tells its times",
      "die angegebene Abtastrate wird nicht verwendet, denn die Aufzeichnung nennt ihre Zeiten"},

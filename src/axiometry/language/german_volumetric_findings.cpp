@@ -45,6 +45,18 @@ constexpr Phrase volumetric_findings_rows[] = {
      "own",
      "vor {0} springen alle Längen um {1}: Der Strahl war unterbrochen, und die Längen ab dort haben eine eigene "
      "Totstrecke"},
+    {"between {0} and {1} all lengths jump by {2#}: the beam was broken, and the lengths from there on have a dead "
+     "path of their own; on which side of the break the one length between was measured cannot be told, and it is "
+     "left out",
+     "zwischen {0} und {1} springen alle Längen um {2}: Der Strahl war unterbrochen, und die Längen ab dort haben eine "
+     "eigene Totstrecke; auf welcher Seite der Unterbrechung die eine Länge dazwischen gemessen wurde, lässt sich "
+     "nicht sagen, und sie ist ausgelassen"},
+    {"between {0} and {1} all lengths jump by {2#}: the beam was broken, and the lengths from there on have a dead "
+     "path of their own; on which side of the break the {3#} lengths between were measured cannot be told, and they "
+     "are left out",
+     "zwischen {0} und {1} springen alle Längen um {2}: Der Strahl war unterbrochen, und die Längen ab dort haben eine "
+     "eigene Totstrecke; auf welcher Seite der Unterbrechung die {3} Längen dazwischen gemessen wurden, lässt sich "
+     "nicht sagen, und sie sind ausgelassen"},
     {"curves are taken to be smooth, as the lengths of all let it appear: {0}",
      "die Kurven gelten als glatt, wie es die Längen aller erkennen lassen: {0}"},
     {"curves are taken to be smooth, as was stated: {0}", "die Kurven gelten als glatt, wie angegeben: {0}"},

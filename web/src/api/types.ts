@@ -262,7 +262,7 @@ export interface components {
             readings: components["schemas"]["CapturedReading"][];
             events: {
                 /** @enum {string} */
-                kind: "zero" | "missed" | "repeated" | "wrong direction" | "too short" | "unexpected" | "not seen" | "restarted" | "incomplete";
+                kind: "zero" | "missed" | "repeated" | "wrong direction" | "too short" | "signal lost" | "unexpected" | "not seen" | "restarted" | "incomplete";
                 message: string;
                 time_s: number;
             }[];
@@ -3585,6 +3585,8 @@ export interface components {
                 tool?: string;
                 residual_um?: number;
                 normalised?: number;
+                /** @enum {string} */
+                why?: "outlier" | "beside a break";
             }[];
             breaks: {
                 reading?: number;
@@ -3592,6 +3594,8 @@ export interface components {
                 station?: string;
                 tool?: string;
                 jump_um?: number;
+                earliest_reading?: number;
+                latest_reading?: number;
             }[];
             drift?: boolean;
             findings: components["schemas"]["VolumetricFinding"][];

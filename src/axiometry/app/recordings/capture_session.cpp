@@ -19,9 +19,6 @@ constexpr std::size_t plan_limit = std::size_t{64} << 20;
 constexpr std::size_t lines_to_recognise = 4;  // start-up text, a header and two samples
 constexpr std::size_t most_to_recognise = std::size_t{64} << 10;
 
-constexpr double slowest_limit_mm_per_s = 500.0;  // that no reflector is taken to exceed
-constexpr double feeds_of_limit = 10.0;
-
 capture::StandstillOptions rest_options(capture::StandstillOptions rest, const CaptureOptions& options) {
   if (options.rest_window) {
     // What a window may move by at most grows with it; what is made of windows follows.
@@ -129,7 +126,7 @@ Result<CaptureSession> CaptureSession::open(capture::StopList list, const Captur
   stops.matcher.station_error_mm = list.station_error_mm;
   stops.matcher.direction_counts = list.direction_counts;
   stops.matcher.reversed = options.matcher.reversed;
-  stops.fastest_mm_per_s = std::max(slowest_limit_mm_per_s, feeds_of_limit * list.drive.feed / 60.0);
+  stops.fastest_mm_per_s = capture::fastest_motion(list.drive.feed);
   session.stops_ = std::make_unique<capture::StopListener>(std::move(list.stops), stops);
   return session;
 }

@@ -19,6 +19,8 @@ std::string_view lack_text(StopLack lack) {
   switch (lack) {
     case StopLack::no_standstill: return "no standstill";
     case StopLack::too_short: return "the rest was too short";
+    case StopLack::signal_lost:
+      return "the length stood still to the last digit there and then jumped: the instrument may have lost its signal";
     case StopLack::ambiguous: return "what was there may as well belong to another stop that was not heard";
     case StopLack::not_reached: return "the recording ended before";
   }

@@ -208,12 +208,15 @@ Value to_json(const IdentifiedMachine& identified) {
     add_reading(item, identified, s.reading);
     item.add("residual_um", s.residual_um);
     item.add("normalised", s.normalised);
+    item.add("why", s.beside_break ? "beside a break" : "outlier");
   }
   Value& breaks = root.add("breaks", Value::array());
   for (const FoundBreak& b : found.breaks) {
     Value& item = breaks.push(Value::object());
     add_reading(item, identified, b.before_reading);
     item.add("jump_um", b.jump_um);
+    item.add("earliest_reading", b.earliest_reading + 1);
+    item.add("latest_reading", b.latest_reading + 1);
   }
   root.add("drift", found.drift);
   root.add("smoothness", smoothness_value(identified));

@@ -44,17 +44,6 @@ double line_statistic(std::span<const std::size_t> readings, const Normalised& z
 /// By chance of n normalised residuals less than once in 10⁵ stretches.
 double break_limit(std::size_t readings) { return 30.0 + 4.0 * std::log(static_cast<double>(readings)); }
 
-/// That which the beam ended before a reading: of the same station, tool and segment.
-std::size_t stretch_before(const Unknowns& unknowns, std::size_t reading) {
-  const Stretch& own = unknowns.stretches[unknowns.stretch_of[reading]];
-  std::size_t last = reading;
-  while (last-- > 0) {
-    const Stretch& other = unknowns.stretches[unknowns.stretch_of[last]];
-    if (other.virtual_station == own.virtual_station && other.segment == own.segment) break;
-  }
-  return unknowns.stretch_of[last];
-}
-
 double mean_residual(std::span<const std::size_t> readings, std::span<const double> residuals) {
   double sum = 0.0;
   for (const std::size_t i : readings) sum += residuals[i];
@@ -96,6 +85,16 @@ double share_of_clear(const Problem& problem, const State& state, std::size_t be
 }
 
 }  // namespace
+
+std::size_t stretch_before(const Unknowns& unknowns, std::size_t reading) {
+  const Stretch& own = unknowns.stretches[unknowns.stretch_of[reading]];
+  std::size_t last = reading;
+  while (last-- > 0) {
+    const Stretch& other = unknowns.stretches[unknowns.stretch_of[last]];
+    if (other.virtual_station == own.virtual_station && other.segment == own.segment) break;
+  }
+  return unknowns.stretch_of[last];
+}
 
 std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals) {
   const Normalised z{problem, residuals, robust_scale(problem, residuals)};

@@ -25,6 +25,9 @@ struct BreakSuspected {
 /// 10⁵ stretches.
 std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals_um);
 
+/// That which the beam ended before a reading at whose place a stretch begins: of the same station, tool and segment.
+std::size_t stretch_before(const Unknowns& unknowns, std::size_t reading);
+
 /// By how much all lengths jump at a break before a reading: from the end of the stretch before it to the begin of its
 /// own, µm. Dead paths are taken off the length, and are those of the middle of a stretch that drifts.
 double jump_um(const Unknowns& unknowns, const State& state, std::size_t before);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "axiometry/volumetric/identify/identification.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
@@ -57,6 +60,134 @@ TEST(Identify, TellsOneOfTwoBreaksThatAreUnclearBesideEachOther) {
   ASSERT_EQ(result->breaks.size(), 1u);
   EXPECT_GE(result->breaks[0].before_reading, first);
   EXPECT_LE(result->breaks[0].before_reading, second);
+}
+
+/// What a set of lengths with breaks at random places was found to have.
+struct Placed {
+  std::size_t breaks = 0;       ///< with four readings and more on either side
+  std::size_t held = 0;         ///< of these: within what is told
+  std::size_t exact = 0;        ///< and to the reading
+  std::size_t elsewhere = 0;    ///< told where none is
+  std::size_t jumps_wrong = 0;  ///< of those held: by more than four standard deviations of a reading
+
+  void add(const Placed& other) {
+    breaks += other.breaks;
+    held += other.held;
+    exact += other.exact;
+    elsewhere += other.elsewhere;
+    jumps_wrong += other.jumps_wrong;
+  }
+};
+
+struct TrialFaults {
+  std::size_t breaks = 0;
+  double least_um = 2.0;  ///< of the jumps
+  double most_um = 5e4;
+  std::size_t outliers = 0;  ///< and as many beside the breaks
+  double drift_um = 0.0;     ///< standard deviation, of each run
+};
+
+/// Stations in turn with three tools each; jumps are as often between 2 and 20 µm as between 200 and 2000.
+Placed placed(unsigned seed, const TrialFaults& faults) {
+  constexpr std::size_t points = 80;
+  test::TrueMachine machine("XYZF", seed);
+  VolumetricLengths lengths = test::measured(machine, test::four_stations(), {.points = points});
+  const std::size_t n = lengths.readings.size();
+  const auto run_end = [&](std::size_t i) { return (i / points + 1) * points; };
+  const auto any = [&](std::size_t most) {
+    return std::min(most - 1, static_cast<std::size_t>(machine.uniform(0.0, static_cast<double>(most))));
+  };
+  for (std::size_t run = 0; run < n / points; ++run) {
+    const double drift_mm = 1e-3 * faults.drift_um * machine.normal();
+    for (std::size_t k = 0; k < points; ++k)
+      lengths.readings[run * points + k].length_mm += drift_mm * static_cast<double>(k) / static_cast<double>(points);
+  }
+  struct Truth {
+    std::size_t before;
+    double jump_um;
+  };
+  std::vector<Truth> truths;
+  while (truths.size() < faults.breaks) {
+    const std::size_t before = any(n);
+    if (before % points < 4 || before % points > points - 4) continue;
+    if (std::ranges::any_of(truths, [&](const Truth& t) { return t.before / points == before / points; })) continue;
+    const double size_um = faults.least_um * std::pow(faults.most_um / faults.least_um, machine.uniform(0.0, 1.0));
+    truths.push_back({before, machine.normal() > 0.0 ? size_um : -size_um});
+    for (std::size_t i = before; i < run_end(i) && i / points == before / points && i < n; ++i)
+      lengths.readings[i].length_mm += 1e-3 * truths.back().jump_um;
+  }
+  for (std::size_t k = 0; k < faults.outliers; ++k) {
+    lengths.readings[any(n)].length_mm += machine.normal() > 0.0 ? 0.08 : -0.2;
+    if (k < truths.size()) lengths.readings[truths[k].before - 2 + any(5)].length_mm += 0.15 * machine.normal();
+  }
+  const auto result = identify(machine.model, lengths, {.sizes = {6, 6, 6}});
+  EXPECT_TRUE(result) << result.error().message;
+  Placed placed;
+  if (!result) return placed;
+  const auto holds = [](const FoundBreak& f, const Truth& t) {
+    return f.earliest_reading <= t.before && t.before <= f.latest_reading;
+  };
+  placed.breaks = truths.size();
+  for (const FoundBreak& found : result->breaks) {
+    const auto truth = std::ranges::find_if(truths, [&](const Truth& t) { return holds(found, t); });
+    if (truth == truths.end()) {
+      ++placed.elsewhere;
+      continue;
+    }
+    ++placed.held;
+    if (found.is_certain()) ++placed.exact;
+    const double sigma_um = machine.model.sigma_um(lengths.readings[truth->before].length_mm);
+    if (std::abs(found.jump_um - truth->jump_um) > 4.0 * sigma_um + faults.drift_um) ++placed.jumps_wrong;
+  }
+  return placed;
+}
+
+Placed placed(unsigned first_seed, unsigned sets, TrialFaults faults) {
+  Placed all;
+  for (unsigned k = 0; k < sets; ++k) {
+    faults.drift_um = k % 2 == 0 ? 0.0 : 3.0;
+    all.add(placed(first_seed + k, faults));
+  }
+  return all;
+}
+
+TEST(Identify, PlacesBreaksToTheReadingOrSaysBetweenWhich) {
+  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 4;
+  const Placed all = placed(100, sets, {.breaks = 5, .outliers = 4});
+  std::printf("all: %zu held %zu exact %zu elsewhere %zu jumps %zu\n", all.breaks, all.held, all.exact, all.elsewhere,
+              all.jumps_wrong);
+  EXPECT_EQ(all.elsewhere, 0u);
+  EXPECT_EQ(all.jumps_wrong, 0u);
+}
+
+TEST(Identify, TellsNoBreakInSetsWithoutOne) {
+  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 4;
+  EXPECT_EQ(placed(500, sets, {.outliers = 6}).elsewhere, 0u);
+}
+
+/// Half way between both levels: on neither side is it an outlier.
+TEST(Identify, LeavesOutAReadingOfWhichNothingTellsOnWhichSideOfABreakItWasMeasured) {
+  test::TrueMachine machine("XFYZ", 47);
+  VolumetricLengths lengths = test::measured(machine, test::four_stations(), {.points = 80, .noise = false});
+  constexpr std::size_t broken = 5 * 80 + 40;
+  const double jump_mm = 8e-3 * machine.model.sigma_um(600.0);
+  for (std::size_t i = broken; i < 6 * 80; ++i) lengths.readings[i].length_mm += jump_mm;
+  lengths.readings[broken - 1].length_mm += 0.5 * jump_mm;
+  const auto result = identify(machine.model, lengths, {});
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->breaks.size(), 1u);
+  EXPECT_EQ(result->breaks[0].earliest_reading, broken - 1);
+  EXPECT_EQ(result->breaks[0].latest_reading, broken);
+  ASSERT_EQ(result->set_aside.size(), 1u);
+  EXPECT_EQ(result->set_aside[0].reading, broken - 1);
+  EXPECT_TRUE(result->set_aside[0].beside_break);
+  std::string told;
+  for (const VolumetricFinding& finding : result->findings) {
+    if (finding.id == "volumetric-beam-broken") told = finding.message;
+    EXPECT_NE(finding.id, "volumetric-set-aside") << finding.message;
+  }
+  EXPECT_TRUE(told.starts_with("between reading 439 and reading 441 of station \"B\" with tool \"side\"")) << told;
+  EXPECT_NE(told.find("the one length between was measured cannot be told, and it is left out"), std::string::npos);
 }
 
 }  // namespace

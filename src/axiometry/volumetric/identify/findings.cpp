@@ -20,11 +20,15 @@ constexpr double chance_least = 1e-3;
 constexpr double ratio_serious = 4.0;
 constexpr double decided_u_ratio = 1.4142135623730951;  // √2: half of what is known of a curve
 
+std::string place_text(const VolumetricLengths& lengths, std::size_t i) {
+  const std::size_t line = lengths.readings[i].line;
+  return line > 0 ? fmt::format("line {}", line) : fmt::format("reading {}", i + 1);
+}
+
 std::string reading_text(const VolumetricLengths& lengths, std::size_t i) {
   const VolumetricReading& r = lengths.readings[i];
-  return fmt::format("{} of station {} with tool {}",
-                     r.line > 0 ? fmt::format("line {}", r.line) : fmt::format("reading {}", i + 1),
-                     text::quoted(lengths.stations[r.station]), text::quoted(lengths.tools[r.tool]));
+  return fmt::format("{} of station {} with tool {}", place_text(lengths, i), text::quoted(lengths.stations[r.station]),
+                     text::quoted(lengths.tools[r.tool]));
 }
 
 void add_unseen(const MachineModel& machine, const VolumetricLengths& lengths, const Identification& result,
@@ -71,27 +75,62 @@ void add_scatter(const Identification& result, std::vector<VolumetricFinding>& f
 
 void add_set_aside(const VolumetricLengths& lengths, const Identification& result,
                    std::vector<VolumetricFinding>& findings) {
-  if (result.set_aside.empty()) return;
+  std::vector<SetAside> outliers;
+  for (const SetAside& s : result.set_aside)
+    if (!s.beside_break) outliers.push_back(s);
+  if (outliers.empty()) return;
   const SetAside worst =
-      *std::ranges::max_element(result.set_aside, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
-  const double share = static_cast<double>(result.set_aside.size()) / static_cast<double>(lengths.readings.size());
+      *std::ranges::max_element(outliers, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
+  const double share = static_cast<double>(outliers.size()) / static_cast<double>(lengths.readings.size());
   findings.push_back(
       {"volumetric-set-aside", share > aside_share_most,
        fmt::format(
            "{} of {} lengths lie farther from what the others predict than chance allows, and {} set aside; the "
            "farthest is {}, by {:.1f} µm",
-           result.set_aside.size(), lengths.readings.size(), result.set_aside.size() == 1 ? "was" : "were",
+           outliers.size(), lengths.readings.size(), outliers.size() == 1 ? "was" : "were",
            reading_text(lengths, worst.reading), worst.residual_um)});
 }
 
-void add_breaks(const VolumetricLengths& lengths, const Identification& result,
+/// The last reading that was certainly measured before the break, and what lies between: those of its station, tool and
+/// segment, which need not follow each other.
+struct InDoubt {
+  std::size_t last_before = 0;
+  std::size_t count = 0;
+};
+InDoubt in_doubt(const Identifier& done, const VolumetricLengths& lengths, const FoundBreak& found) {
+  InDoubt doubt;
+  const VolumetricReading& own = lengths.readings[found.before_reading];
+  for (std::size_t i = 0; i < found.latest_reading; ++i) {
+    const VolumetricReading& r = lengths.readings[i];
+    if (r.station != own.station || r.tool != own.tool || r.segment != own.segment || done.is_copy(i)) continue;
+    if (i < found.earliest_reading)
+      doubt.last_before = i;
+    else
+      ++doubt.count;
+  }
+  return doubt;
+}
+
+std::string break_text(const Identifier& done, const VolumetricLengths& lengths, const FoundBreak& found) {
+  if (found.is_certain())
+    return fmt::format(
+        "before {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there on "
+        "have a dead path of their own",
+        reading_text(lengths, found.before_reading), found.jump_um);
+  const InDoubt doubt = in_doubt(done, lengths, found);
+  return fmt::format(
+      "between {} and {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there "
+      "on have a dead path of their own; on which side of the break the {} between {} measured cannot "
+      "be told, and {} left out",
+      place_text(lengths, doubt.last_before), reading_text(lengths, found.latest_reading), found.jump_um,
+      doubt.count == 1 ? "one length" : fmt::format("{} lengths", doubt.count), doubt.count == 1 ? "was" : "were",
+      doubt.count == 1 ? "it is" : "they are");
+}
+
+void add_breaks(const Identifier& done, const VolumetricLengths& lengths, const Identification& result,
                 std::vector<VolumetricFinding>& findings) {
   for (const FoundBreak& found : result.breaks)
-    findings.push_back(
-        {"volumetric-beam-broken", false,
-         fmt::format("before {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from "
-                     "there on have a dead path of their own",
-                     reading_text(lengths, found.before_reading), found.jump_um)});
+    findings.push_back({"volumetric-beam-broken", false, break_text(done, lengths, found)});
 }
 
 void add_drift(const Identification& result, std::vector<VolumetricFinding>& findings) {
@@ -236,7 +275,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
   add_set_aside(lengths, result, findings);
-  add_breaks(lengths, result, findings);
+  add_breaks(done, lengths, result, findings);
   add_drift(result, findings);
   add_domain(done, machine, findings);
   add_places(done, lengths, findings);

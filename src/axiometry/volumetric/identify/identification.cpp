@@ -51,7 +51,7 @@ std::vector<IdentifiedStation> stations_of(const Identifier& done, const Machine
     stations.push_back(station);
   }
   for (std::size_t i = 0; i < lengths.readings.size(); ++i) {
-    if (done.set_aside()[i] || done.is_copy(i)) continue;
+    if (done.set_aside()[i] || done.in_doubt(i) || done.is_copy(i)) continue;
     IdentifiedStation& station = stations[unknowns.stretches[unknowns.stretch_of[i]].virtual_station];
     const double v = done.fit().residuals_um[i], z = v / done.sigmas_um()[i];
     ++station.readings;
@@ -80,16 +80,18 @@ std::vector<IdentifiedStretch> stretches_of(const Identifier& done) {
 
 std::vector<FoundBreak> breaks_of(const Identifier& done) {
   std::vector<FoundBreak> breaks;
-  for (const std::size_t before : done.breaks())
-    breaks.push_back({before, detail::jump_um(done.unknowns(), done.fit().state, before)});
+  for (const detail::BreakPlace& place : done.breaks())
+    breaks.push_back(
+        {place.before, detail::jump_um(done.unknowns(), done.fit().state, place.before), place.earliest, place.latest});
   return breaks;
 }
 
 std::vector<SetAside> set_aside_of(const Identifier& done) {
   std::vector<SetAside> aside;
   for (std::size_t i = 0; i < done.set_aside().size(); ++i)
-    if (done.set_aside()[i])
-      aside.push_back({i, done.fit().residuals_um[i], done.fit().residuals_um[i] / done.sigmas_um()[i]});
+    if (done.set_aside()[i] || (done.in_doubt(i) && !done.is_copy(i)))
+      aside.push_back(
+          {i, done.fit().residuals_um[i], done.fit().residuals_um[i] / done.sigmas_um()[i], !done.set_aside()[i]});
   return aside;
 }
 

@@ -72,14 +72,19 @@ struct IdentifiedStretch {
 
 /// A break that the file does not tell.
 struct FoundBreak {
-  std::size_t before_reading = 0;
-  double jump_um = 0.0;  ///< of the length
+  std::size_t before_reading = 0;    ///< the likeliest
+  double jump_um = 0.0;              ///< of the length
+  std::size_t earliest_reading = 0;  ///< before one from here ...
+  std::size_t latest_reading = 0;    ///< ... to here it was: those between tell no more, and are left out
+
+  bool is_certain() const { return earliest_reading == latest_reading; }
 };
 
 struct SetAside {
   std::size_t reading = 0;
-  double residual_um = 0.0;  ///< measured less what the others predict
-  double normalised = 0.0;   ///< over its standard uncertainty
+  double residual_um = 0.0;   ///< measured less what the others predict
+  double normalised = 0.0;    ///< over its standard uncertainty
+  bool beside_break = false;  ///< it may fit: but nothing tells on which side of a break it was measured
 };
 
 struct VolumetricRank {

@@ -47,6 +47,7 @@ Result<Identifier> Identifier::make(const MachineModel& machine, const Volumetri
   identifier.find_copies();
   if (options.reversal != Reversal::none) identifier.take_approaches();
   identifier.aside_.assign(lengths.readings.size(), false);
+  identifier.doubtful_.assign(lengths.readings.size(), false);
   identifier.domains_ = curve_domains(machine.travel, identifier.observed_);
   AXIOMETRY_TRY_VOID(identifier.choose_first_sizes());
   return identifier;
@@ -143,7 +144,7 @@ Problem Identifier::problem() const {
 std::size_t Identifier::count() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < aside_.size(); ++i)
-    if (!aside_[i] && !is_copy_[i]) ++count;
+    if (!aside_[i] && !doubtful_[i] && !is_copy_[i]) ++count;
   return count;
 }
 
@@ -230,6 +231,13 @@ Result<void> Identifier::refit() {
 }
 
 std::vector<double> Identifier::stated_weights() const {
+  std::vector<double> weights = instrument_weights();
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (doubtful_[i]) weights[i] = 0.0;
+  return weights;
+}
+
+std::vector<double> Identifier::instrument_weights() const {
   std::vector<double> weights;
   for (std::size_t i = 0; i < sigmas_.size(); ++i)
     weights.push_back(is_copy_[i] ? 0.0 : 1.0 / (sigmas_[i] * sigmas_[i]));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/volumetric/identify/anomalies.h"
+#include "axiometry/volumetric/identify/break_places.h"
 #include "axiometry/volumetric/identify/curvature_penalty.h"
 #include "axiometry/volumetric/identify/curve_choice.h"
 #include "axiometry/volumetric/identify/identification.h"
@@ -24,12 +25,13 @@ class Identifier {
   /// are asked for; then the last fit.
   Result<void> run();
 
-  const std::vector<std::size_t>& breaks() const { return breaks_; }
+  const std::vector<BreakPlace>& breaks() const { return places_; }
   const std::vector<double>& sigmas_um() const { return sigmas_; }
   const std::vector<Vector3>& tools_mm() const {
     return tools_mm_;
   }  ///< of the lengths, as they count (point_spread.h)
   const std::vector<bool>& set_aside() const { return aside_; }
+  bool in_doubt(std::size_t reading) const { return doubtful_[reading]; }  ///< which side of a break it belongs to
   const Coefficients& coefficients() const { return *coefficients_; }
   const Unknowns& unknowns() const { return *unknowns_; }
   const Fit& fit() const { return *fit_; }
@@ -69,6 +71,8 @@ class Identifier {
   Result<void> refit();
   Result<void> find_breaks();
   Result<void> drop_unclear_breaks();
+  Result<void> settle_breaks();
+  bool take_places(std::vector<BreakPlace> places);
   Result<void> find_outliers();
   Result<void> find_drift();
   Result<void> fit_with_drift(bool drift);
@@ -76,7 +80,8 @@ class Identifier {
   Result<void> take_finer_sizes();
   Result<void> smooth();
   bool set_aside_beyond_limit();
-  std::vector<double> stated_weights() const;
+  std::vector<double> stated_weights() const;  ///< 0 where nothing tells which dead path a reading has
+  std::vector<double> instrument_weights() const;
   std::optional<double> criterion(const Sizes& sizes, const std::optional<Trial>& coarsest) const;
   std::size_t unknown_count() const;  ///< under the gauge
   std::size_t threads() const;
@@ -87,8 +92,9 @@ class Identifier {
   std::vector<Vector3> tools_mm_;
   std::vector<Approaches> approaches_;
   std::vector<double> sigmas_, weights_;
-  std::vector<bool> aside_, is_copy_;
+  std::vector<bool> aside_, doubtful_, is_copy_;
   std::vector<std::size_t> breaks_;  ///< readings, rising
+  std::vector<BreakPlace> places_;   ///< of the breaks, once they are settled
   bool drift_ = false;
   TravelBox observed_;
   std::array<CurveDomain, axis_count> domains_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <utility>
 
 #include "axiometry/volumetric/identify/identifier.h"
 
@@ -7,6 +8,8 @@ namespace axiometry::volumetric::detail {
 namespace {
 
 constexpr std::size_t breaks_most = 200;
+constexpr std::size_t settling_rounds = 8;
+constexpr std::size_t rounds_to_narrow = 4;  // from then on doubt only grows
 
 }  // namespace
 
@@ -25,19 +28,68 @@ Result<void> Identifier::find_breaks() {
     AXIOMETRY_TRY_VOID(start());
     AXIOMETRY_TRY_VOID(refit());
     AXIOMETRY_TRY_VOID(find_outliers());
+    AXIOMETRY_TRY_VOID(settle_breaks());
   }
   return {};
 }
 
 /// One by one: with each that is gone the stretch beside the next one is longer.
 Result<void> Identifier::drop_unclear_breaks() {
+  AXIOMETRY_TRY_VOID(settle_breaks());
   while (const auto unclear = least_clear_break(problem(), fit_->state, fit_->residuals_um, breaks_)) {
     std::erase(breaks_, *unclear);
+    std::erase_if(places_, [&](const BreakPlace& place) { return place.before == *unclear; });
     AXIOMETRY_TRY_VOID(start());
     AXIOMETRY_TRY_VOID(refit());
     AXIOMETRY_TRY_VOID(find_outliers());
+    AXIOMETRY_TRY_VOID(settle_breaks());
   }
   return {};
+}
+
+/// A reading on the wrong side of a break bends curves, or is set aside though nothing is wrong with it. Readings in
+/// doubt are left out of the fit that says whether they still are: what was fitted to a reading speaks for itself.
+Result<void> Identifier::settle_breaks() {
+  bool moved = false;
+  for (std::size_t round = 0; round < settling_rounds; ++round) {
+    const std::vector<double> everything = instrument_weights();
+    Problem all = problem();
+    all.weights = everything;
+    std::vector<BreakPlace> places = break_places(all, fit_->state, fit_->residuals_um, breaks_);
+    if (round >= rounds_to_narrow)
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        places[k].earliest = std::min(places[k].earliest, places_[k].earliest);
+        places[k].latest = std::max(places[k].latest, places_[k].latest);
+      }
+    if (!take_places(std::move(places))) break;
+    moved = true;
+    AXIOMETRY_TRY_VOID(refit());
+    if (options_.find_outliers && set_aside_beyond_limit()) AXIOMETRY_TRY_VOID(refit());
+  }
+  if (moved) return find_outliers();
+  return {};
+}
+
+/// Whether anything that is fitted changed. The stretches stay as many, and in their order.
+bool Identifier::take_places(std::vector<BreakPlace> places) {
+  std::ranges::sort(places, {}, &BreakPlace::before);  // of segments that take turns they may pass each other
+  std::vector<std::size_t> breaks;
+  for (const BreakPlace& place : places) breaks.push_back(place.before);
+  const Unknowns unknowns = unknowns_of(*coefficients_, lengths_.readings, breaks, drift_);
+  std::vector<bool> doubtful(doubtful_.size(), false);
+  for (const BreakPlace& place : places) {
+    const std::size_t from = stretch_before(unknowns, place.before), to = unknowns.stretch_of[place.before];
+    for (std::size_t i = place.earliest; i < place.latest; ++i)
+      doubtful[i] = unknowns.stretch_of[i] == from || unknowns.stretch_of[i] == to;
+  }
+  places_ = std::move(places);
+  if (breaks == breaks_ && doubtful == doubtful_) return false;
+  breaks_ = std::move(breaks);
+  doubtful_ = std::move(doubtful);
+  unknowns_ = unknowns;
+  const std::vector<double> stated = stated_weights();
+  for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = aside_[i] ? 0.0 : stated[i];
+  return true;
 }
 
 }  // namespace axiometry::volumetric::detail

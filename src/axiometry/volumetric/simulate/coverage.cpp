@@ -64,8 +64,9 @@ void try_field(const ErrorModel& model, const TrueErrors& truth, Draw draw, Cove
 
 void try_faults(const Identification& found, const SimulatedLengths& simulated, CoverageTrial& trial) {
   for (const FoundBreak& b : found.breaks) {
-    const bool right = std::ranges::any_of(
-        simulated.jumps, [&](const SimulatedJump& j) { return !j.told && j.before_reading == b.before_reading; });
+    const bool right = std::ranges::any_of(simulated.jumps, [&](const SimulatedJump& j) {
+      return !j.told && j.before_reading >= b.earliest_reading && j.before_reading <= b.latest_reading;
+    });
     ++(right ? trial.breaks_found : trial.breaks_wrong);
   }
   for (const SetAside& s : found.set_aside) {

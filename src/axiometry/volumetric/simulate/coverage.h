@@ -45,7 +45,7 @@ struct CoverageTrial {
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
   double field_error_um_squared = 0.0;  ///< mean of |stated − true|², in the gauge
-  std::size_t breaks_found = 0;         ///< of the untold ones, before the right reading
+  std::size_t breaks_found = 0;         ///< of the untold ones, where they were said to be
   std::size_t breaks_wrong = 0;         ///< elsewhere
   std::size_t outliers_found = 0;       ///< set aside
   std::size_t set_aside_wrong = 0;      ///< readings that were right
