@@ -18,6 +18,8 @@
 #include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/live/recording_room.h"
 #include "axiometry/app/live/recording_spared.h"
+#include "axiometry/app/live/stop_marks.h"
+#include "axiometry/app/recordings/motion_table.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/raw_playing.h"
 #include "axiometry/base/number_text.h"
@@ -212,7 +214,20 @@ class Run {
       } else {
         AXIOMETRY_TRY_VOID(sound(log.sync_when_due()));
       }
+      AXIOMETRY_TRY_VOID(take_keys(log));
       show();
+    }
+    return {};
+  }
+
+  /// First the disk, with all the readings that were seen when it was said.
+  Result<void> take_keys(RawLog& log) {
+    if (session_.motion() == nullptr || !observer_.keys) return {};
+    for (const capture::StopKey key : observer_.keys()) {
+      AXIOMETRY_TRY_VOID(sound(log.sync()));
+      const double time_s = session_.press(key);
+      AXIOMETRY_TRY_VOID(append_mark(run_.raw.empty() ? run_.resume : run_.raw, {key, time_s}));
+      AXIOMETRY_TRY_VOID(settle({}, false));
     }
     return {};
   }
@@ -297,21 +312,44 @@ class Run {
   /// First the disk, then the people.
   Result<void> settle(const std::vector<capture::CapturedReading>& readings, bool last) {
     if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(sound(log_->sync()));
+    if (session_.motion() != nullptr) return settle_values(last);
     if (!readings.empty() || last) AXIOMETRY_TRY_VOID(write_test(last));
     if (session_.stops() != nullptr) return {};
     const auto& events = session_.matcher().result().events;
     events_told_ = std::min(events_told_, events.size());  // setting the zero begins a new list
     for (const capture::CapturedReading& reading : readings) {
-      tell_events(reading.standstill.begin_s);
+      tell_events(events, reading.standstill.begin_s);
       if (observer_.reading) observer_.reading(reading);
     }
-    tell_events(std::numeric_limits<double>::max());
+    tell_events(session_.matcher().result().events, std::numeric_limits<double>::max());
     return {};
   }
 
+  /// Values and events are never taken off their lists.
+  Result<void> settle_values(bool last) {
+    const MotionListener& motion = *session_.motion();
+    const auto& given = motion.values().given();
+    const auto& events = motion.values().events();
+    const bool changed = given.size() > values_told_ || events.size() > events_told_;
+    if (given.size() > values_told_ && log_ != nullptr) AXIOMETRY_TRY_VOID(sound(log_->sync()));
+    if (changed || last) AXIOMETRY_TRY_VOID(write_table(last));
+    for (; values_told_ < given.size(); ++values_told_) {
+      tell_events(events, given[values_told_].still.from_s);
+      if (observer_.value) observer_.value(given[values_told_], motion);
+    }
+    tell_events(events, std::numeric_limits<double>::max());
+    return {};
+  }
+
+  Result<void> write_table(bool last) {
+    if (run_.out.empty() || (run_.out == "-" && !last)) return {};
+    const auto table = motion_table(session_, {run_.from, run_.raw.empty() ? run_.resume : run_.raw,
+                                               arrival_date(first_arrival_)});
+    return table ? write_file(run_.out, *table) : Result<void>{};
+  }
+
   /// Those up to a time that were not told yet.
-  void tell_events(double until_s) {
-    const auto& events = session_.matcher().result().events;
+  void tell_events(const std::vector<capture::CaptureEvent>& events, double until_s) {
     for (; events_told_ < events.size() && events[events_told_].time_s <= until_s; ++events_told_)
       if (observer_.event) observer_.event(events[events_told_]);
   }
@@ -343,7 +381,7 @@ class Run {
   std::optional<RawHold> hold_;
   std::optional<ArrivalNs> first_arrival_;
   CaptureSession::End end_ = CaptureSession::End::of_reading;
-  std::size_t events_told_ = 0;
+  std::size_t events_told_ = 0, values_told_ = 0;
   bool stopped_ = false, abandoned_ = false, log_is_sound_ = false;
   PlanEnd end_of_plan_;
 };
@@ -378,6 +416,21 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part.value_or(1)));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
   return from_source(run, observer, std::move(session), [](Run& reading) { return reading(); });
+}
+
+Result<MotionOutcome> run_motion_capture(const CaptureRun& run, CaptureOptions options,
+                                         const CaptureObserver& observer) {
+  AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
+  AXIOMETRY_TRY_VOID(take_marks(run, *options.motion));
+  AXIOMETRY_TRY(Plan plan, load_any_plan(options.plan));
+  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
+  return from_source(run, observer, std::move(session), [](Run& reading) -> Result<MotionOutcome> {
+    const HeardLive all = reading.heard();
+    if (all.trouble) return std::unexpected(*all.trouble);
+    const CaptureSession& heard = all.heard.session;
+    return MotionOutcome{all.heard.complete, all.heard.stopped, heard.taken(),
+                         heard.expected(),   heard.samples(),   heard.lost()};
+  });
 }
 
 Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, const CaptureObserver& observer) {

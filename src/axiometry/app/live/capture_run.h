@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "axiometry/app/files/disk_room.h"
 #include "axiometry/app/files/source.h"
@@ -21,6 +22,7 @@ struct CaptureRun {
   std::string resume;  ///< instead: such a file, which is played first and goes on
   std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
   Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
+  std::string keys{};                  ///< of a finished recording: file of what was said at its stops, stop_marks.h
 };
 
 /// What happens, for people who watch. Any may be empty.
@@ -31,6 +33,9 @@ struct CaptureObserver {
   std::function<void(const CaptureSession&)> now;  ///< several times a second
   std::function<bool()> stopped;                   ///< asked several times a second: ends it with all that was recorded
   std::function<bool()> abandoned;                 ///< ends it as if the program were killed, to be gone on with later
+  /// Of a straightness or a rotation: as reading(), and what was said since the last call, asked as often as stopped().
+  std::function<void(const capture::PlannedValue&, const MotionListener&)> value{};
+  std::function<std::vector<capture::StopKey>()> keys{};
 };
 
 struct CaptureOutcome {
@@ -49,6 +54,20 @@ struct CaptureOutcome {
 /// the test file would take the place of the recording or the plan.
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
+
+/// The same for a straightness or a rotation, options.motion: `out` is the table of motion_table(), written after every
+/// reading. What was said at the stops is kept beside the raw file (marks_name()) and played again with it. Fails also
+/// on keys of a file without any.
+struct MotionOutcome {
+  bool complete = false;
+  bool stopped = false;
+  std::size_t found = 0;
+  std::size_t planned = 0;
+  std::size_t samples = 0;
+  std::size_t lost = 0;
+};
+Result<MotionOutcome> run_motion_capture(const CaptureRun& run, CaptureOptions options,
+                                         const CaptureObserver& observer);
 
 /// What a source gave to a session.
 struct HeardSource {
