@@ -74,7 +74,8 @@ void add_stop_flags(const Verb& verb, StopFlags& flags, std::string& keys) {
              flags.given = true;
              return {};
            });
-  add_beside(group, flags, {"--stop-column", "N", "Column of the trigger or the position, beside the time; 1 is the first"},
+  add_beside(group, flags,
+             {"--stop-column", "N", "Column of the trigger or the position, beside the time; 1 is the first"},
              [&stated](const std::string& word) -> Result<void> {
                AXIOMETRY_TRY(stated.stop_column, column_of(word));
                return {};

@@ -13,9 +13,9 @@ namespace axiometry::cli {
 class TypedKeys {
  public:
   std::vector<capture::StopKey> take();
-  bool ended() const { return ended_; }          ///< "end" was said
-  bool closed() const { return closed_; }        ///< no more can come
-  std::vector<std::string> take_unknown();       ///< lines that say nothing known
+  bool ended() const { return ended_; }     ///< "end" was said
+  bool closed() const { return closed_; }   ///< no more can come
+  std::vector<std::string> take_unknown();  ///< lines that say nothing known
 
  private:
   void take_line(std::string line, std::vector<capture::StopKey>& keys);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "axiometry/app/live/motion_run.h"
 #include "axiometry/app/recordings/motion_table.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
@@ -34,8 +35,8 @@ class MotionDisplay {
   void value(const capture::PlannedValue& value, const app::MotionListener& motion) {
     if (quiet_) return;
     clear();
-    std::string line = fmt::format("{}  {}", left(capture::approach_name(value.approach), name_width),
-                                   app::value_text(value, motion));
+    std::string line =
+        fmt::format("{}  {}", left(capture::approach_name(value.approach), name_width), app::value_text(value, motion));
     for (const std::string& remark : value.remarks) line += terminal_.yellow("; " + remark);
     fmt::print("{}\n", line);
     std::fflush(stdout);
@@ -44,8 +45,8 @@ class MotionDisplay {
   void event(const capture::CaptureEvent& event) {
     if (quiet_) return;
     clear();
-    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), name_width)),
-               event.message, format_fixed(event.time_s, 2));
+    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), name_width)), event.message,
+               format_fixed(event.time_s, 2));
     std::fflush(stdout);
   }
 
@@ -68,9 +69,9 @@ class MotionDisplay {
     }
     if (!shows_now_) return;
     std::string line = fmt::format("{} of {}", session.taken(), session.expected());
-    line += values.now() ? fmt::format("  {} {}", format_fixed(*values.now(), 2),
-                                       motion_unit_symbol(session.motion()->unit()))
-                         : std::string("  waiting for readings");
+    line += values.now()
+                ? fmt::format("  {} {}", format_fixed(*values.now(), 2), motion_unit_symbol(session.motion()->unit()))
+                : std::string("  waiting for readings");
     if (due) line += ", next " + place(*due, values.plan());
     line += values.is_reading()      ? "  reading …"
             : values.waits_for_key() ? "  Enter: it is this one, s: this one is missing"
@@ -131,7 +132,8 @@ int capture_motion(const app::CaptureRun& run, const app::CaptureOptions& option
           [&] {
             auto keys = typed.take();
             for (const std::string& line : typed.take_unknown())
-              display.notice(fmt::format("found {}, expected Enter, s (skip), u (undo) or e (end)", text::quoted(line)));
+              display.notice(
+                  fmt::format("found {}, expected Enter, s (skip), u (undo) or e (end)", text::quoted(line)));
             return keys;
           },
   };

@@ -5,25 +5,22 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <memory>
 #include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "axiometry/app/files/output.h"
 #include "axiometry/app/live/capture_date.h"
+#include "axiometry/app/live/capture_telling.h"
 #include "axiometry/app/live/outage.h"
 #include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/live/recording_room.h"
 #include "axiometry/app/live/recording_spared.h"
 #include "axiometry/app/live/stop_marks.h"
-#include "axiometry/app/recordings/motion_table.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/raw_playing.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/formats/format.h"
 
 namespace axiometry::app {
 namespace {
@@ -42,7 +39,7 @@ constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
 class Run {
  public:
   Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
-      : run_(run), observer_(observer), session_(std::move(session)) {}
+      : run_(run), observer_(observer), session_(std::move(session)), telling_(run, observer) {}
 
   void listen(Connect connect, std::uint64_t raw_limit, FreeBytes free = free_bytes) {
     connect_ = std::move(connect);
@@ -311,56 +308,8 @@ class Run {
 
   /// First the disk, then the people.
   Result<void> settle(const std::vector<capture::CapturedReading>& readings, bool last) {
-    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(sound(log_->sync()));
-    if (session_.motion() != nullptr) return settle_values(last);
-    if (!readings.empty() || last) AXIOMETRY_TRY_VOID(write_test(last));
-    if (session_.stops() != nullptr) return {};
-    const auto& events = session_.matcher().result().events;
-    events_told_ = std::min(events_told_, events.size());  // setting the zero begins a new list
-    for (const capture::CapturedReading& reading : readings) {
-      tell_events(events, reading.standstill.begin_s);
-      if (observer_.reading) observer_.reading(reading);
-    }
-    tell_events(session_.matcher().result().events, std::numeric_limits<double>::max());
-    return {};
-  }
-
-  /// Values and events are never taken off their lists.
-  Result<void> settle_values(bool last) {
-    const MotionListener& motion = *session_.motion();
-    const auto& given = motion.values().given();
-    const auto& events = motion.values().events();
-    const bool changed = given.size() > values_told_ || events.size() > events_told_;
-    if (given.size() > values_told_ && log_ != nullptr) AXIOMETRY_TRY_VOID(sound(log_->sync()));
-    if (changed || last) AXIOMETRY_TRY_VOID(write_table(last));
-    for (; values_told_ < given.size(); ++values_told_) {
-      tell_events(events, given[values_told_].still.from_s);
-      if (observer_.value) observer_.value(given[values_told_], motion);
-    }
-    tell_events(events, std::numeric_limits<double>::max());
-    return {};
-  }
-
-  Result<void> write_table(bool last) {
-    if (run_.out.empty() || (run_.out == "-" && !last)) return {};
-    const auto table = motion_table(session_, {run_.from, run_.raw.empty() ? run_.resume : run_.raw,
-                                               arrival_date(first_arrival_)});
-    return table ? write_file(run_.out, *table) : Result<void>{};
-  }
-
-  /// Those up to a time that were not told yet.
-  void tell_events(const std::vector<capture::CaptureEvent>& events, double until_s) {
-    for (; events_told_ < events.size() && events[events_told_].time_s <= until_s; ++events_told_)
-      if (observer_.event) observer_.event(events[events_told_]);
-  }
-
-  /// A test needs two targets, so there is no file before them; and none of a recording that does not fit.
-  Result<void> write_test(bool last) {
-    if (run_.out.empty() || session_.stops() != nullptr || (run_.out == "-" && !last)) return {};
-    const auto test = dated_test(session_, run_.from, first_arrival_);
-    if (!test) return {};
-    static const formats::Format* const json = formats::find_format("json");
-    return write_file(run_.out, json->write(*test));
+    if (log_ != nullptr && telling_.is_new(session_, readings)) AXIOMETRY_TRY_VOID(sound(log_->sync()));
+    return telling_.tell(session_, readings, {.last = last, .first_arrival = first_arrival_});
   }
 
   void show() {
@@ -381,7 +330,7 @@ class Run {
   std::optional<RawHold> hold_;
   std::optional<ArrivalNs> first_arrival_;
   CaptureSession::End end_ = CaptureSession::End::of_reading;
-  std::size_t events_told_ = 0, values_told_ = 0;
+  CaptureTelling telling_;
   bool stopped_ = false, abandoned_ = false, log_is_sound_ = false;
   PlanEnd end_of_plan_;
 };
@@ -416,21 +365,6 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part.value_or(1)));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
   return from_source(run, observer, std::move(session), [](Run& reading) { return reading(); });
-}
-
-Result<MotionOutcome> run_motion_capture(const CaptureRun& run, CaptureOptions options,
-                                         const CaptureObserver& observer) {
-  AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
-  AXIOMETRY_TRY_VOID(take_marks(run, *options.motion));
-  AXIOMETRY_TRY(Plan plan, load_any_plan(options.plan));
-  AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
-  return from_source(run, observer, std::move(session), [](Run& reading) -> Result<MotionOutcome> {
-    const HeardLive all = reading.heard();
-    if (all.trouble) return std::unexpected(*all.trouble);
-    const CaptureSession& heard = all.heard.session;
-    return MotionOutcome{all.heard.complete, all.heard.stopped, heard.taken(),
-                         heard.expected(),   heard.samples(),   heard.lost()};
-  });
 }
 
 Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, const CaptureObserver& observer) {

@@ -55,20 +55,6 @@ struct CaptureOutcome {
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
 
-/// The same for a straightness or a rotation, options.motion: `out` is the table of motion_table(), written after every
-/// reading. What was said at the stops is kept beside the raw file (marks_name()) and played again with it. Fails also
-/// on keys of a file without any.
-struct MotionOutcome {
-  bool complete = false;
-  bool stopped = false;
-  std::size_t found = 0;
-  std::size_t planned = 0;
-  std::size_t samples = 0;
-  std::size_t lost = 0;
-};
-Result<MotionOutcome> run_motion_capture(const CaptureRun& run, CaptureOptions options,
-                                         const CaptureObserver& observer);
-
 /// What a source gave to a session.
 struct HeardSource {
   bool complete = false;  ///< the last stop of the plan has come

@@ -62,8 +62,8 @@ Result<void> append_mark(const std::string& raw, const StopMark& mark) {
   const std::string file = marks_name(raw), line = line_of(mark);
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor < 0) return fail_by_system(file);
-  const bool written = ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size()) &&
-                       ::fsync(descriptor) == 0;
+  const bool written =
+      ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size()) && ::fsync(descriptor) == 0;
   const auto failed = written ? Result<void>{} : Result<void>(fail_by_system(file));
   ::close(descriptor);
   return failed;
@@ -104,9 +104,9 @@ Result<void> take_marks(const CaptureRun& run, MotionStatement& stated) {
     return std::unexpected(
         Error{"found keys of another recording, expected none before this one begins", marks_name(run.raw), {}});
   const std::string& played = run.resume.empty() ? run.from : run.resume;
-  const std::string file = !run.keys.empty()                                      ? run.keys
+  const std::string file = !run.keys.empty()                              ? run.keys
                            : is_raw(played) && exists(marks_name(played)) ? marks_name(played)
-                                                                                  : std::string();
+                                                                          : std::string();
   if (!file.empty()) {
     AXIOMETRY_TRY(stated.marks, read_marks(file));
   }

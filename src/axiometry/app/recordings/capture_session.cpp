@@ -60,9 +60,10 @@ bool is_certain(std::string_view head, std::size_t before) {
 /// Deviations are told from positions; what is read after another plan is none of them.
 Result<Plan> of_positions(Plan plan) {
   if (measures_positions(plan)) return plan;
-  return fail(fmt::format("found a plan made for {}, expected one of positions; axiometry capture --stops leads through "
-                          "one of other errors",
-                          errors_text(plan)));
+  return fail(
+      fmt::format("found a plan made for {}, expected one of positions; axiometry capture --stops leads through "
+                  "one of other errors",
+                  errors_text(plan)));
 }
 
 Result<void> check_settling(const CaptureOptions& options, Duration dwell) {

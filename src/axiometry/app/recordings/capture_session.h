@@ -35,7 +35,7 @@ struct CaptureOptions {
   std::optional<double> wavelength_nm;  ///< with counts_per_wavelength in place of recording.units_per_count
   std::optional<double> counts_per_wavelength;
   std::optional<MotionStatement> motion{};  ///< readings of a straightness or a rotation, in place of positions
-  std::string stated;                       ///< name of an option that was stated, for what can use none; empty: none was
+  std::string stated;  ///< name of an option that was stated, for what can use none; empty: none was
 };
 
 /// The plan of a file, or one of those that belong to it. Fails as formats::read_plan() does, and on a part that does
@@ -116,7 +116,7 @@ class CaptureSession {
   const formats::Recording* layout_ = nullptr;
   std::unique_ptr<formats::RecordingReader> reader_;
   std::unique_ptr<formats::RecordingReader> beside_;  // of what tells the stops of motion_, in the same bytes
-  std::string head_;  // until the layout is known
+  std::string head_;                                  // until the layout is known
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
   std::vector<std::string> remarks_;

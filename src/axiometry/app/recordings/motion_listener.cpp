@@ -31,11 +31,11 @@ Result<MotionName> error_of(const Plan& plan, const std::optional<MotionName>& s
                             plan.errors.empty() ? std::string("positions") : errors_text(plan)));
   const MotionName error = stated.value_or(possible.empty() ? MotionName{} : possible.front());
   if (!error.rotation() && !error.straightness())
-    return fail(fmt::format("found the error {}, whose readings are positions and show the stops themselves; expected "
-                            "a straightness or a rotation, or no --stops",
-                            error.text()));
-  AXIOMETRY_TRY_VOID(
-      formats::check_error_of_plan(error, error.rotation() ? MotionUnit::urad : MotionUnit::um, plan));
+    return fail(
+        fmt::format("found the error {}, whose readings are positions and show the stops themselves; expected "
+                    "a straightness or a rotation, or no --stops",
+                    error.text()));
+  AXIOMETRY_TRY_VOID(formats::check_error_of_plan(error, error.rotation() ? MotionUnit::urad : MotionUnit::um, plan));
   return error;
 }
 
@@ -85,13 +85,15 @@ Result<MotionListener> MotionListener::make(Plan plan, const MotionStatement& st
 
 Result<void> MotionListener::check_layout(const formats::Recording& layout) const {
   if (!layout.of_any_quantity)
-    return fail(fmt::format("found a stream of the layout {}, whose numbers are positions, expected one of readings: "
-                            "time-position or camonitor-stream",
-                            layout.id));
+    return fail(
+        fmt::format("found a stream of the layout {}, whose numbers are positions, expected one of readings: "
+                    "time-position or camonitor-stream",
+                    layout.id));
   if (needs_column(stated_.sign) && !layout.channels_share_time)
-    return fail(fmt::format("found a stream of the layout {}, expected time-position: the stops are told by a column "
-                            "of the same line",
-                            layout.id));
+    return fail(
+        fmt::format("found a stream of the layout {}, expected time-position: the stops are told by a column "
+                    "of the same line",
+                    layout.id));
   return {};
 }
 
@@ -99,16 +101,16 @@ std::optional<formats::RecordingOptions> MotionListener::beside(formats::Recordi
   if (!stated_.stop_column) return std::nullopt;
   recording.axis = *stated_.stop_column;
   recording.axis_stated = true;
-  recording.meaning =
-      beside_comes_first() ? formats::ChannelMeaning::number : formats::ChannelMeaning::position;
+  recording.meaning = beside_comes_first() ? formats::ChannelMeaning::number : formats::ChannelMeaning::position;
   return recording;
 }
 
 Result<void> MotionListener::settle_unit(const formats::Unit* named) {
   if (unit_ != nullptr) return {};
   if (named == nullptr && stated_.unit == nullptr)
-    return fail("found readings without a unit, expected --unit um, mm, urad, arcsec, mrad or deg, as the instrument "
-                "sends them");
+    return fail(
+        "found readings without a unit, expected --unit um, mm, urad, arcsec, mrad or deg, as the instrument "
+        "sends them");
   if (named != nullptr && stated_.unit != nullptr && named != stated_.unit)
     return fail(fmt::format("found readings in {} by the stream's header, expected {} as stated", named->symbol,
                             stated_.unit->symbol));

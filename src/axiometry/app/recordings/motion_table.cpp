@@ -55,8 +55,9 @@ std::string statements(const MotionListener& motion, const MotionOrigin& origin)
 /// Lines for people. "captured" and no colon behind a word that might be a key.
 std::string notes(const CaptureSession& session, const MotionOrigin& origin) {
   const MotionListener& motion = *session.motion();
-  std::string text = fmt::format("# captured from {}, layout {}, {} samples{}\n", one_line(origin.from), session.layout(),
-                                 session.samples(), session.lost() > 0 ? fmt::format(", {} lost", session.lost()) : "");
+  std::string text =
+      fmt::format("# captured from {}, layout {}, {} samples{}\n", one_line(origin.from), session.layout(),
+                  session.samples(), session.lost() > 0 ? fmt::format(", {} lost", session.lost()) : "");
   if (!origin.raw.empty()) text += fmt::format("# all that came is in {}\n", one_line(origin.raw));
   text += fmt::format("# the stops were told by {}; {} of {} readings of the plan\n",
                       sign_text(motion.values().options().sign), session.taken(), session.expected());
@@ -98,11 +99,10 @@ Result<std::string> motion_table(const CaptureSession& session, const MotionOrig
 std::string value_text(const PlannedValue& value, const MotionListener& motion) {
   const std::string_view unit = motion_unit_symbol(motion.unit());
   const capture::StillValue& still = value.still;
-  std::string text = fmt::format("{} mm  {} {}",
-                                 format_fixed(motion.values().plan().targets[value.approach.target].in_native(), 4),
-                                 format_fixed(still.value, 2), unit);
-  if (still.count > 1)
-    text += fmt::format("  s {}  {} samples", format_fixed(still.spread, 2), still.count);
+  std::string text =
+      fmt::format("{} mm  {} {}", format_fixed(motion.values().plan().targets[value.approach.target].in_native(), 4),
+                  format_fixed(still.value, 2), unit);
+  if (still.count > 1) text += fmt::format("  s {}  {} samples", format_fixed(still.spread, 2), still.count);
   return text;
 }
 

@@ -35,8 +35,9 @@ ValueListener::ValueListener(Plan plan, const ValueOptions& options)
 
 Result<ValueListener> ValueListener::make(Plan plan, const ValueOptions& options) {
   if (options.matcher.zero_at_first_target)
-    return fail("found a zero to be set at the first target, expected the datum of the position: readings beside it "
-                "are taken as they come");
+    return fail(
+        "found a zero to be set at the first target, expected the datum of the position: readings beside it "
+        "are taken as they come");
   ValueListener listener(std::move(plan), options);
   if (options.sign != StopSign::position) return listener;
   listener.detector_ = std::make_unique<StandstillDetector>(options.rest);
@@ -66,10 +67,8 @@ void ValueListener::take(const Sample& value) {
   last_ = value;
   if (options_.sign == StopSign::position) return window_.push_back(value);
   if (options_.sign == StopSign::readings)
-    return offer({value.time_s, StillValue{.from_s = value.time_s,
-                                           .to_s = value.time_s,
-                                           .count = 1,
-                                           .value = value.position}});
+    return offer(
+        {value.time_s, StillValue{.from_s = value.time_s, .to_s = value.time_s, .count = 1, .value = value.position}});
   if (window_from_s_ && value.time_s > *window_from_s_ + options_.window.in_s()) close_window();
   while (!edges_.empty() && edges_.front() <= value.time_s) {
     open_window(edges_.front());
@@ -280,8 +279,6 @@ std::optional<Approach> ValueListener::due() const { return matcher_ ? matcher_-
 
 std::vector<PlannedValue> ValueListener::values() const { return matcher_ ? at_rests_ : progress_.values(); }
 
-std::optional<double> ValueListener::now() const {
-  return last_ ? std::optional(last_->position) : std::nullopt;
-}
+std::optional<double> ValueListener::now() const { return last_ ? std::optional(last_->position) : std::nullopt; }
 
 }  // namespace axiometry::capture

@@ -79,9 +79,9 @@ class ValueListener {
   /// Every reading that was given to an approach, in the order in which that was done, also what was taken back.
   const std::vector<PlannedValue>& given() const { return given_; }
   const std::vector<CaptureEvent>& events() const { return events_; }
-  std::optional<double> now() const;                                 ///< the last reading
-  bool is_reading() const { return window_from_s_.has_value(); }     ///< within a window
-  bool waits_for_key() const { return !held_.empty(); }              ///< a doubtful reading waits to be told
+  std::optional<double> now() const;                              ///< the last reading
+  bool is_reading() const { return window_from_s_.has_value(); }  ///< within a window
+  bool waits_for_key() const { return !held_.empty(); }           ///< a doubtful reading waits to be told
   const Plan& plan() const { return plan_; }
   const ValueOptions& options() const { return options_; }
 
@@ -118,15 +118,15 @@ class ValueListener {
   std::vector<PlannedValue> given_;
   std::vector<CaptureEvent> events_;
   std::optional<Sample> last_;
-  std::deque<Pressed> pressed_;   // of a recording, not reached yet
-  std::deque<double> edges_;      // of the trigger, not reached yet
-  std::optional<bool> level_;     // of the trigger; nothing where samples are missing
+  std::deque<Pressed> pressed_;  // of a recording, not reached yet
+  std::deque<double> edges_;     // of the trigger, not reached yet
+  std::optional<bool> level_;    // of the trigger; nothing where samples are missing
   std::optional<double> window_from_s_;
-  std::vector<Sample> window_;    // or what a rest of the axis may be averaged from
-  std::deque<Candidate> held_;    // from the first that is doubtful on
+  std::vector<Sample> window_;  // or what a rest of the axis may be averaged from
+  std::deque<Candidate> held_;  // from the first that is doubtful on
   bool doubt_told_ = false;
-  bool trusted_ = false;          // the next is of the target that is due
-  bool warned_ = false;           // a key came too soon, another one insists
+  bool trusted_ = false;  // the next is of the target that is due
+  bool warned_ = false;   // a key came too soon, another one insists
 
   std::unique_ptr<StandstillDetector> detector_;
   std::optional<TargetMatcher> matcher_;

@@ -94,7 +94,8 @@ TEST(StillValue, IsNoneOfTooFewOrOfWhatMoves) {
             "found 15 samples, expected at least 16 to tell whether they stand still");
   samples.clear();
   for (int k = 0; k < 100; ++k) samples.push_back({0.1 * k, 0.05 * k});
-  EXPECT_THAT(still_value(samples, {}).error().message, HasSubstr("found means that range over 3.75, expected at most"));
+  EXPECT_THAT(still_value(samples, {}).error().message,
+              HasSubstr("found means that range over 3.75, expected at most"));
   EXPECT_TRUE(still_value(samples, {.threshold = 4.0}));
   // However noisy: means that wander by more than ten times what is always allowed.
   for (int k = 0; k < 100; ++k) samples[static_cast<std::size_t>(k)].position = (k % 2 == 0 ? 40.0 : -40.0) + 0.2 * k;
@@ -140,7 +141,8 @@ TEST(ValueListener, GivesNothingBehindAMissedTriggerUntilItIsTold) {
   feed(listener, samples);
   EXPECT_TRUE(listener.waits_for_key());
   expect_truth(listener, 4);
-  EXPECT_THAT(message_of(listener, EventKind::doubtful), HasSubstr("so late that target 2↓ run 1 may have been passed"));
+  EXPECT_THAT(message_of(listener, EventKind::doubtful),
+              HasSubstr("so late that target 2↓ run 1 may have been passed"));
   const double time_s = listener.press(StopKey::skip);
   expect_truth(listener, 11);
   EXPECT_TRUE(listener.complete());
@@ -228,7 +230,8 @@ struct Standing {
   double time_s = 0.0;
   void stand(double level, double seconds, double slope = 0.0) {
     for (const double end_s = time_s + seconds; time_s < end_s; time_s += 0.02) {
-      const Sample s{time_s, level + slope * (end_s - time_s) + (static_cast<int>(time_s * 50.0) % 2 == 0 ? 0.1 : -0.1)};
+      const Sample s{time_s,
+                     level + slope * (end_s - time_s) + (static_cast<int>(time_s * 50.0) % 2 == 0 ? 0.1 : -0.1)};
       listener.push({&s, 1});
     }
   }

@@ -265,14 +265,16 @@ Result<SampleColumns> value_columns_by_header(std::string_view line, std::option
   const std::vector<Heading> headings = headings_of(cells);
   const auto timed = time_columns(headings, delimiter);
   if (!timed)
-    return fail(fmt::format("found {}, expected two columns, time and reading, perhaps below a header such as "
-                            "time_s,straightness_um",
-                            text::quoted(line)));
+    return fail(
+        fmt::format("found {}, expected two columns, time and reading, perhaps below a header such as "
+                    "time_s,straightness_um",
+                    text::quoted(line)));
   const std::size_t beside = headings.size() - 1;
   if (!stated && beside > 1)
-    return fail(fmt::format("found {} columns beside the time, expected --stream-axis, which says that of the readings: "
-                            "1 is the first of these",
-                            beside));
+    return fail(
+        fmt::format("found {} columns beside the time, expected --stream-axis, which says that of the readings: "
+                    "1 is the first of these",
+                    beside));
   if (stated && *stated >= beside)
     return fail(fmt::format("found {} columns beside the time, expected at least {}", beside, *stated + 1));
   SampleColumns columns = *timed;

@@ -54,7 +54,7 @@ class TimePositionReader final : public LineReader {
     columns_ = columns_by_values(line, choice_.stated.value_or(0));
     if (columns_) return take(line);
     AXIOMETRY_TRY(columns_, meaning_ == ChannelMeaning::position ? columns_by_header(line, kind_, choice_)
-                                                                  : value_columns_by_header(line, choice_.stated));
+                                                                 : value_columns_by_header(line, choice_.stated));
     return {};
   }
 
