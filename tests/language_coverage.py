@@ -21,6 +21,7 @@ import language_refusals
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
     "capture/capture_result.cpp", "capture/stop_lengths.cpp", "app/recordings/length_capture.cpp", "app/recordings/stop_notes.cpp", "capture/target_matcher.cpp",
+    "capture/values/still_values.cpp", "capture/values/value_listener.cpp", "app/recordings/motion_listener.cpp", "app/live/stop_marks.cpp",
     "app/volumetric/gathered_lengths.cpp", "app/volumetric/part_lengths.cpp", "app/volumetric/part_stops.cpp", "app/volumetric/planned_points.cpp", "standards/readings/artefact.cpp",
     "standards/iso230_2/assessment/assessment.cpp", "standards/iso230_2/rules/findings.cpp", "standards/iso230_2/uncertainty/gum.cpp",
     "standards/iso230_2/inputs/inputs_items.cpp", "standards/iso230_2/periodic/findings.cpp",

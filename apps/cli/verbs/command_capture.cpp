@@ -19,8 +19,10 @@
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/failure.h"
 #include "cli/flags/capture_flags.h"
+#include "cli/flags/stop_flags.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
+#include "cli/verbs/capture_motion.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
@@ -33,6 +35,7 @@ struct CaptureArguments {
   app::CaptureRun run;
   std::string give_up;
   bool quiet = false;
+  StopFlags stops;
 };
 
 /// Readings and events as lines; on a terminal a last line says where the axis is.
@@ -177,6 +180,7 @@ int capture_part(const CaptureArguments& arguments) {
 }
 
 int capture(const CaptureArguments& arguments) {
+  if (arguments.options.motion) return capture_motion(arguments.run, arguments.options, arguments.quiet);
   const auto of_lines = app::is_tracking_plan_file(arguments.options.plan);
   if (!of_lines) return capture_failed(of_lines.error());
   if (*of_lines) return capture_lengths(arguments);
@@ -204,8 +208,9 @@ int capture(const CaptureArguments& arguments) {
 
 /// What only the whole command line can tell.
 void check(CaptureArguments& arguments) {
-  auto& [options, run, give_up, quiet] = arguments;
+  auto& [options, run, give_up, quiet, stops] = arguments;
   if (options.plan.empty()) throw MissingOption("--plan");
+  check_stop_flags(stops, options);
   auto live = app::parse_live(run.from);
   if (!live) throw UsageError("--from", live.error().message);
   if (!*live && (!run.raw.empty() || !run.resume.empty()))
@@ -251,6 +256,7 @@ void add_capture(const Verb& program, int& exit_code) {
       ->type_name("S");
   verb->add_flag("--quiet,-q", arguments->quiet, "No lines in the terminal");
   add_capture_flags(*verb, arguments->options);
+  add_stop_flags(*verb, arguments->stops, run.keys);
   verb->callback([arguments, &exit_code] {
     check(*arguments);
     exit_code = capture(*arguments);
@@ -264,6 +270,7 @@ void add_capture(const Verb& program, int& exit_code) {
   axiometry capture --plan x.plan.json --from x.json.raw --out again.json
   axiometry capture --plan lines.json --from tcp://192.168.1.20:5000 --out lengths.csv    lines of a tracking plan
   axiometry capture --plan plan.json --part 2 --from tcp://192.168.1.20:5000 --out S1_T2.csv  part of a volumetric plan
+  axiometry capture --plan EYX.json --from tcp://192.168.1.20:5000 --stops keys --unit um --out EYX.csv   a straightness
 
 Ends when every approach has come, when the stream ends, or with Ctrl-C; what has come is kept.
 

@@ -35,21 +35,6 @@ Metadata metadata_of(const Plan& plan) {
   return metadata;
 }
 
-Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
-  if (2 * result.readings.size() >= std::max<std::size_t>(result.standstills, 1)) return {};
-  std::string seen;
-  std::size_t named = 0;
-  for (const CaptureEvent& event : result.events)
-    if (event.kind == EventKind::unexpected && named++ < 3) seen += fmt::format("; {}", event.message);
-  return fail(fmt::format(
-      "found {} of {} standstills at the approaches of the plan, expected most of them ({} approaches, targets {} to "
-      "{} "
-      "{}): the recording belongs to another plan, or the zero or sign of the instrument differ (--zero, --datum, "
-      "--reverse){}",
-      result.readings.size(), result.standstills, result.approaches, format_exact(plan.targets.front().in_native()),
-      format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind), seen));
-}
-
 /// Where targets of another plan lie in the windows of this one, readings fill them; those of an axis lie close
 /// together, even with another zero. A twentieth of them at each end may be anything, and so may all of them where
 /// targets are so dense (Annex C) that the error of the axis itself fills the window.
@@ -147,6 +132,21 @@ std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vec
 
 }  // namespace
 
+Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
+  if (2 * result.readings.size() >= std::max<std::size_t>(result.standstills, 1)) return {};
+  std::string seen;
+  std::size_t named = 0;
+  for (const CaptureEvent& event : result.events)
+    if (event.kind == EventKind::unexpected && named++ < 3) seen += fmt::format("; {}", event.message);
+  return fail(fmt::format(
+      "found {} of {} standstills at the approaches of the plan, expected most of them ({} approaches, targets {} to "
+      "{} "
+      "{}): the recording belongs to another plan, or the zero or sign of the instrument differ (--zero, --datum, "
+      "--reverse){}",
+      result.readings.size(), result.standstills, result.approaches, format_exact(plan.targets.front().in_native()),
+      format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind), seen));
+}
+
 std::string_view event_name(EventKind kind) {
   switch (kind) {
     case EventKind::zero: return "zero";
@@ -160,6 +160,10 @@ std::string_view event_name(EventKind kind) {
     case EventKind::restarted: return "restarted";
     case EventKind::off_zero: return "zero";
     case EventKind::incomplete: return "incomplete";
+    case EventKind::unsteady: return "unsteady";
+    case EventKind::doubtful: return "doubtful";
+    case EventKind::skipped: return "skipped";
+    case EventKind::undone: return "taken back";
   }
   return "";
 }

@@ -35,6 +35,10 @@ enum class EventKind {
   restarted,        ///< the first approach came again before the first pass was over: began again
   off_zero,         ///< the readings have a common offset that looks like another zero
   incomplete,       ///< the recording ended before the plan
+  unsteady,         ///< what was read at a stop did not stand still: not used
+  doubtful,         ///< a reading came so late that it may belong to a target behind the one that is due
+  skipped,          ///< a person left the target without a reading
+  undone,           ///< a person took the last one back
 };
 
 std::string_view event_name(EventKind kind);  ///< "missed", "wrong direction", …
@@ -57,6 +61,9 @@ struct CaptureResult {
 
 /// "target 3↑ run 2"
 std::string approach_name(const Approach& approach);
+
+/// Fails when less than half of the standstills belong to approaches.
+Result<void> check_fit(const Plan& plan, const CaptureResult& result);
 
 /// The test that the readings make: metadata from the plan, times of the readings, remarks on what is missing. A target
 /// without any reading is left out, which makes it no test after ISO 230-2. Fails when fewer than two targets have a

@@ -19,9 +19,19 @@
 /// Recording <stem>_recording = {…}`; the build collects them (docs/howto/add-a-format.md).
 namespace axiometry::formats {
 
+struct Unit;
+
+/// What the samples of a channel are taken for.
+enum class ChannelMeaning {
+  position,  ///< of the axis, in mm or °
+  value,     ///< readings in the unit that the stream names, as they stand there
+  number     ///< without a unit: a trigger
+};
+
 /// What the user must say because the stream does not.
 struct RecordingOptions {
   AxisKind kind = AxisKind::linear;
+  ChannelMeaning meaning = ChannelMeaning::position;
   std::optional<double> units_per_count;  ///< mm or ° per count, for streams of counts
   std::optional<double> rate_hz;          ///< samples per second, for streams without time stamps
   std::size_t axis = 0;                   ///< of a stream of several: 0 is the first
@@ -69,6 +79,9 @@ class RecordingReader {
   /// Sentences of what was out of order so far and how it was taken.
   virtual std::vector<std::string> remarks() const { return {}; }
 
+  /// Of readings, the unit that the stream names; nullptr where it names none, or no sample has come.
+  virtual const Unit* unit() const { return nullptr; }
+
   /// What the stream has told about the air so far, first and last values; nothing for most.
   virtual Environment environment() const { return {}; }
 };
@@ -78,6 +91,11 @@ struct Recording {
   std::string_view title;       ///< "µMD0/1/2 serial stream"
   std::string_view extensions;  ///< ".txt", a hint for people
   std::string_view manual;      ///< Markdown: grammar, units, what is refused, an example
+
+  /// Whether its numbers may be readings of anything, ChannelMeaning; else they are positions.
+  bool of_any_quantity = false;
+  /// Whether samples of two of its channels that stand in one line have one time.
+  bool channels_share_time = false;
 
   /// How well the beginning (at most 64 KiB, cut anywhere) fits: 0 not at all, 100 surely.
   int (*recognise)(std::string_view head);

@@ -36,6 +36,7 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_volumetric_findings,
                                  german_volume_recordings,
                                  german_length_captures,
+                                 german_motion_captures,
                                  german_volume_report,
                                  german_volume_plan,
                                  german_calibrations,

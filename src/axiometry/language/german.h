@@ -39,6 +39,7 @@ extern const std::span<const Phrase> german_requests;             ///< requests 
 extern const std::span<const Phrase> german_tracking_requests;    ///< and about a tracking interferometer
 extern const std::span<const Phrase> german_volume_recordings;    ///< lengths of a calibration out of several files
 extern const std::span<const Phrase> german_length_captures;      ///< and captured live from the workbench
+extern const std::span<const Phrase> german_motion_captures;      ///< of straightness and rotations, likewise
 extern const std::span<const Phrase> german_calibrations;         ///< calibrations in the archive
 extern const std::span<const Phrase> german_compensation;         ///< tables by which controls correct an axis
 extern const std::span<const Phrase> german_retests;              ///< what speaks against their test, what proves them

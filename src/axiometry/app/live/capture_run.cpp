@@ -5,23 +5,22 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <memory>
 #include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "axiometry/app/files/output.h"
 #include "axiometry/app/live/capture_date.h"
+#include "axiometry/app/live/capture_telling.h"
 #include "axiometry/app/live/outage.h"
 #include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/live/recording_room.h"
 #include "axiometry/app/live/recording_spared.h"
+#include "axiometry/app/live/stop_marks.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/raw_playing.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/formats/format.h"
 
 namespace axiometry::app {
 namespace {
@@ -40,7 +39,7 @@ constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
 class Run {
  public:
   Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
-      : run_(run), observer_(observer), session_(std::move(session)) {}
+      : run_(run), observer_(observer), session_(std::move(session)), telling_(run, observer) {}
 
   void listen(Connect connect, std::uint64_t raw_limit, FreeBytes free = free_bytes) {
     connect_ = std::move(connect);
@@ -212,7 +211,20 @@ class Run {
       } else {
         AXIOMETRY_TRY_VOID(sound(log.sync_when_due()));
       }
+      AXIOMETRY_TRY_VOID(take_keys(log));
       show();
+    }
+    return {};
+  }
+
+  /// First the disk, with all the readings that were seen when it was said.
+  Result<void> take_keys(RawLog& log) {
+    if (session_.motion() == nullptr || !observer_.keys) return {};
+    for (const capture::StopKey key : observer_.keys()) {
+      AXIOMETRY_TRY_VOID(sound(log.sync()));
+      const double time_s = session_.press(key);
+      AXIOMETRY_TRY_VOID(append_mark(run_.raw.empty() ? run_.resume : run_.raw, {key, time_s}));
+      AXIOMETRY_TRY_VOID(settle({}, false));
     }
     return {};
   }
@@ -296,33 +308,8 @@ class Run {
 
   /// First the disk, then the people.
   Result<void> settle(const std::vector<capture::CapturedReading>& readings, bool last) {
-    if (!readings.empty() && log_ != nullptr) AXIOMETRY_TRY_VOID(sound(log_->sync()));
-    if (!readings.empty() || last) AXIOMETRY_TRY_VOID(write_test(last));
-    if (session_.stops() != nullptr) return {};
-    const auto& events = session_.matcher().result().events;
-    events_told_ = std::min(events_told_, events.size());  // setting the zero begins a new list
-    for (const capture::CapturedReading& reading : readings) {
-      tell_events(reading.standstill.begin_s);
-      if (observer_.reading) observer_.reading(reading);
-    }
-    tell_events(std::numeric_limits<double>::max());
-    return {};
-  }
-
-  /// Those up to a time that were not told yet.
-  void tell_events(double until_s) {
-    const auto& events = session_.matcher().result().events;
-    for (; events_told_ < events.size() && events[events_told_].time_s <= until_s; ++events_told_)
-      if (observer_.event) observer_.event(events[events_told_]);
-  }
-
-  /// A test needs two targets, so there is no file before them; and none of a recording that does not fit.
-  Result<void> write_test(bool last) {
-    if (run_.out.empty() || session_.stops() != nullptr || (run_.out == "-" && !last)) return {};
-    const auto test = dated_test(session_, run_.from, first_arrival_);
-    if (!test) return {};
-    static const formats::Format* const json = formats::find_format("json");
-    return write_file(run_.out, json->write(*test));
+    if (log_ != nullptr && telling_.is_new(session_, readings)) AXIOMETRY_TRY_VOID(sound(log_->sync()));
+    return telling_.tell(session_, readings, {.last = last, .first_arrival = first_arrival_});
   }
 
   void show() {
@@ -343,7 +330,7 @@ class Run {
   std::optional<RawHold> hold_;
   std::optional<ArrivalNs> first_arrival_;
   CaptureSession::End end_ = CaptureSession::End::of_reading;
-  std::size_t events_told_ = 0;
+  CaptureTelling telling_;
   bool stopped_ = false, abandoned_ = false, log_is_sound_ = false;
   PlanEnd end_of_plan_;
 };

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "axiometry/app/files/disk_room.h"
 #include "axiometry/app/files/source.h"
@@ -21,6 +22,7 @@ struct CaptureRun {
   std::string resume;  ///< instead: such a file, which is played first and goes on
   std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
   Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
+  std::string keys{};                  ///< of a finished recording: file of what was said at its stops, stop_marks.h
 };
 
 /// What happens, for people who watch. Any may be empty.
@@ -31,6 +33,9 @@ struct CaptureObserver {
   std::function<void(const CaptureSession&)> now;  ///< several times a second
   std::function<bool()> stopped;                   ///< asked several times a second: ends it with all that was recorded
   std::function<bool()> abandoned;                 ///< ends it as if the program were killed, to be gone on with later
+  /// Of a straightness or a rotation: as reading(), and what was said since the last call, asked as often as stopped().
+  std::function<void(const capture::PlannedValue&, const MotionListener&)> value{};
+  std::function<std::vector<capture::StopKey>()> keys{};
 };
 
 struct CaptureOutcome {

@@ -13,6 +13,7 @@ Result<void> check_recording_spared(const CaptureRun& run, const std::string& pl
   if (!run.resume.empty()) AXIOMETRY_TRY_VOID(InputFiles(std::vector<InputFile>{{plan}}).check_spared(run.resume));
   if (run.out.empty() || run.out == "-") return {};
   std::vector<InputFile> inputs{{plan}, {run.from}, {times_name(run.from)}};
+  if (!run.keys.empty()) inputs.push_back({run.keys});
   if (!run.resume.empty()) inputs.insert(inputs.end(), {{run.resume}, {times_name(run.resume)}});
   AXIOMETRY_TRY_VOID(InputFiles(inputs).check_spared(run.out));
   const auto whole = [](const std::string& name) {

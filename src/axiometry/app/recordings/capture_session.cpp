@@ -56,8 +56,11 @@ bool is_certain(std::string_view head, std::size_t before) {
 
 /// Deviations are told from positions; what is read after another plan is none of them.
 Result<Plan> of_positions(Plan plan) {
-  AXIOMETRY_TRY_VOID(check_measures_positions(plan));
-  return plan;
+  if (measures_positions(plan)) return plan;
+  return fail(
+      fmt::format("found a plan made for {}, expected one of positions; axiometry capture --stops leads through "
+                  "one of other errors",
+                  errors_text(plan)));
 }
 
 Result<void> check_settling(const CaptureOptions& options, Duration dwell) {
@@ -68,31 +71,36 @@ Result<void> check_settling(const CaptureOptions& options, Duration dwell) {
 
 }  // namespace
 
-Result<Plan> load_plan(const std::string& file, std::size_t part) {
+Result<Plan> load_any_plan(const std::string& file) {
   AXIOMETRY_TRY(Source source, Source::open(file));
   AXIOMETRY_TRY(const std::string bytes, source.read_all(plan_limit));
-  auto plan = formats::read_plan(bytes);
-  if (!plan) {
-    plan.error().file = file;
-    return plan;
-  }
-  if (part == 1) return in_file(of_positions(*std::move(plan)), file);
-  if (part == 0 || part > plan->further.size() + 1)
+  return in_file(formats::read_plan(bytes), file);
+}
+
+Result<Plan> load_plan(const std::string& file, std::size_t part) {
+  AXIOMETRY_TRY(Plan plan, load_any_plan(file));
+  if (part == 1) return in_file(of_positions(std::move(plan)), file);
+  if (part == 0 || part > plan.further.size() + 1)
     return std::unexpected(
         Error{fmt::format("found part {} asked for, expected 1 to {}: the plan and those that belong "
                           "to it",
-                          part, plan->further.size() + 1),
+                          part, plan.further.size() + 1),
               file,
               {}});
-  return in_file(of_positions(std::move(plan->further[part - 2])), file);
+  return in_file(of_positions(std::move(plan.further[part - 2])), file);
 }
 
 Result<CaptureSession> CaptureSession::open(Plan plan, const CaptureOptions& options) {
   CaptureSession session;
-  AXIOMETRY_TRY_VOID(check_measures_positions(plan));
+  if (!options.motion) AXIOMETRY_TRY_VOID(of_positions(plan));
   AXIOMETRY_TRY_VOID(session.open_stream(options, plan.axis.kind));
   const capture::StandstillOptions rest = rest_options(capture::standstill_options(plan), options);
   AXIOMETRY_TRY_VOID(check_settling(options, plan.dwell));
+  if (options.motion) {
+    AXIOMETRY_TRY(MotionListener motion, MotionListener::make(std::move(plan), *options.motion, rest, options.matcher));
+    session.motion_ = std::make_unique<MotionListener>(std::move(motion));
+    return session;
+  }
   session.detector_ = std::make_unique<capture::StandstillDetector>(rest);
   capture::MatcherOptions matcher = options.matcher;
   matcher.shortest = rest.shortest;
@@ -154,6 +162,13 @@ Result<bool> CaptureSession::begin(bool whole) {
   }
   formats::RecordingOptions recording = options_.recording;
   if (recording.arrival_s) recording.arrival_s = [arrival = arrival_s_] { return *arrival; };
+  if (motion_) {
+    AXIOMETRY_TRY_VOID(motion_->check_layout(*layout_));
+    if (const auto beside = motion_->beside(recording)) {
+      AXIOMETRY_TRY(beside_, layout_->open(*beside));
+    }
+    recording.meaning = formats::ChannelMeaning::value;
+  }
   AXIOMETRY_TRY(reader_, layout_->open(recording));
   return true;
 }
@@ -179,18 +194,39 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::feed(std::string_v
 SampleSink CaptureSession::sink() {
   return [this](std::span<const Sample> samples) -> Result<void> {
     samples_ += samples.size();
+    if (motion_) return motion_->push(samples, reader_->unit());
     stops_ ? stops_->push(samples) : match(detector_->push(samples));
     return {};
   };
 }
 
+SampleSink CaptureSession::sink_beside() {
+  return [this](std::span<const Sample> samples) -> Result<void> {
+    motion_->push_beside(samples);
+    return {};
+  };
+}
+
+/// Of both channels in the order that ValueListener asks for.
+Result<void> CaptureSession::for_channels(
+    const std::function<Result<void>(formats::RecordingReader&, const SampleSink&)>& call) {
+  const bool first = beside_ && motion_->beside_comes_first();
+  if (first) AXIOMETRY_TRY_VOID(call(*beside_, sink_beside()));
+  auto read = call(*reader_, sink());
+  if (!first && beside_ && read) read = call(*beside_, sink_beside());
+  return read;
+}
+
 Result<std::vector<capture::CapturedReading>> CaptureSession::read(std::string_view bytes) {
-  AXIOMETRY_TRY_VOID(reader_->feed(bytes, sink()));
+  AXIOMETRY_TRY_VOID(for_channels([bytes](auto& reader, const auto& to) { return reader.feed(bytes, to); }));
   return found_before();
 }
 
 /// Samples are missing, or the recording ends.
-void CaptureSession::interrupt() { stops_ ? stops_->interrupt() : match(detector_->interrupt()); }
+void CaptureSession::interrupt() {
+  if (motion_) return motion_->interrupt();
+  stops_ ? stops_->interrupt() : match(detector_->interrupt());
+}
 
 void CaptureSession::match(const std::vector<capture::Standstill>& standstills) {
   for (const capture::Standstill& standstill : standstills)
@@ -202,7 +238,7 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::interrupted() {
     head_.erase(head_.rfind('\n') + 1);  // npos + 1 is 0
     return found_before();
   }
-  AXIOMETRY_TRY_VOID(reader_->interrupted(sink()));
+  AXIOMETRY_TRY_VOID(for_channels([](auto& reader, const auto& to) { return reader.interrupted(to); }));
   interrupt();
   return found_before();
 }
@@ -212,13 +248,37 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::finish(End end) {
     AXIOMETRY_TRY([[maybe_unused]] const bool begun, begin(true));
     AXIOMETRY_TRY(found_, read(std::exchange(head_, {})));
   }
-  auto read_out = end == End::of_file ? Result<void>{} : reader_->interrupted(sink());  // no part of a line
-  if (read_out) read_out = reader_->finish(sink());
-  if (!read_out && samples_ == 0) return std::unexpected(std::move(read_out).error());
+  const auto read_out = for_channels([end](auto& reader, const auto& to) {
+    const auto cut = end == End::of_file ? Result<void>{} : reader.interrupted(to);  // no part of a line
+    return cut ? reader.finish(to) : cut;
+  });
+  if (!read_out && samples_ == 0) return std::unexpected(read_out.error());
   if (!read_out) remark(fmt::format("left out the end of the recording: {}", read_out.error().message));
+  if (motion_) AXIOMETRY_TRY_VOID(motion_->finish());
+  if (motion_) return found_before();
   interrupt();
   if (matcher_) AXIOMETRY_TRY_VOID(matcher_->finish());
   return found_before();
+}
+
+bool CaptureSession::complete() const {
+  if (motion_) return motion_->values().complete();
+  return stops_ ? stops_->matcher().complete() : matcher_->complete();
+}
+
+std::size_t CaptureSession::taken() const {
+  if (motion_) return motion_->values().taken();
+  return stops_ ? stops_->matcher().matched() : matcher_->result().readings.size();
+}
+
+std::size_t CaptureSession::expected() const {
+  if (motion_) return motion_->values().expected();
+  return stops_ ? stops_->matcher().stops().size() : matcher_->result().approaches;
+}
+
+std::optional<capture::StandstillDetector::Now> CaptureSession::now() const {
+  if (motion_) return std::nullopt;
+  return stops_ ? stops_->now() : detector_->now();
 }
 
 std::vector<std::string> CaptureSession::remarks() const {

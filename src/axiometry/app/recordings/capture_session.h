@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/recordings/motion_listener.h"
 #include "axiometry/base/result.h"
 #include "axiometry/capture/stop_lengths.h"
 #include "axiometry/capture/target_matcher.h"
@@ -32,12 +34,16 @@ struct CaptureOptions {
   std::optional<Position> rest_threshold;
   std::optional<double> wavelength_nm;  ///< with counts_per_wavelength in place of recording.units_per_count
   std::optional<double> counts_per_wavelength;
+  std::optional<MotionStatement> motion{};  ///< readings of a straightness or a rotation, in place of positions
   std::string stated;  ///< name of an option that was stated, for what can use none; empty: none was
 };
 
 /// The plan of a file, or one of those that belong to it. Fails as formats::read_plan() does, and on a part that does
-/// not exist.
+/// not exist, and on a plan made for other errors than those of positions.
 Result<Plan> load_plan(const std::string& file, std::size_t part);
+
+/// The plan of a file, whatever is to be read at its stops.
+Result<Plan> load_any_plan(const std::string& file);
 
 /// One recording on its way to readings: of a plan, or (of_lines()) to the lengths at the stops of a tracking plan,
 /// which capture/stop_lengths.h finds. The result depends on the bytes, their arrival and the places where the
@@ -46,6 +52,8 @@ class CaptureSession {
  public:
   /// Fails on options that contradict the plan or each other, and as check_measures_positions() does.
   static Result<CaptureSession> open(Plan plan, const CaptureOptions& options);
+  /// With options.motion of readings that do not show the stops: motion() knows them, none are handed on. Without them
+  /// a plan of other errors alone is refused.
   /// Lengths of the lines of a plan: `target_window` is how far a change of length may be from the expected one; zero,
   /// datum and part are refused. Readings are not handed on as they come: stops() knows them.
   static Result<CaptureSession> open(const TrackingPlan& plan, const CaptureOptions& options);
@@ -74,16 +82,20 @@ class CaptureSession {
   /// The test as far as it has come; fails while there is none yet (capture::captured_test()).
   Result<Test> test() const;
 
-  const capture::TargetMatcher& matcher() const { return *matcher_; }  ///< needs a plan of one axis
+  const capture::TargetMatcher& matcher() const { return *matcher_; }  ///< needs a plan of positions of one axis
   const capture::StopListener* stops() const { return stops_.get(); }  ///< nullptr for a plan of one axis
-  bool complete() const { return stops_ ? stops_->matcher().complete() : matcher_->complete(); }
-  std::size_t taken() const { return stops_ ? stops_->matcher().matched() : matcher_->result().readings.size(); }
-  std::size_t expected() const { return stops_ ? stops_->matcher().stops().size() : matcher_->result().approaches; }
+  const MotionListener* motion() const { return motion_.get(); }       ///< nullptr but for straightness and rotations
+  /// What a person says at a stop; the time at which it counts in the recording. Needs motion().
+  double press(capture::StopKey key) { return motion_->press(key); }
+  bool complete() const;
+  std::size_t taken() const;
+  std::size_t expected() const;
   std::string_view layout() const { return layout_ == nullptr ? std::string_view() : layout_->id; }
   std::size_t samples() const { return samples_; }
   std::size_t lost() const { return reader_ ? reader_->lost() : 0; }
   Environment environment() const { return reader_ ? reader_->environment() : Environment{}; }
-  std::optional<capture::StandstillDetector::Now> now() const { return stops_ ? stops_->now() : detector_->now(); }
+  /// Where the axis is; nothing of readings that do not tell it.
+  std::optional<capture::StandstillDetector::Now> now() const;
 
  private:
   CaptureSession() = default;
@@ -93,14 +105,18 @@ class CaptureSession {
   Result<std::vector<capture::CapturedReading>> read(std::string_view bytes);
   void match(const std::vector<capture::Standstill>& standstills);
   SampleSink sink();
+  SampleSink sink_beside();
+  Result<void> for_channels(const std::function<Result<void>(formats::RecordingReader&, const SampleSink&)>& call);
 
   CaptureOptions options_;
   std::optional<capture::TargetMatcher> matcher_;
   std::unique_ptr<capture::StandstillDetector> detector_;
   std::unique_ptr<capture::StopListener> stops_;  // in place of both
+  std::unique_ptr<MotionListener> motion_;        // likewise
   const formats::Recording* layout_ = nullptr;
   std::unique_ptr<formats::RecordingReader> reader_;
-  std::string head_;  // until the layout is known
+  std::unique_ptr<formats::RecordingReader> beside_;  // of what tells the stops of motion_, in the same bytes
+  std::string head_;                                  // until the layout is known
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
   std::vector<std::string> remarks_;

@@ -12,6 +12,7 @@
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv/csv_values.h"
+#include "axiometry/formats/motions/motion_units.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/table_heads.h"
@@ -50,6 +51,11 @@ std::optional<MotionRole> motion_role(std::string_view name) {
   return std::nullopt;
 }
 
+/// What a capture says of a reading beside it, and no figure is made of.
+bool is_beside_reading(std::string_view name) {
+  return name == "time" || name == "scatter" || name == "drift" || name == "samples";
+}
+
 /// The unit of the readings: of the kind that their name asks for.
 Result<const Unit*> value_unit(const CsvCell& head, const TableHead& named, std::size_t line) {
   const TextPosition at{line, head.column};
@@ -81,7 +87,7 @@ Result<MotionColumns> motion_columns(std::string_view header, std::size_t line, 
     const TableHead named = table_head(heads[k].text);
     const auto role = motion_role(named.name);
     if (!role) {
-      if (!heads[k].text.empty()) columns.passed_over.push_back(heads[k].text);
+      if (!heads[k].text.empty() && !is_beside_reading(named.name)) columns.passed_over.push_back(heads[k].text);
       continue;
     }
     if (columns.at[*role])
@@ -109,19 +115,6 @@ Result<MotionColumns> motion_columns(std::string_view header, std::size_t line, 
   if (!columns.at[position_column] && !planned) return missing("position_mm");
   if (!columns.at[value_column]) return missing("straightness_um");
   return columns;
-}
-
-MotionUnit motion_unit_of(const Unit& unit) {
-  if (unit.kind == AxisKind::linear) return MotionUnit::um;
-  return unit.name.ends_with("rad") ? MotionUnit::urad : MotionUnit::arcsec;
-}
-
-/// Radians by powers of ten alone, so that 0.1 µrad stays 0.1.
-double motion_value(const Unit& unit, double value) {
-  if (unit.name == "urad") return value;
-  if (unit.name == "mrad") return value * 1e3;
-  if (unit.name == "rad") return value * 1e6;
-  return deviation_in(unit, value).in_native();
 }
 
 class MotionRows {

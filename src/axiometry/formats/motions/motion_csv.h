@@ -30,7 +30,8 @@ struct MotionFile {
 /// Without `run` the approaches to a position in a direction count themselves in the order of the rows; without
 /// `direction` all are taken as positive approaches, with a remark. Lines that begin with # and hold `error`,
 /// `positive` (which way the readings are) or a known key and a colon are metadata, others comments. An empty cell, "-"
-/// or "NA" is a reading that was not taken. Other columns are passed over with a remark.
+/// or "NA" is a reading that was not taken. Columns `time`, `scatter`, `drift` and
+/// `samples`, which a capture writes beside its readings, are passed over, others with a remark.
 ///
 /// Fails, with line and column, on a column that is missing, there twice or without a unit of its kind, on a second
 /// error or a second `positive` that contradicts the first, on a position twice where neither run nor direction tell

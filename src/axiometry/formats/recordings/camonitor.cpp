@@ -106,6 +106,7 @@ const Recording camonitor_recording = {
     .title = "camonitor log (EPICS)",
     .extensions = ".log .txt",
     .manual = camonitor::manual,
+    .of_any_quantity = true,
     .recognise = camonitor::recognise,
     .open = camonitor::open,
 };

@@ -164,6 +164,24 @@ Result<std::size_t> position_column(const std::vector<Heading>& headings, std::s
                   names));
 }
 
+std::vector<Heading> headings_of(const std::vector<std::string_view>& cells) {
+  std::vector<Heading> headings;
+  for (std::string_view cell : cells) headings.push_back(heading_of(cell));
+  return headings;
+}
+
+/// All but the column that is read; nothing without a time, or with nothing beside it.
+std::optional<SampleColumns> time_columns(const std::vector<Heading>& headings, char delimiter) {
+  const auto time = std::ranges::find_if(headings, is_time);
+  if (time == headings.end() || headings.size() < 2) return std::nullopt;
+  SampleColumns columns;
+  columns.by_header = true;
+  columns.delimiter = delimiter;
+  columns.time = static_cast<std::size_t>(time - headings.begin());
+  columns.seconds_per_unit = time->seconds.value_or(1.0);
+  return columns;
+}
+
 }  // namespace
 
 std::vector<std::string_view> cells_of(std::string_view line, char delimiter) {
@@ -217,20 +235,16 @@ std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_
 }
 
 Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, PositionChoice choice) {
-  SampleColumns columns;
-  columns.by_header = true;
-  columns.delimiter = sample_delimiter(line);
-  const auto cells = cells_of(line, columns.delimiter);
-  std::vector<Heading> headings;
-  for (std::string_view cell : cells) headings.push_back(heading_of(cell));
-  const auto time = std::ranges::find_if(headings, is_time);
-  if (time == headings.end() || headings.size() < 2)
+  const char delimiter = sample_delimiter(line);
+  const auto cells = cells_of(line, delimiter);
+  const std::vector<Heading> headings = headings_of(cells);
+  const auto timed = time_columns(headings, delimiter);
+  if (!timed)
     return fail(
         fmt::format("found {}, expected two columns, time and position, perhaps below a header such as "
                     "time_s,position_mm",
                     text::quoted(line)));
-  columns.time = static_cast<std::size_t>(time - headings.begin());
-  columns.seconds_per_unit = time->seconds.value_or(1.0);
+  SampleColumns columns = *timed;
   AXIOMETRY_TRY(columns.position, position_column(headings, columns.time, choice));
   const Heading& position = headings[columns.position];
   if (position.unit != nullptr && position.unit->kind != kind)
@@ -242,6 +256,36 @@ Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, Po
     columns.position_factor = position.unit->factor;
     columns.position_divisor = position.unit->divisor * deviation_per_position(kind);
   }
+  return columns;
+}
+
+Result<SampleColumns> value_columns_by_header(std::string_view line, std::optional<std::size_t> stated) {
+  const char delimiter = sample_delimiter(line);
+  const auto cells = cells_of(line, delimiter);
+  const std::vector<Heading> headings = headings_of(cells);
+  const auto timed = time_columns(headings, delimiter);
+  if (!timed)
+    return fail(
+        fmt::format("found {}, expected two columns, time and reading, perhaps below a header such as "
+                    "time_s,straightness_um",
+                    text::quoted(line)));
+  const std::size_t beside = headings.size() - 1;
+  if (!stated && beside > 1)
+    return fail(
+        fmt::format("found {} columns beside the time, expected --stream-axis, which says that of the readings: "
+                    "1 is the first of these",
+                    beside));
+  if (stated && *stated >= beside)
+    return fail(fmt::format("found {} columns beside the time, expected at least {}", beside, *stated + 1));
+  SampleColumns columns = *timed;
+  const std::size_t nth = stated.value_or(0);
+  columns.position = nth < columns.time ? nth : nth + 1;
+  const Heading& heading = headings[columns.position];
+  columns.unit = heading.unit;
+  // "level [V]": whoever wrote a unit there meant one.
+  if (heading.unit == nullptr && (heading.name.ends_with(']') || heading.name.ends_with(')')))
+    return fail(fmt::format("found the column {} in a unit that is not known, expected one of {}",
+                            text::quoted(heading.name), unit_names()));
   return columns;
 }
 

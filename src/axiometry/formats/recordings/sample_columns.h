@@ -11,6 +11,8 @@
 /// Columns of a text recording: which one is the time, which the position, in which units.
 namespace axiometry::formats {
 
+struct Unit;
+
 struct SampleColumns {
   char delimiter = ' ';  ///< ' ' stands for any blanks and tabs
   std::size_t time = 0;
@@ -20,6 +22,7 @@ struct SampleColumns {
   double position_factor = 1.0;   ///< mm or ° per unit
   double position_divisor = 1.0;  ///< so that 0.1 µm is exactly 0.0001 mm
   bool by_header = false;
+  const Unit* unit = nullptr;  ///< that the header names
 };
 
 /// The cells of a line; with blanks as delimiter, date and time of day that a blank parts are one cell.
@@ -46,5 +49,9 @@ struct PositionChoice {
 /// called the position. Fails on a unit of the other kind of axis, on a column that nobody stated and that is called a
 /// temperature or the like, and where time or position cannot be told.
 Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, PositionChoice choice);
+
+/// The same of readings of another quantity, or of a trigger, as they stand there: the column that was stated, else the
+/// only one. Fails on a unit in brackets that is not known.
+Result<SampleColumns> value_columns_by_header(std::string_view line, std::optional<std::size_t> stated);
 
 }  // namespace axiometry::formats

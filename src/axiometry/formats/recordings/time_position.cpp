@@ -25,8 +25,11 @@ class TimePositionReader final : public LineReader {
   explicit TimePositionReader(const RecordingOptions& options)
       : LineReader(options, StampJudge::Kind::times),
         kind_(options.kind),
+        meaning_(options.meaning),
         choice_{options.axis_stated || options.axis > 0 ? std::optional(options.axis) : std::nullopt,
                 options.at_standstill} {}
+
+  const Unit* unit() const override { return columns_ ? columns_->unit : nullptr; }
 
  private:
   Result<void> take(std::string_view line) override {
@@ -41,8 +44,8 @@ class TimePositionReader final : public LineReader {
     AXIOMETRY_TRY(const double time_s, time_of(cells[columns_->time]));
     const auto position = number_of(cells[columns_->position], columns_->delimiter);
     if (!position)
-      return fail(
-          fmt::format("found {}, expected a finite number as position", text::quoted(cells[columns_->position])));
+      return fail(fmt::format("found {}, expected a finite number as {}", text::quoted(cells[columns_->position]),
+                              meaning_ == ChannelMeaning::position ? "position" : "reading"));
     return emit({time_s, *position * columns_->position_factor / columns_->position_divisor});
   }
 
@@ -50,7 +53,8 @@ class TimePositionReader final : public LineReader {
   Result<void> begin(std::string_view line) {
     columns_ = columns_by_values(line, choice_.stated.value_or(0));
     if (columns_) return take(line);
-    AXIOMETRY_TRY(columns_, columns_by_header(line, kind_, choice_));
+    AXIOMETRY_TRY(columns_, meaning_ == ChannelMeaning::position ? columns_by_header(line, kind_, choice_)
+                                                                 : value_columns_by_header(line, choice_.stated));
     return {};
   }
 
@@ -74,6 +78,7 @@ class TimePositionReader final : public LineReader {
   }
 
   AxisKind kind_;
+  ChannelMeaning meaning_;
   PositionChoice choice_;
   std::optional<SampleColumns> columns_;
   std::size_t width_ = 0;
@@ -147,6 +152,8 @@ const Recording time_position_recording = {
     .title = "Text with time and position",
     .extensions = ".csv .txt",
     .manual = time_position::manual,
+    .of_any_quantity = true,
+    .channels_share_time = true,
     .recognise = time_position::recognise,
     .open = time_position::open,
 };

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/live/stop_marks.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <system_error>
+
+#include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/raw_log.h"
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+
+namespace axiometry::app {
+namespace {
+
+using capture::StopKey;
+
+constexpr std::string_view before_all = "begin";  // of the recording
+constexpr auto earliest_s = -std::numeric_limits<double>::infinity();
+
+std::string_view key_word(StopKey key) {
+  return key == StopKey::take ? "take" : key == StopKey::skip ? "skip" : "undo";
+}
+
+std::optional<StopKey> key_of(std::string_view word) {
+  for (const StopKey key : {StopKey::take, StopKey::skip, StopKey::undo})
+    if (word == key_word(key)) return key;
+  return std::nullopt;
+}
+
+std::optional<StopMark> mark_of(std::string_view line) {
+  const std::size_t comma = line.find(',');
+  if (comma == line.npos) return std::nullopt;
+  const std::string_view time = text::trim(line.substr(0, comma));
+  const auto key = key_of(text::trim(line.substr(comma + 1)));
+  const auto time_s = time == before_all ? std::optional(earliest_s) : parse_number(time);
+  if (!key || !time_s) return std::nullopt;
+  return StopMark{*key, *time_s};
+}
+
+std::string line_of(const StopMark& mark) {
+  return fmt::format("{},{}\n", std::isfinite(mark.time_s) ? format_exact(mark.time_s) : std::string(before_all),
+                     key_word(mark.key));
+}
+
+std::unexpected<Error> fail_by_system(const std::string& file) {
+  return std::unexpected(Error{std::system_category().message(errno), file, {}});
+}
+
+}  // namespace
+
+std::string marks_name(const std::string& raw) { return raw + ".keys"; }
+
+Result<void> append_mark(const std::string& raw, const StopMark& mark) {
+  const std::string file = marks_name(raw), line = line_of(mark);
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor < 0) return fail_by_system(file);
+  const bool written =
+      ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size()) && ::fsync(descriptor) == 0;
+  const auto failed = written ? Result<void>{} : Result<void>(fail_by_system(file));
+  ::close(descriptor);
+  return failed;
+}
+
+Result<std::vector<StopMark>> read_marks(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  std::vector<StopMark> marks;
+  std::size_t number = 0;
+  for (std::string_view line : text::split(bytes, '\n')) {
+    ++number;
+    line = text::trim(line);
+    if (line.empty() || line.starts_with('#')) continue;
+    const auto mark = mark_of(line);
+    if (!mark)
+      return std::unexpected(Error{fmt::format("found {}, expected a time in s and take, skip or undo, such as "
+                                               "12.5,take",
+                                               text::quoted(line)),
+                                   file,
+                                   {number, 1}});
+    if (!marks.empty() && mark->time_s < marks.back().time_s)
+      return std::unexpected(Error{fmt::format("found {} s after {} s, expected the order in which it was said",
+                                               format_exact(mark->time_s), format_exact(marks.back().time_s)),
+                                   file,
+                                   {number, 1}});
+    marks.push_back(*mark);
+  }
+  return marks;
+}
+
+Result<void> take_marks(const CaptureRun& run, MotionStatement& stated) {
+  std::error_code unknown;
+  const auto exists = [&](const std::string& name) { return std::filesystem::exists(name, unknown); };
+  AXIOMETRY_TRY(const auto live, parse_live(run.from));
+  if (live && !run.keys.empty())
+    return fail("found a file of keys with a live source, expected one with a finished recording");
+  if (live && run.resume.empty() && exists(marks_name(run.raw)))
+    return std::unexpected(
+        Error{"found keys of another recording, expected none before this one begins", marks_name(run.raw), {}});
+  const std::string& played = run.resume.empty() ? run.from : run.resume;
+  const std::string file = !run.keys.empty()                              ? run.keys
+                           : is_raw(played) && exists(marks_name(played)) ? marks_name(played)
+                                                                          : std::string();
+  if (!file.empty()) {
+    AXIOMETRY_TRY(stated.marks, read_marks(file));
+  }
+  if (stated.sign != capture::StopSign::keys || live || !stated.marks.empty()) return {};
+  return std::unexpected(Error{
+      "found a finished recording and no keys, expected --keys with those that were said at its stops", run.from, {}});
+}
+
+}  // namespace axiometry::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "axiometry/app/live/capture_run.h"
+#include "axiometry/app/recordings/motion_listener.h"
+#include "axiometry/base/result.h"
+
+/// What a person said at the stops of a recording, beside it: a line "12.5,take" for each, in order of time.
+namespace axiometry::app {
+
+std::string marks_name(const std::string& raw);
+
+/// Behind those that are there, and on the disk.
+Result<void> append_mark(const std::string& raw, const StopMark& mark);
+
+/// Fails, with the line, on what is no mark, and on times that run backwards.
+Result<std::vector<StopMark>> read_marks(const std::string& file);
+
+/// Those of run.keys, or else beside the recording that is played or gone on with. Fails as read_marks() does, on marks
+/// beside a live recording that is to begin, on a file of them with a live source, and where keys tell the stops and a
+/// finished recording has none.
+Result<void> take_marks(const CaptureRun& run, MotionStatement& stated);
+
+}  // namespace axiometry::app
