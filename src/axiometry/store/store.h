@@ -125,6 +125,7 @@ class Store {
   Result<std::string> keep(const Content& content, const By& by);
   /// Fails with `damaged` when the bytes no longer have that hash.
   Result<Content> content(const std::string& sha256) const;
+  Result<std::int64_t> content_size(const std::string& sha256) const;  ///< to be asked before they are read
 
   Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
   Result<std::vector<Document>> documents(Id test) const;

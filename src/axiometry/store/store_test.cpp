@@ -56,6 +56,8 @@ TEST_P(StoreTest, GivesATestBackAsItCame) {
   EXPECT_EQ(evaluation.figures.at(0).limit, 10.0);
   EXPECT_EQ(evaluation.figures.at(1).U, std::nullopt);
   EXPECT_EQ(must(store->content(content.sha256)).bytes, content.bytes);
+  EXPECT_EQ(must(store->content_size(content.sha256)), std::ssize(content.bytes));
+  EXPECT_EQ(store->content_size(sha256("of nothing")).error().kind, ErrorKind::not_found);
 }
 
 TEST_P(StoreTest, WarmsUpWithTestsAndWithout) {
