@@ -79,19 +79,18 @@ void add_set_aside(const VolumetricLengths& lengths, const Identification& resul
       {"volumetric-set-aside", share > aside_share_most,
        fmt::format(
            "{} of {} lengths lie farther from what the others predict than chance allows, and {} set aside; the "
-           "farthest is {}, by {:.1f} µm",
+           "farthest is {}, by {} µm",
            result.set_aside.size(), lengths.readings.size(), result.set_aside.size() == 1 ? "was" : "were",
-           reading_text(lengths, worst.reading), worst.residual_um)});
+           reading_text(lengths, worst.reading), format_fixed(worst.residual_um, 1))});
 }
 
 void add_breaks(const VolumetricLengths& lengths, const Identification& result,
                 std::vector<VolumetricFinding>& findings) {
   for (const FoundBreak& found : result.breaks)
-    findings.push_back(
-        {"volumetric-beam-broken", false,
-         fmt::format("before {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from "
-                     "there on have a dead path of their own",
-                     reading_text(lengths, found.before_reading), found.jump_um)});
+    findings.push_back({"volumetric-beam-broken", false,
+                        fmt::format("before {} all lengths jump by {} µm: the beam was broken, and the lengths from "
+                                    "there on have a dead path of their own",
+                                    reading_text(lengths, found.before_reading), format_fixed(found.jump_um, 1))});
 }
 
 void add_drift(const Identification& result, std::vector<VolumetricFinding>& findings) {
