@@ -42,6 +42,19 @@ export const trend = {
     assert.match(await page.locator(`a.axis-spark[href="/axes/${axis.id}"]`).getAttribute('title'), /^X: A↓ \d.*, 1 test/);
   },
 
+  async 'a file that was kept twice counts once in the trend, and says so'(world) {
+    const id = await world.kept();
+    const again = await world.kept(example, 'again.json');
+    const { axis } = await world.api('GET', `/api/tests/${id}`);
+    const page = await world.page();
+    await page.goto(`/axes/${axis.id}`);
+    await shows(page.locator('.trend tbody'), `the same bytes are kept as test ${again} too, and count once`);
+    assert.equal(await page.locator('.trend tbody tr').count(), 1);
+    await page.goto('/machines');
+    await shows(page.locator('a.axis-spark'), 'X');
+    assert.match(await page.locator(`a.axis-spark[href="/axes/${axis.id}"]`).getAttribute('title'), /, 1 test/);
+  },
+
   async 'a test without a date stands in the trend where it was received, and says so'(world) {
     await world.kept();
     const undated = JSON.parse(await readFile(example, 'utf8'));

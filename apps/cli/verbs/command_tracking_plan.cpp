@@ -249,7 +249,9 @@ int run(TrackingPlanArguments& arguments) {
   if (arguments.location_points || !arguments.points.empty()) return run_location(arguments);
   tracking::LinesRequest& lines = arguments.request.lines;
   lines.seed = arguments.seed ? *arguments.seed : app::drawn_seed();
-  if (lines.date.empty()) lines.date = app::today();
+  auto date = app::plan_date(lines.date);
+  if (!date) return failed(date.error());
+  lines.date = *std::move(date);
   const auto planned = app::plan_tracking(arguments.request);
   if (!planned) return failed(planned.error());
   if (auto written = app::write_outputs(*planned, arguments.outputs, arguments.report); !written)

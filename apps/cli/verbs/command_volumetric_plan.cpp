@@ -132,7 +132,9 @@ int run(VolumetricPlanArguments& a) {
   for (const std::string& name : {a.out, a.points, a.json})
     if (const auto spared = inputs.check_spared(name); !name.empty() && !spared)
       return failed(spared.error(), exit_usage);
-  if (a.request.date.empty()) a.request.date = app::today();
+  auto date = app::plan_date(a.request.date);
+  if (!date) return failed(date.error());
+  a.request.date = *std::move(date);
   const auto planned = app::plan_volume(a.request);
   if (!planned) return failed(planned.error());
   std::vector<std::pair<std::string, std::string>> texts;

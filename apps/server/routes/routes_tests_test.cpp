@@ -315,6 +315,10 @@ TEST_F(Routes, TellMachinesAxesAndTrends) {
   EXPECT_EQ(answer(send("GET", "/api/axes/1/versions"), 200).find("versions")->items().size(), 2u);
   const Value trend = answer(send("GET", "/api/axes/1/trend", "", {{"parameters", "A,B"}}), 200);
   EXPECT_EQ(trend.find("points")->items().front().find("figures")->items().size(), 2u);
+  upload();
+  const Value twice = answer(send("GET", "/api/axes/1/trend"), 200);
+  ASSERT_EQ(twice.find("points")->items().size(), 1u) << "the same bytes are one measurement";
+  EXPECT_EQ(twice.find("points")->items().front().find("same_bytes")->items().front().number(), 2);
   EXPECT_EQ(send("GET", "/api/axes/1/trend", "", {{"parameters", "A,Q"}}).status, 422);
   EXPECT_EQ(send("GET", "/api/axes/9/trend").status, 404);
   EXPECT_FALSE(answer(send("GET", "/api/audit"), 200).find("entries")->items().empty());

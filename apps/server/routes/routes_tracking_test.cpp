@@ -167,6 +167,13 @@ TEST_F(TrackingRoutes, ask_for_a_station_where_lines_need_one) {
               HasSubstr("found limits of a tracking instrument without a station"));
 }
 
+TEST_F(TrackingRoutes, refuse_a_date_that_is_no_day) {
+  std::string dated = diagonals;
+  dated.replace(dated.find("2026-11-25"), 10, "2026-13-45");
+  EXPECT_THAT(refusal(send("lines", "{\"request\": " + dated + "}")),
+              HasSubstr("found the date of the plan \"2026-13-45\", expected a day"));
+}
+
 TEST_F(TrackingRoutes, tell_lost_lines_in_the_language_of_the_reader) {
   const std::string beside = R"({"setup": {"travel": {"lowest_mm": [0, 0, -500], "highest_mm": [800, 600, 0]},
     "station": {"position_mm": [100, -12, -300]}}, "turn_reflector": true})";

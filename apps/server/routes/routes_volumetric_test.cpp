@@ -95,6 +95,8 @@ TEST_F(VolumetricRoutes, bound_what_a_plan_may_cost_before_anything_is_planned) 
   const std::size_t at = many.find("\"tools_mm\": {") + 13;
   many.replace(at, many.find('}', at) - at, tools);
   EXPECT_THAT(refusal(send("plan", wish(many, ""))), HasSubstr("found 7 tools, expected at most 6"));
+  EXPECT_THAT(refusal(send("plan", wish(machine_json, R"(, "date": "2026-13-45")"))),
+              HasSubstr("found the date of the plan \"2026-13-45\", expected a day"));
   EXPECT_THAT(refusal(send("plan", wish(machine_json, R"(, "pionts": 5)"))), HasSubstr("pionts"));
   EXPECT_THAT(refusal(send("plan", R"({"machine": {"chain": "XXFZ"}})")), HasSubstr("XXFZ"));
   EXPECT_THAT(refusal(send("plan", "{}")), HasSubstr("machine"));

@@ -8,6 +8,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/base/written_date.h"
 
 namespace axiometry {
 namespace {
@@ -48,7 +49,7 @@ std::optional<year_month> named_month(std::string_view text) {
   for (const char mark : {'/', '.'})
     if (const auto parts = text::split(text, mark); parts.size() == 2)
       if (const auto month = month_of(parts[1], parts[0])) return month;
-  return std::nullopt;
+  return written_month(text);
 }
 
 }  // namespace
@@ -63,6 +64,7 @@ std::string iso_date(std::string_view raw) {
   if (const auto parts = text::split(day, '.'); parts.size() == 3) date = date_of({parts[2], parts[1], parts[0]});
   // Who wrote the year last would have 19 or 20 for a month.
   if (day.size() == 8 && date.empty()) date = date_of({day.substr(0, 4), day.substr(4, 2), day.substr(6)});
+  if (const auto written = written_date(text); date.empty() && written) date = date_text(*written);
   return date;
 }
 

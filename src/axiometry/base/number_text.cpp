@@ -33,6 +33,8 @@ std::string format_exact(double x) {
   return std::string(buffer, end);
 }
 
+std::string format_shortest(double x) { return (x < 0.0 ? "\u2212" : "") + format_exact(std::abs(x)); }
+
 std::string format_fixed(double x, int decimals, NumberStyle style) {
   const double unit = std::pow(10.0, std::max(0, -decimals));
   std::string digits =

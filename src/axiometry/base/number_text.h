@@ -19,6 +19,9 @@ std::optional<unsigned long long> parse_count(std::string_view text);
 /// Shortest text that reads back as the same double: "0.1", "1e-09". Always a decimal point.
 std::string format_exact(double x);
 
+/// The same with a true minus sign (U+2212), never "−0": in sentences.
+std::string format_shortest(double x);
+
 /// How figures are shown to people.
 struct NumberStyle {
   char decimal_mark = '.';  ///< '.' or ','

@@ -85,6 +85,9 @@ TEST(NumberText, ShowsATrueMinusAndNoNegativeZero) {
   EXPECT_EQ(format_fixed(-1.25, 1), "\u22121.2");
   EXPECT_EQ(format_fixed(-0.04, 1), "0.0");
   EXPECT_EQ(format_fixed(1234.5, 2, {','}), "1234,50");
+  EXPECT_EQ(format_shortest(-353.834), "\u2212353.834");
+  EXPECT_EQ(format_shortest(-0.0), "0");
+  EXPECT_EQ(format_shortest(0.1), "0.1");
 }
 
 TEST(NumberText, PutsUncertaintyToSignificantDigits) {

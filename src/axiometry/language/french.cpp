@@ -61,6 +61,26 @@ constexpr Contraction contractions[] = {{"de", "le ", "du "},
                                         {"À", "le ", "Au "},
                                         {"À", "les ", "Aux "}};
 
+/// What is named by a number has its article behind a preposition: "avant la ligne 137", but "ligne 137 : …".
+struct Numbered {
+  std::string_view noun;
+  std::string_view article;
+};
+constexpr Numbered numbered[] = {{"ligne ", "la "},  {"lecture ", "la "}, {"point ", "le "},
+                                 {"partie ", "la "}, {"cible ", "la "},   {"parcours ", "le "}};
+constexpr std::string_view before_articles[] = {"avant", "Avant", "après", "Après", "pour", "Pour",
+                                                "de",    "De",    "à",     "À",     "dans", "jusqu’à"};
+
+std::string_view article_of(std::string_view text, std::string_view content) {
+  const auto* found = std::ranges::find_if(numbered, [&](const Numbered& n) {
+    return content.starts_with(n.noun) && content.size() > n.noun.size() && content[n.noun.size()] >= '0' &&
+           content[n.noun.size()] <= '9';
+  });
+  const bool asked =
+      std::ranges::any_of(before_articles, [&](std::string_view word) { return ends_with_word(text, word); });
+  return found != std::end(numbered) && asked ? found->article : std::string_view();
+}
+
 constexpr std::array<std::string_view, 7> shortened = {"de", "De", "que", "le", "la", "Le", "La"};
 
 }  // namespace
@@ -82,6 +102,8 @@ std::string with_french_spaces(std::string_view text) {
 }
 
 void append_in_french(std::string& text, std::string_view content) {
+  if (const std::string_view article = article_of(text, content); !article.empty())
+    return append_in_french(text, std::string(article) + std::string(content));
   for (const auto& [word, begins, both] : contractions) {
     if (!content.starts_with(begins) || !ends_with_word(text, word)) continue;
     text.resize(text.size() - word.size() - 1);

@@ -19,8 +19,8 @@ std::vector<PhrasePair> french_pairs();
 std::string with_french_spaces(std::string_view text);
 
 /// Appends with elision and contraction: "de" + "écart" → "d’écart", "de" + "le parcours" → "du parcours", "à" + "les
-/// cibles" → "aux cibles", "de" + "ISO 230-2" → "de l’ISO 230-2". Symbols and capital letters are left: "de A", "de
-/// Siemens".
+/// cibles" → "aux cibles", "de" + "ISO 230-2" → "de l’ISO 230-2", "avant" + "ligne 3" → "avant la ligne 3". Symbols and
+/// capital letters are left: "de A", "de Siemens".
 void append_in_french(std::string& text, std::string_view content);
 
 extern const Grammar french_grammar;

@@ -108,6 +108,18 @@ std::string without_places(std::string_view text) {
   return all;
 }
 
+TEST(French, GivesWhatHasANumberItsArticleBehindAPreposition) {
+  EXPECT_EQ(appended("avant ", "ligne 137 de la station"), "avant la ligne 137 de la station");
+  EXPECT_EQ(appended("pas de longueur pour ", "point 3"), "pas de longueur pour le point 3");
+  EXPECT_EQ(appended("les lectures de ", "partie 2"), "les lectures de la partie 2");
+  EXPECT_EQ(appended("loin de ", "point 3"), "loin du point 3");
+  EXPECT_EQ(appended("arrêts qui correspondent à ", "point 3"), "arrêts qui correspondent au point 3");
+  EXPECT_EQ(appended("aucun arrêt pour ", "cible 4, parcours 1"), "aucun arrêt pour la cible 4, parcours 1");
+  EXPECT_EQ(appended("le ", "point 3"), "le point 3");
+  EXPECT_EQ(appended("", "ligne 137"), "ligne 137");
+  EXPECT_EQ(appended("pour ", "ligne droite"), "pour ligne droite") << "not named by a number";
+}
+
 TEST(French, HasSortedSubjects) {
   const auto pairs = french_pairs();
   ASSERT_GT(pairs.size(), 3000u);

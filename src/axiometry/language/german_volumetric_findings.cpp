@@ -127,6 +127,12 @@ constexpr Phrase volumetric_findings_rows[] = {
      "so groß"},
     {"no curve is told that could be smooth: the smoothness changes nothing",
      "von keiner Kurve, die glatt sein könnte, sagen die Längen etwas: Die Glattheit ändert nichts"},
+    {"nobody said where stations {0=} stand, which have lengths, and of {1=}, whose places are stated, there are none: "
+     "are they called otherwise? these places were not looked at",
+     "für die Stationen {0}, von denen es Längen gibt, ist kein Ort angegeben, und von {1}, deren Orte angegeben sind, "
+     "gibt es keine: Heißen sie anders? Diese Orte wurden nicht geprüft"},
+    {"nobody said where stations {0=} stand, which have lengths: their places were not looked at",
+     "für die Stationen {0}, von denen es Längen gibt, ist kein Ort angegeben: Ihre Orte wurden nicht geprüft"},
     {"nothing is said of an error that all lengths have in common, as of the wavelength in air or the temperature of "
      "the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties do not hold it "
      "(scale_u_um_per_m in the machine's file)",

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/report/document.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "axiometry/base/utf8.h"
+#include "axiometry/base/version.h"
 
 namespace axiometry::report {
 
@@ -60,6 +63,8 @@ std::size_t end_of_index(std::string_view text, std::size_t start) {
 }
 
 }  // namespace
+
+std::string program_text() { return fmt::format("Axiometry {}", version); }
 
 RichText plain(std::string_view text) { return {TextRun{.text = std::string(text)}}; }
 

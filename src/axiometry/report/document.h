@@ -111,6 +111,9 @@ struct Section {
   std::vector<Block> blocks;
 };
 
+/// "Axiometry 0.1.0", which every document has at its foot.
+std::string program_text();
+
 struct Document {
   std::string kind = "Test report";  ///< above the title, with the edition
   std::string title;
@@ -122,7 +125,7 @@ struct Document {
   std::string running_number;  ///< report number, on every page; may be empty
   std::string running_status;  ///< the status in a few words, on every page
   std::string date;            ///< of the test, as given; may be empty
-  std::string generator;       ///< program and version
+  std::string generator = program_text();
   std::vector<Section> sections;
 };
 

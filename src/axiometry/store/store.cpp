@@ -151,6 +151,10 @@ Result<Content> Store::content(const std::string& sha256) const {
   return read([&](const Transaction& archive) { return archive.content(sha256); });
 }
 
+Result<std::int64_t> Store::content_size(const std::string& sha256) const {
+  return state_->read([&](Connection& connection) { return store::content_size(connection, sha256); });
+}
+
 Result<Document> Store::add_document(const Document& document, std::string_view bytes, const By& by) {
   return write([&](Transaction& archive) { return archive.add_document(document, bytes, by); });
 }

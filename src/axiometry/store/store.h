@@ -118,13 +118,14 @@ class Store {
   Result<std::vector<CompensationRow>> compensations(const CompensationFilter& filter) const;
   /// Of every machine that has any, or of one, by its id.
   Result<std::vector<MachineTests>> machine_tests(std::optional<Id> machine = {}) const;
-  /// By the date of measurement, then of arrival; the newest `limit`.
+  /// By the date of measurement, then of arrival; the newest `limit`. Of the same bytes kept twice one counts.
   Result<std::vector<TrendPoint>> trend(Id axis, std::span<const std::string> parameters, std::int64_t limit) const;
 
   /// Bytes without a test: a plan's JSON, a raw recording. Gives the SHA-256.
   Result<std::string> keep(const Content& content, const By& by);
   /// Fails with `damaged` when the bytes no longer have that hash.
   Result<Content> content(const std::string& sha256) const;
+  Result<std::int64_t> content_size(const std::string& sha256) const;  ///< to be asked before they are read
 
   Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
   Result<std::vector<Document>> documents(Id test) const;

@@ -56,6 +56,8 @@ TEST_P(StoreTest, GivesATestBackAsItCame) {
   EXPECT_EQ(evaluation.figures.at(0).limit, 10.0);
   EXPECT_EQ(evaluation.figures.at(1).U, std::nullopt);
   EXPECT_EQ(must(store->content(content.sha256)).bytes, content.bytes);
+  EXPECT_EQ(must(store->content_size(content.sha256)), std::ssize(content.bytes));
+  EXPECT_EQ(store->content_size(sha256("of nothing")).error().kind, ErrorKind::not_found);
 }
 
 TEST_P(StoreTest, WarmsUpWithTestsAndWithout) {
@@ -230,6 +232,30 @@ TEST_P(StoreTest, ShowsTheHistoryOfAnAxisByTheDateOfMeasurement) {
   ASSERT_EQ(points[0].figures.size(), 1u);
   EXPECT_EQ(points[0].figures[0].value, 3.0);
   EXPECT_EQ(store->trend(2, {}, 3).error().kind, ErrorKind::not_found);
+}
+
+TEST_P(StoreTest, CountsOneMeasurementOnceInTheHistoryOfItsAxis) {
+  const auto store = new_store();
+  const auto receive = [&](const char* name, const std::string& bytes, const std::vector<NewTest>& tests) {
+    must(store->receive(content_of(bytes, name), tests, by_anna));
+  };
+  const auto course = [&](std::int64_t limit = 10) {
+    std::string told;
+    for (const TrendPoint& point : must(store->trend(1, std::vector<std::string>{"A"}, limit)))
+      told += fmt::format("{}({}) ", point.test, fmt::join(point.same_bytes, ","));
+    return told;
+  };
+  receive("one.csv", "abc", {new_test("a"), new_test("b")});
+  EXPECT_EQ(course(), "1() 2() ") << "two tests of one file";
+  receive("two.csv", "abc", {new_test("a"), new_test("b")});
+  EXPECT_EQ(course(), "1(3) 2(4) ");
+  receive("other.csv", "def", {new_test("a")});
+  EXPECT_EQ(course(), "1(3) 2(4) 5() ");
+  EXPECT_EQ(course(2), "2(4) 5() ") << "as many as were asked for";
+  must(store->revise(4, 1, new_test("b, revised").state, by_anna));
+  EXPECT_EQ(course(), "1(3) 4(2) 5() ") << "the one that somebody revised";
+  must(store->withdraw(1, true, by_anna));
+  EXPECT_EQ(course(), "3() 4(2) 5() ") << "and not the second of a file for the first of another";
 }
 
 TEST_P(StoreTest, KeepsIssuedReportsAndAttachments) {

@@ -3121,6 +3121,8 @@ export interface components {
                 /** @description Of all limits together, also of parameters that the test does not have. */
                 verdict: components["schemas"]["Verdict"] | null;
                 figures: components["schemas"]["FigureOfTest"][];
+                /** @description Tests of this axis kept of the same bytes: one measurement, which counts once. The one with the most versions stands for all, of equals the first that came. */
+                same_bytes: components["schemas"]["Id"][];
             }[];
         };
         Uncertainty: {

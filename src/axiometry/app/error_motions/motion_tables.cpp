@@ -11,7 +11,6 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/version.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/figures/axis_motion.h"
 #include "axiometry/report/shown_number.h"
@@ -252,7 +251,7 @@ report::Section motion_provenance(const std::vector<const MeasuredMotion*>& file
     if (const std::string date = statement(*f, "test.date"); !date.empty())
       table.rows.push_back({word_cell("Date of test"), {verbatim(date)}});
   }
-  table.rows.push_back({word_cell("Program"), {verbatim(fmt::format("Axiometry {}", version))}});
+  table.rows.push_back({word_cell("Program"), {verbatim(report::program_text())}});
   table.rows.push_back({word_cell("Edition of the standard"), word_cell(edition)});
   report::Section section{"provenance", "Provenance", false, {}};
   section.blocks.emplace_back(std::move(table));

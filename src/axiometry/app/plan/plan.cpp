@@ -13,6 +13,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/plan/plan_text.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
@@ -62,6 +63,12 @@ std::string today() {
   std::tm parts{};
   if ((seconds ? ::gmtime_r(&now, &parts) : ::localtime_r(&now, &parts)) == nullptr) return "";
   return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
+}
+
+Result<std::string> plan_date(std::string_view said) {
+  if (text::trim(said).empty()) return today();
+  if (std::string date = iso_date(said); !date.empty()) return date;
+  return fail(fmt::format("found the date of the plan {}, expected a day such as 2026-11-21", text::quoted(said)));
 }
 
 json::Value plan_to_json(const PlannedTest& planned) {

@@ -45,6 +45,9 @@ std::uint64_t drawn_seed();
 /// (UTC), so that outputs can be made again byte by byte.
 std::string today();
 
+/// The day of a plan in the way of today(), which it is where nothing is said. Fails on what is no iso_date().
+Result<std::string> plan_date(std::string_view said);
+
 /// The plan as an object, with its findings and duration: what `axiometry plan` writes.
 json::Value plan_to_json(const PlannedTest& planned);
 

@@ -9,7 +9,6 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/plan_text.h"
-#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
@@ -258,10 +257,7 @@ Result<PlanRequest> completed(const PlanRequestDraft& wish) {
   }
   if (request.periodic) request.periodic->at = wish.periodic_at;
   request.seed = wish.seed ? *wish.seed : drawn_seed();
-  if (!request.date.empty() && iso_date(request.date).empty())
-    return fail(
-        fmt::format("found the date of the plan {}, expected a day such as 2026-11-21", text::quoted(request.date)));
-  if (request.date.empty()) request.date = today();
+  AXIOMETRY_TRY(request.date, plan_date(request.date));
   return request;
 }
 

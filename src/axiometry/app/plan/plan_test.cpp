@@ -86,5 +86,16 @@ TEST(PlanUseCase, TakesTheDateThatTheEnvironmentFixes) {
   EXPECT_EQ(today().size(), 10u);
 }
 
+TEST(PlanUseCase, IsDatedAsItWasSaidOrToday) {
+  EXPECT_EQ(plan_date("2026-11-21").value(), "2026-11-21");
+  EXPECT_EQ(plan_date("21 Nov 2026").value(), "2026-11-21");
+  EXPECT_EQ(plan_date(" ").value().size(), 10u);
+  for (const char* none : {"2026-13-45", "2026-02-30", "tomorrow", "11/12/2026", "2026-11"}) {
+    const auto refused = plan_date(none);
+    ASSERT_FALSE(refused) << none;
+    EXPECT_THAT(refused.error().message, testing::AllOf(HasSubstr(none), HasSubstr("expected a day such as")));
+  }
+}
+
 }  // namespace
 }  // namespace axiometry::app

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/results/experiment.h"
 
-#include <fmt/format.h>
-
 #include "axiometry/base/number_text.h"
-#include "axiometry/base/version.h"
 
 namespace axiometry::app {
 
@@ -22,7 +19,6 @@ report::Document experiment_document(std::string_view title, std::string_view so
   document.edition = std::string(source);
   document.running_head = document.title;
   document.running_status = "Simulation, no measurement";
-  document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
 

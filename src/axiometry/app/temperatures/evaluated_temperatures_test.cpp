@@ -148,14 +148,14 @@ TEST(LogWithTest, OfAnotherDayIsTold) {
   EXPECT_TRUE(told("2026-03-01"));
   EXPECT_TRUE(told("2026-03-03"));
   EXPECT_FALSE(told("20260302"));
-  EXPECT_FALSE(told("15 May 2014")) << "no day that can be read";
+  EXPECT_FALSE(told("05/06/2014")) << "no day that can be read";
   EXPECT_FALSE(told("unknown"));
   EXPECT_FALSE(told("")) << "not stated, which is told elsewhere";
 }
 
 TEST(LogWithTest, OfADateThatCannotBeReadIsNoted) {
   axiometry::Test test = hour_of_test(true);
-  test.metadata.conditions.date = "15 May 2014";
+  test.metadata.conditions.date = "05/06/2014";
   EvaluateOptions options;
   options.temperatures = log_of(35);
   const auto evaluated = evaluate_test(test, options);

@@ -10,7 +10,6 @@
 #include "axiometry/app/tracking/polar.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/base/version.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
@@ -44,7 +43,6 @@ class PolarDocument {
     document.edition = "Lee et al., Sensors 16 (2016) 482, eq. 1";
     document.running_head = report::translated(document.title, options_);
     document.running_status = document.edition;
-    document.generator = fmt::format("Axiometry {}", version);
     for (const PolarSource& source : r_.sources)
       document.identity.push_back(
           {plain("Measured readings"), {source.file == "-" ? plain("standard input") : verbatim(source.file)}});

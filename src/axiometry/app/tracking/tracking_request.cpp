@@ -103,7 +103,7 @@ Result<void> take_names(JsonMembers& members, tracking::LinesRequest& lines) {
   AXIOMETRY_TRY_VOID(take_line(members, "title", lines.title));
   AXIOMETRY_TRY_VOID(take_line(members, "machine", lines.machine));
   AXIOMETRY_TRY_VOID(take_line(members, "date", lines.date));
-  if (lines.date.empty()) lines.date = today();
+  AXIOMETRY_TRY(lines.date, plan_date(lines.date));
   return {};
 }
 

@@ -142,7 +142,7 @@ Result<SimulationInputs> simulation_inputs(const SimulateRequest& request) {
   if (inputs.has_errors) {
     AXIOMETRY_TRY(const std::string error_bytes, whole_file(request.errors));
     AXIOMETRY_TRY(inputs.errors,
-                  in_file(formats::read_true_errors(error_bytes, inputs.machine.travel), request.errors));
+                  in_file(formats::read_true_errors(error_bytes, inputs.machine), request.errors));
   }
   return inputs;
 }

@@ -127,8 +127,7 @@ Result<volumetric::PlannedCalibration> requested_calibration(const Value& body) 
   const std::size_t stations = proposes ? request.options.stations : file.machine.stations.size();
   AXIOMETRY_TRY_VOID(check_count("points in all runs", stations * file.machine.tools.size() * request.options.points,
                                  most_points_in_all));
-  AXIOMETRY_TRY(request.date, given_line("the date", said.date));
-  if (request.date.empty()) request.date = today();
+  AXIOMETRY_TRY(request.date, plan_date(said.date));
   request.limits = said.limits;
   request.obstacles = std::move(said.obstacles);
   request.feed_mm_per_min = said.feed_mm_per_min;

@@ -174,6 +174,8 @@ json::Value to_json(const AxisTrend& trend) {
     row.add("label", point.label);
     row.add("verdict", point.verdict.empty() ? Value() : Value(point.verdict));
     row.add("figures", figures_to_json(point.figures));
+    Value& others = row.add("same_bytes", Value::array());
+    for (const store::Id test : point.same_bytes) others.push(id_value(test));
   }
   Value object = Value::object();
   object.add("axis", to_json(trend.axis));

@@ -9,6 +9,8 @@
 
 #include "axiometry/app/workbench/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "axiometry/base/read_budget.h"
+#include "axiometry/digest/sha256.h"
 #include "tests/support/archive.h"
 
 namespace axiometry::app {
@@ -62,6 +64,13 @@ TEST(KeptTemperatures, GoWithTheVersionsOfATest) {
   const auto unknown = workbench.revise(id, revision, who_logs);
   ASSERT_FALSE(unknown);
   EXPECT_THAT(unknown.error().message, HasSubstr("attach it first"));
+  const std::string recording(read_budget::file_bytes + 1, '7');
+  const auto large = archive.store().keep({sha256(recording), "run.csv", "raw", recording}, {"Anna", ""});
+  ASSERT_TRUE(large) << large.error().to_string();
+  revision.draft.options.temperatures = KeptTemperatures{*large, "hall.csv"};
+  const auto too_large = workbench.revise(id, revision, who_logs);
+  ASSERT_FALSE(too_large);
+  EXPECT_THAT(too_large.error().message, HasSubstr("found 65 MiB of temperatures, expected at most 64"));
   auto& kept = *revision.draft.options.temperatures;
   kept = {document->sha256, "hall.csv", "2026-03-02T12:00", "2026-03-02T13:00"};
   kept.highest_C = 22.0;

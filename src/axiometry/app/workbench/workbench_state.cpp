@@ -16,6 +16,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/digest/sha256.h"
+#include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/model/fields.h"
 
 namespace axiometry::app {
@@ -128,14 +129,17 @@ Result<std::shared_ptr<const MeasuredFile>> Workbench::State::read(
 
 Result<std::shared_ptr<const std::string>> Workbench::State::log_bytes(const std::string& hash) {
   if (auto known = logs.find(hash)) return known;
-  auto content = store.content(hash);
-  if (!content && content.error().kind == ErrorKind::not_found)
+  const auto size = store.content_size(hash);
+  if (!size && size.error().kind == ErrorKind::not_found)
     return fail(ErrorKind::not_found,
                 fmt::format("found no file {} in the archive, expected the temperature log among the documents of the "
                             "test: attach it first",
                             hash));
-  if (!content) return std::unexpected(std::move(content).error());
-  auto shared = std::make_shared<const std::string>(std::move(content->bytes));
+  if (!size) return std::unexpected(size.error());
+  // Any content may be named here, a recording of hundreds of megabytes too.
+  AXIOMETRY_TRY_VOID(formats::check_log_size(static_cast<std::size_t>(*size)));
+  AXIOMETRY_TRY(store::Content content, store.content(hash));
+  auto shared = std::make_shared<const std::string>(std::move(content.bytes));
   logs.remember(hash, shared, shared->size() + least_weight);
   return shared;
 }

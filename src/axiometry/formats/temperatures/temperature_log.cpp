@@ -270,10 +270,15 @@ class LogReader {
 
 }  // namespace
 
+Result<void> check_log_size(std::size_t bytes) {
+  if (bytes <= read_budget::file_bytes) return {};
+  // Rounded up: one byte too many is no 64 MiB.
+  return fail(fmt::format("found {} MiB of temperatures, expected at most {}", ((bytes - 1) >> 20) + 1,
+                          read_budget::file_bytes >> 20));
+}
+
 Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles) {
-  if (bytes.size() > read_budget::file_bytes)
-    return fail(fmt::format("found {} MiB of temperatures, expected at most {}", bytes.size() >> 20,
-                            read_budget::file_bytes >> 20));
+  AXIOMETRY_TRY_VOID(check_log_size(bytes.size()));
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
   return LogReader().read(decoded.text, roles);
 }

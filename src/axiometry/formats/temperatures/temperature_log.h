@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ using SensorRoles = std::vector<std::pair<std::string, std::string>>;
 /// a day/month/year with slashes (nobody knows which is the month), on one column for many sensors, on a role for a
 /// sensor that is not there, two for one or an unknown role, on more than 64 sensors, on a line of more than 16 KiB,
 /// and on more than 64 MiB.
+/// The last of these can be asked before anything is read.
+Result<void> check_log_size(std::size_t bytes);
 Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles = {});
 
 }  // namespace axiometry::formats

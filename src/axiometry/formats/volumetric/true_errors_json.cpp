@@ -13,6 +13,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/formats/volumetric/machine_json.h"
 
 namespace axiometry::formats {
 namespace {
@@ -21,11 +22,16 @@ using json::Kind;
 using json::Value;
 using volumetric::axis_count;
 using volumetric::ErrorMotion;
+using volumetric::MachineModel;
 using volumetric::motion_count;
 using volumetric::TrueCurve;
 using volumetric::TrueErrors;
 
 constexpr double beyond_share = 0.05;
+
+std::string point_text(const Vector3& at) {
+  return fmt::format("({}, {}, {}) mm", format_exact(at.x), format_exact(at.y), format_exact(at.z));
+}
 
 /// Members that identify writes beside what is wanted are passed over.
 Result<double> member_number(const Value& value, std::string_view name, std::string_view of) {
@@ -60,6 +66,33 @@ Result<TrueCurve> curve_from(const Value& value, ErrorMotion error, const Travel
   return curve;
 }
 
+/// Of a truth, or within the model of a result; null where a file says nothing of its machine.
+const Value* machine_in(const Value& root) {
+  const auto member = [](const Value* value, std::string_view name) {
+    return value != nullptr && value->is(Kind::object) ? value->find(name) : nullptr;
+  };
+  const Value* machine = member(&root, "machine");
+  if (machine == nullptr) machine = member(member(&root, "model"), "machine");
+  return machine != nullptr && machine->is(Kind::object) ? machine : nullptr;
+}
+
+Result<void> check_same_machine(const Value& root, const MachineModel& machine) {
+  const Value* stated = machine_in(root);
+  if (stated == nullptr) return {};
+  AXIOMETRY_TRY(const MachineFile of_errors, machine_from(*stated));
+  const MachineModel& other = of_errors.machine;
+  if (!(other.chain == machine.chain))
+    return fail(fmt::format("found errors of a machine of the chain {}, expected those of one of the chain {}",
+                            other.chain.text(), machine.chain.text()),
+                stated->at());
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (!(other.functional_point_mm[a] == machine.functional_point_mm[a]))
+      return fail(fmt::format("found errors of {} about its functional point {}, expected about {}", "XYZ"[a],
+                              point_text(other.functional_point_mm[a]), point_text(machine.functional_point_mm[a])),
+                  stated->at());
+  return {};
+}
+
 }  // namespace
 
 Value true_errors_value(const TrueErrors& errors) {
@@ -79,8 +112,9 @@ Value true_errors_value(const TrueErrors& errors) {
   return value;
 }
 
-Result<TrueErrors> read_true_errors(std::string_view bytes, const TravelBox& travel) {
+Result<TrueErrors> read_true_errors(std::string_view bytes, const MachineModel& machine) {
   AXIOMETRY_TRY(const Value root, json::parse(bytes));
+  AXIOMETRY_TRY_VOID(check_same_machine(root, machine));
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(root, "file of errors"));
   AXIOMETRY_TRY(const Value* list, members.required("errors"));
   if (!list->is(Kind::object))
@@ -88,7 +122,7 @@ Result<TrueErrors> read_true_errors(std::string_view bytes, const TravelBox& tra
   TrueErrors errors;
   for (const auto& [name, value] : list->members()) {
     if (const auto error = volumetric::error_motion_named(name)) {
-      AXIOMETRY_TRY(errors.curves[error->axis][error->motion], curve_from(value, *error, travel));
+      AXIOMETRY_TRY(errors.curves[error->axis][error->motion], curve_from(value, *error, machine.travel));
       continue;
     }
     const auto which = std::ranges::find(volumetric::squareness_names, name);

@@ -88,27 +88,26 @@ TEST(TrueErrorsJson, ReadsBackWhatItWritesAndWhatIdentifyWrites) {
   const volumetric::TrueErrors errors = volumetric::drawn_errors(travel, {}, {.seed = 3});
   json::Value root = json::Value::object();
   root.add("errors", true_errors_value(errors));
-  const auto back = read_true_errors(json::dump(root), travel);
+  const auto back = read_true_errors(json::dump(root), small_volumetric_plan().machine);
   ASSERT_TRUE(back) << back.error().message;
   EXPECT_EQ(back->squareness_urad, errors.squareness_urad);
   EXPECT_EQ(back->curves[2][4].at(-123.0), errors.curves[2][4].at(-123.0));
   const auto few = read_true_errors(
       R"({"errors": {"EXX": [{"position": 0, "value": 1}, {"position": 500, "value": 3, "u": 2}]}, "rank": {}})",
-      travel);
+      small_volumetric_plan().machine);
   ASSERT_TRUE(few) << few.error().message;
   EXPECT_EQ(few->curves[0][0].at(250.0), 2.0);
   EXPECT_EQ(few->curves[1][0].at(250.0), 0.0);
 }
 
 TEST(TrueErrorsJson, RefusesWhatIsNotTold) {
-  const TravelBox travel = {{0, 0, -400}, {500, 300, 0}};
   for (const char* errors :
        {R"({"EXX": []})", R"({"C0Y": {"value": null}})", R"({"EXQ": []})", R"({"EXX": [{"position": 1}]})",
         R"({"EXX": [{"position": 100, "value": 1}, {"position": 500, "value": 3}]})", R"([])"}) {
-    const auto result = read_true_errors(std::string("{\"errors\": ") + errors + "}", travel);
+    const auto result = read_true_errors(std::string("{\"errors\": ") + errors + "}", small_volumetric_plan().machine);
     EXPECT_FALSE(result) << errors;
   }
-  EXPECT_FALSE(read_true_errors("{}", travel));
+  EXPECT_FALSE(read_true_errors("{}", small_volumetric_plan().machine));
 }
 
 }  // namespace

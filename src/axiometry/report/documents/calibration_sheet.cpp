@@ -6,7 +6,6 @@
 #include <string>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/version.h"
 #include "axiometry/report/documents/volumetric_sections.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
@@ -39,7 +38,6 @@ class CalibrationSheet {
     document.running_head = translated(document.title, options_);
     document.running_status = "Test plan · " + document.edition;
     document.date = plan_.date;
-    document.generator = fmt::format("Axiometry {}", version);
     document.identity = {
         {plain("Machine"), plan_.machine.name.empty() ? quiet_cell("not stated") : verbatim_cell(plan_.machine.name)},
         {plain("Date of plan"), plan_.date.empty() ? quiet_cell("not stated") : verbatim_cell(plan_.date)}};

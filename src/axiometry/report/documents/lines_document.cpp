@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/version.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/documents/lines_sections.h"
@@ -187,7 +186,6 @@ Document front_page(const LinesSubject& subject, const Options& options) {
     document.running_number = translated("Report " + metadata.conditions.report_number, options);
   document.running_status = document.edition + (document.label.empty() ? "" : " · " + document.label);
   document.date = metadata.conditions.date;
-  document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
 
@@ -315,7 +313,7 @@ Section lines_provenance(const LinesSubject& subject) {
   facts.facts.push_back({plain("Measured lengths"), file_cell(subject.file)});
   add_verbatim("SHA-256 of the file", subject.sha256);
   add_verbatim("Plan", subject.plan.title);
-  add("Program", fmt::format("Axiometry {}", version));
+  add("Program", program_text());
   for (const bool diagonal : {false, true})
     for (const AssessedLine& line : subject.lines) {
       const Axis& axis = line.line.test.metadata.axis;

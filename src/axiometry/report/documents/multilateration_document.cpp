@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/version.h"
 #include "axiometry/report/figures/residuals.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
@@ -37,7 +36,6 @@ class Composition {
     document.edition = "Lee et al., Sensors 16 (2016) 482, eq. 2";
     document.running_head = translated(document.title, options_);
     document.running_status = document.edition;
-    document.generator = fmt::format("Axiometry {}", version);
     document.identity = {file_fact("Measured lengths")};
     document.status = {status()};
     document.sections = {result_section(), findings_section(), station_section(), point_section(), figure_section()};

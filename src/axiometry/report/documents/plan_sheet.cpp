@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/version.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/figures/programme.h"
 #include "axiometry/report/sections/fact.h"
@@ -216,7 +215,6 @@ Document title_page(const PlanSubject& subject, const Options& options) {
   document.running_status = "Test plan · " + document.edition;
   if (!document.label.empty()) document.running_status += " · " + document.label;
   document.date = plan.date;
-  document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/version.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
@@ -235,7 +234,6 @@ Document title_page(std::string_view kind, std::string_view title, const Options
   document.title = std::string(title);
   document.edition = "Lee et al. 2016, eqs 11 to 15";
   document.running_head = translated(title, options);
-  document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/version.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/report/documents/plan_sheet.h"
 #include "axiometry/report/sections/fact.h"
@@ -303,7 +302,6 @@ Document title_page(const TrackingPlan& plan, Duration duration, const Options& 
   document.running_head = (plan.machine.empty() ? "" : plan.machine + " · ") + translated(document.title, options);
   document.running_status = "Test plan · " + document.edition;
   document.date = plan.date;
-  document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
 

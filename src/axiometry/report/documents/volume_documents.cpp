@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "axiometry/base/version.h"
 #include "axiometry/report/documents/volumetric_sections.h"
 #include "axiometry/report/figures/predicted_line.h"
 #include "axiometry/report/sections/fact.h"
@@ -24,7 +23,6 @@ Document volume_document(std::string title, std::string edition, const std::stri
   document.edition = std::move(edition);
   document.running_head = translated(document.title, options);
   document.running_status = document.edition;
-  document.generator = fmt::format("Axiometry {}", version);
   document.identity = {{plain("Result"), verbatim_cell(result_file)}};
   return document;
 }

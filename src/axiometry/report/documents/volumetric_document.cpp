@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/version.h"
 #include "axiometry/report/documents/volumetric_sections.h"
 #include "axiometry/report/figures/error_motions.h"
 #include "axiometry/report/figures/residuals.h"
@@ -66,7 +65,6 @@ class VolumetricComposition {
     document.edition = "ISO 230-1:2012, names of errors";
     document.running_head = translated(document.title, options_);
     document.running_status = document.edition;
-    document.generator = fmt::format("Axiometry {}", version);
     document.identity = {measured_fact(), file_fact("Machine", s_.machine_file)};
     document.status = {status()};
     document.sections = {result_section(),    findings_section(), squareness_section(),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "axiometry/base/version.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/standards/test_standard.h"
@@ -42,7 +41,7 @@ Section provenance_section(const Subject& subject, const Options& options) {
       {plain("Source file"), or_not_recorded(file_name(source.file), source.file == "-" ? plain : verbatim)},
       {plain("SHA-256 of the source"), or_not_recorded(source.sha256, verbatim)},
       {plain("Format"), or_not_recorded(source.format, verbatim)},
-      {plain("Program"), text_cell(fmt::format("Axiometry {}", version))},
+      {plain("Program"), text_cell(program_text())},
       {plain("Edition of the standard"), text_cell(fmt::format("{}; {}", edition_of(subject.test.metadata.axis),
                                                                edition_remark(subject.test.metadata.axis)))},
   };

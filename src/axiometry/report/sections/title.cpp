@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "axiometry/base/version.h"
 #include "axiometry/report/claim_text.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/finding_text.h"
@@ -157,7 +156,6 @@ Document title_page(const Subject& subject, const Options& options) {
         shortened(translated("Report " + metadata.conditions.report_number, options), running_number_length);
   document.running_status = running_status(subject, claims, options);
   document.date = metadata.conditions.date;
-  document.generator = fmt::format("Axiometry {}", version);
   return document;
 }
 

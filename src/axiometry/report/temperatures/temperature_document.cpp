@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/version.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/temperatures/temperatures.h"
 #include "axiometry/report/translated.h"
@@ -91,7 +90,6 @@ Document compose(const TemperatureSubject& subject, const Options& options) {
   document.title = "Temperatures before and during the test";
   document.edition = "ISO 230-2:2014, 4.1 and 7";
   document.running_head = translated(document.title, options);
-  document.generator = fmt::format("Axiometry {}", version);
   document.date = subject.began;
   const bool exceeded = subject.environment.exceeded(), open = subject.environment.open();
   const bool any_agreed = std::ranges::any_of(subject.environment.items,

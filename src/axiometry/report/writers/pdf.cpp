@@ -24,6 +24,7 @@ using namespace pdf;
 constexpr double running_size = 7.5;
 constexpr double head_baseline = 40.0;
 constexpr double foot_baseline = page_height - 32.0;
+constexpr double program_baseline = foot_baseline + 10.0;  // a status may be as long as the line above
 
 cairo_status_t append_bytes(void* closure, const unsigned char* data, unsigned int length) {
   static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
@@ -93,6 +94,7 @@ void draw_pages(cairo_surface_t* surface, cairo_t* cairo, const PageFlow& flow, 
     draw_line(cairo, foot_baseline - 12.0);
     draw_running(cairo, typesetter, document.running_status,
                  translated(fmt::format("Page {} of {}", page + 1, count), options), foot_baseline);
+    draw_running(cairo, typesetter, document.generator, "", program_baseline);
     cairo_show_page(cairo);
   }
 }

@@ -47,6 +47,13 @@ TEST(PdfWriter, NumbersItsPages) {
   EXPECT_THAT(*text, HasSubstr("Page 6 of 6"));
 }
 
+TEST(PdfWriter, NamesTheProgramAtTheFootOfEveryDocument) {
+  Document document;  // of whatever kind: nobody need think of it
+  document.title = "Motion";
+  TEXT_OR_SKIP(text, find_writer("pdf")->set(document, {}).value());
+  EXPECT_THAT(*text, HasSubstr(program_text()));
+}
+
 TEST(PdfWriter, RepeatsTheHeadOfATableOnEveryPage) {
   std::vector<double> targets;
   for (int k = 0; k < 101; ++k) targets.push_back(20.0 * k);

@@ -38,6 +38,11 @@ Document document_of(const Row& row) {
           .change = {row.text(9), row.text(10), row.text(11)}};
 }
 
+std::unexpected<Error> no_content(const std::string& hash) {
+  return fail(ErrorKind::not_found,
+              fmt::format("found no bytes with the SHA-256 {}, expected some", text::quoted(hash)));
+}
+
 }  // namespace
 
 std::string fingerprint(const Document& d) {
@@ -100,12 +105,16 @@ Result<Document> read_document(Connection& connection, Id id) {
   return document_of(rows[0]);
 }
 
+Result<std::int64_t> content_size(Connection& connection, const std::string& hash) {
+  AXIOMETRY_TRY(const Rows rows, connection.query("SELECT size FROM content WHERE sha256 = $1", {hash}));
+  if (rows.empty()) return no_content(hash);
+  return rows[0].integer(0);
+}
+
 Result<Content> read_content(Connection& connection, const std::string& hash) {
   AXIOMETRY_TRY(const Rows rows,
                 connection.query("SELECT file_name, format, bytes FROM content WHERE sha256 = $1", {hash}));
-  if (rows.empty())
-    return fail(ErrorKind::not_found,
-                fmt::format("found no bytes with the SHA-256 {}, expected some", text::quoted(hash)));
+  if (rows.empty()) return no_content(hash);
   Content content{hash, rows[0].text(0), rows[0].text(1), rows[0].text(2)};
   if (const std::string found = sha256(content.bytes); found != hash)
     return fail(ErrorKind::damaged, fmt::format("found bytes with the SHA-256 {}, expected {}: they were changed after "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "axiometry/store/database/connection.h"
@@ -18,6 +19,8 @@ std::string fingerprint(const Document& document);
 
 /// The bytes of this hash, whatever they are of. Fails with `damaged` when they no longer have it.
 Result<Content> read_content(Connection& connection, const std::string& sha256);
+/// How many bytes those are, which nobody reads.
+Result<std::int64_t> content_size(Connection& connection, const std::string& sha256);
 Result<std::vector<std::string>> list_contents(Connection& connection, std::string_view format);
 
 }  // namespace axiometry::store

@@ -149,8 +149,9 @@ struct TrendPoint {
   std::string unit;
   bool conforming = false;
   std::string label;
-  std::string verdict{};        ///< of all tolerances together; empty without any
-  std::vector<Figure> figures;  ///< of the parameters that were asked for
+  std::string verdict{};         ///< of all tolerances together; empty without any
+  std::vector<Figure> figures;   ///< of the parameters that were asked for
+  std::vector<Id> same_bytes{};  ///< kept of the same bytes too: one measurement, which counts once
 };
 
 /// A report as it was issued: bytes that never change. Attachments (photographs, certificates) likewise.

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "axiometry/base/text.h"
 #include "axiometry/store/kept/assets.h"
 #include "axiometry/store/kept/folded_text.h"
+#include "axiometry/store/kept/same_bytes.h"
 #include "axiometry/store/kept/test_list.h"
 
 // How a page of a list is found in a few milliseconds among 100 000 tests, whatever is asked for: what fits a filter is
@@ -324,11 +326,16 @@ Result<std::vector<MachineTests>> find_machine_tests(Connection& connection, std
 Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std::span<const std::string> parameters,
                                            std::int64_t limit) {
   AXIOMETRY_TRY(const auto known, get_asset<Axis>(connection, axis));
+  AXIOMETRY_TRY(auto repeated, repeated_tests(connection, axis));
+  std::set<Id> once_more;
+  for (const auto& [counted, others] : repeated) once_more.insert(others.begin(), others.end());
   AXIOMETRY_TRY(const Rows newest,
                 connection.query("SELECT test FROM test_list WHERE axis = $1 AND withdrawn = 0 ORDER BY measured_on "
                                  "DESC, test DESC LIMIT $2",
-                                 {known.id, std::max<std::int64_t>(limit, 0)}));
-  const std::vector<Id> ids = ids_of(newest);
+                                 {known.id, std::max<std::int64_t>(limit, 0) + std::ssize(once_more)}));
+  std::vector<Id> ids = ids_of(newest);
+  std::erase_if(ids, [&](Id test) { return once_more.contains(test); });
+  ids.resize(std::min(ids.size(), static_cast<std::size_t>(std::max<std::int64_t>(limit, 0))));
   AXIOMETRY_TRY(const Rows rows, list_rows(connection, ids));
   AXIOMETRY_TRY(auto figures, figures_of(connection, ids, parameters));
   std::vector<TrendPoint> points;
@@ -343,7 +350,8 @@ Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std:
                       .conforming = test.conforming,
                       .label = std::move(test.label),
                       .verdict = std::move(test.verdict),
-                      .figures = std::move(figures[test.id])});
+                      .figures = std::move(figures[test.id]),
+                      .same_bytes = std::move(repeated[test.id])});
   }
   std::ranges::sort(points, {}, [](const TrendPoint& p) { return std::tie(p.measured_on, p.test); });
   return points;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
 #include "axiometry/tracking/geometry/obstacles.h"
@@ -54,11 +55,11 @@ std::optional<std::string> out_of_sight(const TrackerLimits& limits, Vector3 a, 
   const Cosines up = cosines({0.0, 0.0, 1.0}, a, b);
   const double lowest = 90.0 - angle_deg(up.least), highest = 90.0 - angle_deg(up.largest);
   if (lowest < limits.elevation_lowest_deg - limit_slack_deg)
-    return fmt::format("the beam at an elevation of {:.1f}°, below the lowest of {:.1f}°", lowest,
-                       limits.elevation_lowest_deg);
+    return fmt::format("the beam at an elevation of {}°, below the lowest of {}°", format_fixed(lowest, 1),
+                       format_fixed(limits.elevation_lowest_deg, 1));
   if (highest > limits.elevation_highest_deg + limit_slack_deg)
-    return fmt::format("the beam at an elevation of {:.1f}°, above the highest of {:.1f}°", highest,
-                       limits.elevation_highest_deg);
+    return fmt::format("the beam at an elevation of {}°, above the highest of {}°", format_fixed(highest, 1),
+                       format_fixed(limits.elevation_highest_deg, 1));
   const double length = norm(limits.reflector_axis);
   if (!(length > 0.0)) return std::nullopt;
   const double incidence = angle_deg(cosines(-1.0 / length * limits.reflector_axis, a, b).least);
@@ -116,7 +117,8 @@ std::optional<std::string> blocked_because(const TrackingSetup& setup, Vector3 f
       const double q = at[k] - setup.tool_offset_mm[k];
       const double low = setup.travel.lowest_mm[k], high = setup.travel.highest_mm[k];
       if (q < low - limit_slack_mm || q > high + limit_slack_mm)
-        return fmt::format("{} at {:.3f} mm, beyond its travel {:.3f} to {:.3f} mm", axes[k], q, low, high);
+        return fmt::format("{} at {} mm, beyond its travel {} to {} mm", axes[k], format_fixed(q, 3),
+                           format_fixed(low, 3), format_fixed(high, 3));
     }
   }
   const double near = distance_to_segment(setup.station.position_mm, from_mm, to_mm);

@@ -113,7 +113,7 @@ TEST(Visibility, SaysWhatHidesAReflectorWithNumbers) {
   setup.limits.elevation_highest_deg = 80;
   EXPECT_EQ(*hidden_because(setup, {400, 300, -300}), "the beam at an elevation of 90.0°, above the highest of 80.0°");
   setup.limits.elevation_highest_deg = 90;
-  EXPECT_EQ(*hidden_because(setup, {400, 600, -900}), "the beam at an elevation of -45.0°, below the lowest of -20.0°");
+  EXPECT_EQ(*hidden_because(setup, {400, 600, -900}), "the beam at an elevation of −45.0°, below the lowest of −20.0°");
   setup.limits.incidence_most_deg = 60;
   EXPECT_EQ(*hidden_because(setup, {700, 300, -600}),
             "the beam 90.0° off the axis of the reflector, which takes 60.0°");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
 #include "axiometry/tracking/geometry/obstacles.h"
@@ -43,9 +44,9 @@ std::string outside_text(const TrackingSetup& setup, std::size_t k) {
   const double missing = std::max(low - at, at - high);
   if (k == 2 && at < low)
     return fmt::format(
-        "sphere below reach: the reflector comes down to Z {:.1f} mm only, the station is at Z {:.1f} mm: {:.1f} mm "
+        "sphere below reach: the reflector comes down to Z {} mm only, the station is at Z {} mm: {:.1f} mm "
         "are missing; a tool longer or an instrument higher by that would help",
-        low, at, missing);
+        format_fixed(low, 1), format_fixed(at, 1), missing);
   return fmt::format(
       "the station at {0} {1:.1f} mm is {2:.1f} mm outside the travel of {0}: the reflector reaches {3:.1f} to {4:.1f} "
       "mm",
@@ -174,9 +175,10 @@ Attempt attempt_line(const TrackingSetup& setup, std::string_view id, Vector3 di
   const double elevation = std::asin(std::clamp(direction.z, -1.0, 1.0)) * deg_per_rad;
   if (elevation < limits.elevation_lowest_deg - limit_slack_deg ||
       elevation > limits.elevation_highest_deg + limit_slack_deg)
-    return refused(attempt, Stage::elevation,
-                   fmt::format("its beam has an elevation of {:.1f}°, the instrument takes {:.1f}° to {:.1f}°",
-                               elevation, limits.elevation_lowest_deg, limits.elevation_highest_deg));
+    return refused(
+        attempt, Stage::elevation,
+        fmt::format("its beam has an elevation of {}°, the instrument takes {}° to {}°", format_fixed(elevation, 1),
+                    format_fixed(limits.elevation_lowest_deg, 1), format_fixed(limits.elevation_highest_deg, 1)));
   if (const double incidence = incidence_deg(direction, limits.reflector_axis);
       incidence > limits.incidence_most_deg + limit_slack_deg)
     return refused(attempt, Stage::incidence,

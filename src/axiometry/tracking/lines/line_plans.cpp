@@ -263,9 +263,9 @@ class Planner {
 
   std::vector<Vector3> way_from_above(Vector3 place, const std::string& id) {
     if (auto way = tracking::way_from_above(setup_, place)) return *std::move(way);
-    plan_.remarks.push_back(
-        fmt::format("{}: there is no way to it from above; drive to X {:.3f}, Y {:.3f}, Z {:.3f} mm by hand", id,
-                    place.x, place.y, place.z));
+    plan_.remarks.push_back(fmt::format("{}: there is no way to it from above; drive to X {}, Y {}, Z {} mm by hand",
+                                        id, format_fixed(place.x, 3), format_fixed(place.y, 3),
+                                        format_fixed(place.z, 3)));
     return {};
   }
 

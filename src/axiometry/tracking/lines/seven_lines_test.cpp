@@ -83,7 +83,7 @@ TEST(SevenLines, ASphereBelowReachLosesWhatNeedsItsHeight) {
   const LineChoice choice = chosen(machine({100, 80, -665}));
   EXPECT_THAT(names(choice.lost), ElementsAre("x", "y", "xy"));
   EXPECT_EQ(reason(choice, "xy"),
-            "sphere below reach: the reflector comes down to Z -620.0 mm only, the station is at Z -665.0 mm: 45.0 mm "
+            "sphere below reach: the reflector comes down to Z −620.0 mm only, the station is at Z −665.0 mm: 45.0 mm "
             "are missing; a tool longer or an instrument higher by that would help");
 }
 

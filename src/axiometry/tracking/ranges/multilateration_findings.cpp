@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking::detail {
@@ -18,9 +19,9 @@ void tell_breaks(const FindingInput& in, std::vector<Finding>& findings) {
   for (const RangeBreak& b : in.fit.breaks)
     findings.push_back(
         {"multilateration-beam-broken", false,
-         fmt::format("the lengths of station {} jump by {:.4f} mm before reading {} (point {}): taken as a beam "
+         fmt::format("the lengths of station {} jump by {} mm before reading {} (point {}): taken as a beam "
                      "that was broken, with a dead path of its own from there on",
-                     station_name(in.options, b.station), b.jump_mm, b.reading + 1,
+                     station_name(in.options, b.station), format_fixed(b.jump_mm, 4), b.reading + 1,
                      point_name(in.options, in.readings[b.reading].point))});
 }
 
@@ -35,9 +36,10 @@ void tell_outliers(const FindingInput& in, std::vector<Finding>& findings) {
   std::string which;
   for (std::size_t k = 0; k < std::min(far.size(), most_listed); ++k) {
     const RangeReading& r = in.readings[far[k]];
-    which += fmt::format("{}reading {} (station {}, point {}) by {:.5f} mm, {:.1f} times its standard uncertainty",
+    which += fmt::format("{}reading {} (station {}, point {}) by {} mm, {:.1f} times its standard uncertainty",
                          k == 0 ? "" : "; ", far[k] + 1, station_name(in.options, r.station),
-                         point_name(in.options, r.point), in.fit.residuals_mm[far[k]], std::abs(values[far[k]]));
+                         point_name(in.options, r.point), format_fixed(in.fit.residuals_mm[far[k]], 5),
+                         std::abs(values[far[k]]));
   }
   findings.push_back({"multilateration-outliers", true,
                       fmt::format("{} reading{} not fit the others: {}{}", far.size(),

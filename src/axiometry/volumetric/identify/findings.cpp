@@ -86,9 +86,9 @@ void add_set_aside(const VolumetricLengths& lengths, const Identification& resul
       {"volumetric-set-aside", share > aside_share_most,
        fmt::format(
            "{} of {} lengths lie farther from what the others predict than chance allows, and {} set aside; the "
-           "farthest is {}, by {:.1f} µm",
+           "farthest is {}, by {} µm",
            outliers.size(), lengths.readings.size(), outliers.size() == 1 ? "was" : "were",
-           reading_text(lengths, worst.reading), worst.residual_um)});
+           reading_text(lengths, worst.reading), format_fixed(worst.residual_um, 1))});
 }
 
 /// The last reading that was certainly measured before the break, and what lies between: those of its station, tool and
@@ -114,15 +114,16 @@ InDoubt in_doubt(const Identifier& done, const VolumetricLengths& lengths, const
 std::string break_text(const Identifier& done, const VolumetricLengths& lengths, const FoundBreak& found) {
   if (found.is_certain())
     return fmt::format(
-        "before {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there on "
+        "before {} all lengths jump by {} µm: the beam was broken, and the lengths from there on "
         "have a dead path of their own",
-        reading_text(lengths, found.before_reading), found.jump_um);
+        reading_text(lengths, found.before_reading), format_fixed(found.jump_um, 1));
   const InDoubt doubt = in_doubt(done, lengths, found);
   return fmt::format(
-      "between {} and {} all lengths jump by {:.1f} µm: the beam was broken, and the lengths from there "
+      "between {} and {} all lengths jump by {} µm: the beam was broken, and the lengths from there "
       "on have a dead path of their own; on which side of the break the {} between {} measured cannot "
       "be told, and {} left out",
-      place_text(lengths, doubt.last_before), reading_text(lengths, found.latest_reading), found.jump_um,
+      place_text(lengths, doubt.last_before), reading_text(lengths, found.latest_reading),
+      format_fixed(found.jump_um, 1),
       doubt.count == 1 ? "one length" : fmt::format("{} lengths", doubt.count), doubt.count == 1 ? "was" : "were",
       doubt.count == 1 ? "it is" : "they are");
 }

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/volumetric/field/curve_nodes.h"
+#include "axiometry/base/text.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
 #include "axiometry/volumetric/identify/noise_trials.h"
 
@@ -353,6 +354,26 @@ TEST(Identify, NoticesStationsInAnotherFrame) {
   ASSERT_TRUE(result) << result.error().message;
   ASSERT_NE(finding(*result, "volumetric-station-frame"), nullptr);
   EXPECT_THAT(finding(*result, "volumetric-station-frame")->message, HasSubstr("(−300; 0; 0) mm"));
+}
+
+TEST(Identify, TellsStationsThatAreStatedUnderOtherNames) {
+  TrueMachine machine("XFYZ", 12);
+  const VolumetricLengths lengths = measured(machine, four_stations());
+  const auto told = [&](std::vector<NamedStation> stations) -> std::string {
+    machine.model.stations = std::move(stations);
+    const auto result = identify(machine.model, lengths, {});
+    if (!result) return result.error().message;
+    const VolumetricFinding* found = finding(*result, "volumetric-station-names");
+    return found == nullptr ? "none" : found->message;
+  };
+  EXPECT_EQ(told({}), "none") << "nobody need say where they stand";
+  EXPECT_EQ(told(four_stations()), "none");
+  std::vector<NamedStation> others = four_stations();
+  others.pop_back();
+  EXPECT_THAT(told(others), HasSubstr(text::quoted(four_stations().back().name) + " stand, which have lengths: "));
+  others = four_stations();
+  for (NamedStation& station : others) station.name = "P" + station.name;
+  EXPECT_THAT(told(others), HasSubstr("whose places are stated, there are none"));
 }
 
 TEST(Identify, NoticesThatLengthsOfTwoSetupsAreMixed) {

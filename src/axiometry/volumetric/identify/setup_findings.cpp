@@ -160,6 +160,34 @@ void add_places(const MachineModel& machine, const VolumetricLengths& lengths, c
                    vector_text(worst.found_mm, 0), distance(worst.stated_mm, worst.found_mm))});
 }
 
+std::string names_text(const std::vector<std::string>& names) {
+  constexpr std::size_t most_named = 6;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(names.size(), most_named); ++k)
+    text += (k > 0 ? ", " : "") + text::quoted(names[k]);
+  return text + (names.size() > most_named ? ", …" : "");
+}
+
+/// Where stations are stated, one of the lengths that is not among them is not looked at: most likely two names of one.
+void add_unstated(const MachineModel& machine, const VolumetricLengths& lengths,
+                  std::vector<VolumetricFinding>& findings) {
+  std::vector<std::string> unstated, unmeasured;
+  for (const std::string& name : lengths.stations)
+    if (std::ranges::find(machine.stations, name, &NamedStation::name) == machine.stations.end())
+      unstated.push_back(name);
+  if (machine.stations.empty() || unstated.empty()) return;
+  for (const NamedStation& stated : machine.stations)
+    if (std::ranges::find(lengths.stations, stated.name) == lengths.stations.end()) unmeasured.push_back(stated.name);
+  findings.push_back(
+      {"volumetric-station-names", false,
+       unmeasured.empty()
+           ? fmt::format("nobody said where stations {} stand, which have lengths: their places were not looked at",
+                         names_text(unstated))
+           : fmt::format("nobody said where stations {} stand, which have lengths, and of {}, whose places are stated, "
+                         "there are none: are they called otherwise? these places were not looked at",
+                         names_text(unstated), names_text(unmeasured))});
+}
+
 /// What a place of its own would take of χ² in one stretch, and how far away it would be.
 struct OwnPlace {
   double statistic = 0.0;
@@ -229,6 +257,7 @@ void add_setup_findings(const Identifier& done, const MachineModel& machine, con
   if (const auto small = small_machine_finding(machine)) findings.push_back(*small);
   add_tool_offsets(machine, lengths, result, findings);
   add_places(machine, lengths, result, findings);
+  add_unstated(machine, lengths, findings);
   add_moved(done, lengths, findings);
 }
 

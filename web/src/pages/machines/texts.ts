@@ -63,6 +63,7 @@ export const t = texts({
   limit_line: ['{parameter} ≤ {value} {unit}', '{parameter} ≤ {value} {unit}'],
   numbers: ['The same numbers', 'Dieselben Zahlen'],
   by_method: ['uncertainty: {method}', 'Unsicherheit: {method}'],
+  same_bytes: ['the same bytes are kept as {n|test|tests} {ids} too, and count once', 'dieselben Bytes sind auch als Prüfung {ids} gespeichert und zählen einmal'],
   other_limits: ['Held against limits of {n|its|their} own, which are not drawn: {named}.', 'Gegen eigene, nicht gezeichnete Grenzwerte beurteilt: {named}.'],
   click_hint: ['Bars: uncertainty. Dashed lines: limits. A click on a point opens its test.', 'Balken: Unsicherheit. Gestrichelt: Grenzwerte. Ein Klick auf einen Punkt öffnet die Prüfung.'],
   tables_hint: ['Lines from top to bottom: a table was made of the test before them.', 'Senkrechte Linien: Aus der Prüfung davor entstand eine Tabelle.'],

@@ -97,17 +97,24 @@ function OtherLimits({ trend, wanted }: { trend: Trend; wanted: readonly Paramet
 /** Where tables were made stands behind the test that they were made of. */
 function marks_of(tables: readonly CompensationHead[], points: readonly Point[], x: readonly number[]): ChartMark[] {
   return tables.flatMap((table) => {
-    const k = points.findIndex(({ test }) => test === table.test.id);
+    const k = points.findIndex((point) => kept_as(point).includes(table.test.id));
     const at = k >= 0 ? (x[k] as number) : day_seconds(table.test.measured_on);
     return at === null ? [] : [{ x: at, label: short_control(table.control.title), colour: '--ink-quiet', aside: 10 }];
   });
 }
 
+/** The test and those kept of the same bytes. */
+const kept_as = (point: Point): readonly number[] => [point.test, ...point.same_bytes];
+
+const same_bytes_words = (point: Point): string[] =>
+  (point.same_bytes.length === 0 ? [] : [t('same_bytes', { n: point.same_bytes.length, ids: point.same_bytes.join(', ') })]);
+
 /** What tables have to do with a test, in words. */
-function table_words(tables: readonly CompensationHead[], test: number): string[] {
+function table_words(tables: readonly CompensationHead[], point: Point): string[] {
+  const tests = kept_as(point);
   return tables.flatMap((table) => [
-    ...(table.test.id === test ? [t('table_made', { id: table.id, control: short_control(table.control.title) })] : []),
-    ...(table.retest?.id === test ? [t(table.retest.revised ? 'table_unproved' : 'table_proved', { id: table.id, control: short_control(table.control.title) })] : []),
+    ...(tests.includes(table.test.id) ? [t('table_made', { id: table.id, control: short_control(table.control.title) })] : []),
+    ...(table.retest && tests.includes(table.retest.id) ? [t(table.retest.revised ? 'table_unproved' : 'table_proved', { id: table.id, control: short_control(table.control.title) })] : []),
   ]);
 }
 
@@ -144,7 +151,7 @@ function TrendChart({ trend, wanted, height, tables }: { trend: Trend; wanted: r
             ))}
           </tbody>
         </table>
-        {table_words(tables, point.test).map((words) => <div key={words}>{words}</div>)}
+        {[...table_words(tables, point), ...same_bytes_words(point)].map((words) => <div key={words}>{words}</div>)}
         {method_of(point.figures) !== null && <div class="quiet">{t('by_method', { method: named_method(method_of(point.figures)) })}</div>}
       </>
     );
@@ -157,7 +164,7 @@ function TrendChart({ trend, wanted, height, tables }: { trend: Trend; wanted: r
       return [plain_symbol(key), shown?.value ?? absent, shown ? uncertainty_text(shown) : '', unit].filter((part) => part !== '').join(' ');
     });
     const method = named_method(method_of(point?.figures ?? []));
-    const further = [...(point ? table_words(tables, point.test) : []), ...(method === '' ? [] : [t('by_method', { method })])];
+    const further = [...(point ? [...table_words(tables, point), ...same_bytes_words(point)] : []), ...(method === '' ? [] : [t('by_method', { method })])];
     return `${point ? day_of(point) : ''}, ${point?.title}: ${[said.join('; '), ...further].join('; ')}`;
   };
   return (
@@ -186,7 +193,8 @@ function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Paramete
           { key: 'measured', head: t('measured'), class: 'number-text wide-only', cell: (point) => <Day point={point} /> },
           { key: 'test', head: t('test'), row_head: true, cell: (point) => (
             <><a href={`/tests/${point.test}`}>{point.title}</a><span class="only-narrow quiet small number-text"><Day point={point} /></span>
-              {named && method_of(point.figures) !== null && <span class="by-method quiet small">{t('by_method', { method: named_method(method_of(point.figures)) })}</span>}</>
+              {named && method_of(point.figures) !== null && <span class="by-method quiet small">{t('by_method', { method: named_method(method_of(point.figures)) })}</span>}
+              {same_bytes_words(point).map((words) => <span key={words} class="same-bytes quiet small"> {words}</span>)}</>
           ) },
           ...wanted.map((key) => ({
             key, head: <ParameterHead parameter={key} unit={unit_sign(trend.unit)} with_U={some_U(figures)} />, number: true,

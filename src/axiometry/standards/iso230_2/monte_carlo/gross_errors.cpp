@@ -201,15 +201,23 @@ std::vector<GrossError> gross_errors(const Series& series, const TestCourse& cou
   return found;
 }
 
+namespace {
+
+std::string signed_text(double x, int digits) {
+  return fmt::format("{}{:.{}g}", x < 0.0 ? "\u2212" : "", std::abs(x), digits);
+}
+
+}  // namespace
+
 std::string reason_of(std::span<const GrossError> found, const Test& test) {
   if (found.empty()) return {};
   const GrossError& worst = found.front();
   const AxisKind kind = test.metadata.axis.kind;
   std::string reason = fmt::format(
-      "{} of run {} at {:.6g} {} departs by {:.3g} {} from the other approaches, {:.1f} times the standard deviation "
+      "{} of run {} at {} {} departs by {} {} from the other approaches, {:.1f} times the standard deviation "
       "of such a departure",
-      arrow(worst.direction), worst.run + 1, test.series.targets()[worst.target].in_native(), position_unit(kind),
-      worst.departure.in_native(), deviation_unit(kind), worst.factor);
+      arrow(worst.direction), worst.run + 1, signed_text(test.series.targets()[worst.target].in_native(), 6),
+      position_unit(kind), signed_text(worst.departure.in_native(), 3), deviation_unit(kind), worst.factor);
   if (found.size() > 1) reason += fmt::format("; such readings: {}", found.size());
   return reason;
 }

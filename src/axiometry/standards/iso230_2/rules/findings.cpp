@@ -81,11 +81,11 @@ Case make_case(const Metadata& metadata, const Series& series, const Evaluation&
           {runs_in(series, Direction::up), runs_in(series, Direction::down)}};
 }
 
-std::string figure(double x) { return format_exact(std::round(x * 1000.0) / 1000.0); }
+std::string figure(double x) { return format_shortest(std::round(x * 1000.0) / 1000.0); }
 
 std::string size_text(double x) {
   const double power = std::pow(10.0, std::max(0, decimals_for(std::abs(x), 3)));
-  return (x < 0.0 ? "−" : "") + format_exact(std::round(std::abs(x) * power) / power);
+  return format_shortest(std::round(x * power) / power);
 }
 
 namespace {
