@@ -22,7 +22,7 @@ constexpr double feed_share = 0.02;
 constexpr double slowest_limit_per_s = 500.0;
 constexpr double feeds_of_limit = 10.0;
 constexpr double jump_least = 0.5;           // mm or °
-constexpr std::size_t samples_to_judge = 3;  // two false ones in a row are no jump
+constexpr std::size_t samples_of_a_jump = 3;  // two false ones in a row are no jump
 constexpr double hold_slack = 2.0;           // the first way may hide in the last digit
 constexpr double sharpest_start = 30'000.0;  // mm/s² or °/s²: 3 g
 constexpr double unlimited = std::numeric_limits<double>::max();
@@ -149,7 +149,7 @@ std::size_t StandstillDetector::take_piece(std::span<const Sample> samples, cons
   const auto leap = leap_at(samples);
   const auto behind = samples.subspan(leap.value_or(samples.size()));
   const auto still = samples.first(samples.size() - behind.size());
-  const bool too_few = behind.size() < samples_to_judge && more_come && !still.empty();
+  const bool too_few = behind.size() < samples_of_a_jump && more_come && !still.empty();
   if (leap && (too_few || stays_away(behind))) {
     if (!still.empty()) take_piece(still, sums_of(still), false, found);
     if (too_few) return still.size();
@@ -179,7 +179,7 @@ bool StandstillDetector::is_away(const Sample& sample, double step_s) const {
 
 /// A false sample or two do not.
 bool StandstillDetector::stays_away(std::span<const Sample> behind) const {
-  return std::ranges::all_of(behind.first(std::min(behind.size(), samples_to_judge)),
+  return std::ranges::all_of(behind.first(std::min(behind.size(), samples_of_a_jump)),
                              [&](const Sample& s) { return is_away(s, 0.0); });
 }
 
