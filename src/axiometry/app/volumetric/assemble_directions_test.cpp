@@ -196,6 +196,31 @@ TEST(AssembleDirections, AreHeldAgainstATestOfOneDirectionByThatDirection) {
   }
 }
 
+TEST(AssembleDirections, AreTheSameOutOfReadingsAndOutOfTheResultOfTheirVerb) {
+  const testing_support::TemporaryFolder folder;
+  AssembleRequest request = request_of(folder, directed_test(directed_positions, bent));
+  const std::string readings =
+      folder.written("eyx.csv", directed_test("# error: EYX\n# positive: -Y\nposition_mm,run,direction,deviation_um\n",
+                                              [](int k, bool up) { return -bent(k, up) - 4.0 * k; }));
+  const std::string result =
+      folder.written("eyx.json", json::dump(present(*measure_straightness({.file = readings}), {}, {}).json));
+  request.items.push_back({.name = "EYX", .file = readings});
+  const auto direct = assemble_singles(request);
+  request.items.back().file = result;
+  const auto kept = assemble_singles(request);
+  ASSERT_TRUE(direct && kept) << kept.error().to_string();
+  for (const double q : {-900.0, -360.0, 0.0})
+    for (const double d : {1.0, -1.0}) {
+      const auto a = direct->made.model.motion({0, 1}, q, d), b = kept->made.model.motion({0, 1}, q, d);
+      ASSERT_TRUE(a && b);
+      EXPECT_NEAR(a->value, b->value, 1e-9);
+      EXPECT_NEAR(a->u, b->u, 1e-9);
+    }
+  // By hand, at 0 mm: 1.5 µm along +Y, of which EAX makes −11 µrad · −400 mm = 4.4 µm; ECX has no lever there.
+  const volumetric::ErrorModel& model = kept->made.model;
+  EXPECT_NEAR(model.motion({0, 1}, 0.0, 1.0)->value - model.motion({0, 1}, 0.0, -1.0)->value, 1.5 - 4.4, 1e-4);
+}
+
 TEST(AssembleDirections, HaveTheUncertaintyOfTheirRunsAndShareThatOfTheInstrument) {
   const testing_support::TemporaryFolder folder;
   AssembleRequest request = request_of(folder, directed_test(directed_positions, bent));
