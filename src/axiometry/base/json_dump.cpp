@@ -15,38 +15,11 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/json.h"
+#include "axiometry/base/json_place.h"
 #include "axiometry/base/utf8.h"
 
 namespace axiometry::json {
 namespace {
-
-/// A text that grows. What is written begins at room() and ends where end_at() says.
-class Growing {
- public:
-  /// Where so many bytes have room at least.
-  char* room(std::size_t bytes) {
-    constexpr std::size_t first = 1024;
-    if (text_.size() - used_ < bytes) text_.resize(std::max(2 * text_.size(), used_ + bytes + first));
-    return text_.data() + used_;
-  }
-  void end_at(const char* end) { used_ = static_cast<std::size_t>(end - text_.data()); }
-
-  void append(std::string_view s) { end_at(std::ranges::copy(s, room(s.size())).out); }
-  void append(char c) {
-    char* const at = room(1);
-    *at = c;
-    end_at(at + 1);
-  }
-
-  std::string take() {
-    text_.resize(used_);
-    return std::move(text_);
-  }
-
- private:
-  std::string text_;
-  std::size_t used_ = 0;
-};
 
 /// ASCII that needs no escape.
 bool stands_for_itself(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
@@ -86,63 +59,75 @@ std::size_t copy_plain(std::string_view s, char* to) {
   return k;
 }
 
-void write_text(Growing& out, std::string_view s) {
-  char* to = out.room(s.size() + 2);
+}  // namespace
+
+void Text::grow(std::size_t bytes) {
+  constexpr std::size_t first = 4096;
+  text_.resize(std::max(2 * text_.size(), used_ + bytes + open_ + first));
+}
+
+void Text::append(std::string_view s) { end_at(std::ranges::copy(s, room(s.size())).out); }
+
+void Text::append_quoted(std::string_view s) {
+  char* to = room(s.size() + 2);
   *to++ = '"';
   while (true) {
     const std::size_t plain = copy_plain(s, to);
     s.remove_prefix(plain);
     to += plain;
     if (s.empty()) break;
-    out.end_at(to);
+    end_at(to);
     const Written special = written_character(s);
-    out.append(special.text);
+    append(special.text);
     s.remove_prefix(special.taken);
-    to = out.room(s.size() + 1);
+    to = room(s.size() + 1);
   }
   *to++ = '"';
-  out.end_at(to);
+  end_at(to);
 }
 
 /// Whole numbers as such: 1000000 and not 1e+06, which strict readers take for a fraction. Others by the shortest
 /// digits that read back the same, without an exponent where that is no longer: from 0.001 on. There fmt writes what
 /// to_chars() does, in two thirds of the time.
-void write_number(Growing& out, double x) {
+void Text::append_number(double x) {
+  AXIOMETRY_CONTRACT(std::isfinite(x));
   constexpr std::ptrdiff_t longest = 32;
   const double size = std::abs(x);
   const bool whole = size < 1e15 && static_cast<double>(static_cast<long long>(size)) == size;
-  char* at = out.room(longest);
+  char* at = room(longest);
   char* const end = at + longest;
   if (whole && std::signbit(x)) *at++ = '-';  // of a zero too
   if (whole)
-    out.end_at(std::to_chars(at, end, static_cast<long long>(size)).ptr);
+    end_at(std::to_chars(at, end, static_cast<long long>(size)).ptr);
   else if (size >= 1e-3 && size < 1e15)
-    out.end_at(fmt::format_to(at, FMT_COMPILE("{}"), x));
+    end_at(fmt::format_to(at, FMT_COMPILE("{}"), x));
   else
-    out.end_at(std::to_chars(at, end, x).ptr);
+    end_at(std::to_chars(at, end, x).ptr);
 }
+
+std::string Text::take() {
+  text_.resize(used_);
+  return std::move(text_);
+}
+
+namespace {
 
 bool is_container(const Value& value) { return value.is(Kind::array) || value.is(Kind::object); }
 
 class Writer {
  public:
-  explicit Writer(int indent) : indent_(indent) {}
+  Writer(Text& out, int indent) : out_(out), indent_(indent) {}
 
   void write(const Value& value, int level) {
     switch (value.kind()) {
       case Kind::null: out_.append("null"); break;
-      case Kind::boolean: out_.append(value.boolean() ? "true" : "false"); break;
-      case Kind::number:
-        AXIOMETRY_CONTRACT(std::isfinite(value.number()));
-        write_number(out_, value.number());
-        break;
-      case Kind::text: write_text(out_, value.text()); break;
+      case Kind::boolean: out_.append(value.boolean() ? std::string_view("true") : std::string_view("false")); break;
+      case Kind::number: out_.append_number(value.number()); break;
+      case Kind::text: out_.append_quoted(value.text()); break;
       case Kind::array: write_array(value.items(), level); break;
       case Kind::object: write_object(value.members(), level); break;
     }
   }
-
-  std::string take() { return out_.take(); }
 
  private:
   void new_line(int level) {
@@ -171,7 +156,7 @@ class Writer {
     for (std::size_t k = 0; k < members.size(); ++k) {
       if (k > 0) out_.append(',');
       new_line(level + 1);
-      write_text(out_, members[k].first);
+      out_.append_quoted(members[k].first);
       out_.append(indent_ > 0 ? ": " : ":");
       write(members[k].second, level + 1);
     }
@@ -179,16 +164,23 @@ class Writer {
     out_.append('}');
   }
 
+  Text& out_;
   int indent_;
-  Growing out_;
 };
 
 }  // namespace
 
 std::string dump(const Value& value, int indent) {
-  Writer writer(indent);
-  writer.write(value, 0);
-  return writer.take();
+  Text text;
+  Writer(text, indent).write(value, 0);
+  return text.take();
+}
+
+void Place::put(Value value) const {
+  if (text_ != nullptr)
+    Writer(*text_, 0).write(value, 0);
+  else
+    *tree_ = std::move(value);
 }
 
 }  // namespace axiometry::json

@@ -78,6 +78,11 @@ std::string small_letter(std::string_view character, char32_t code) {
 std::string squeezed(std::string_view s) {
   std::string all;
   for (std::size_t at = 0; at < s.size();) {
+    if (const char c = s[at]; c > ' ' && c < '\x7F') {  // most are, and need no text of their own
+      if (c != '-' && c != '_') all += c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+      ++at;
+      continue;
+    }
     const Character character = character_at(s, at);
     const bool between_words = character.code <= ' ' || character.code == '-' || character.code == '_';
     if (!between_words && !is_mark(character.code)) all += small_letter(s.substr(at, character.length), character.code);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <unordered_map>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
@@ -15,9 +16,13 @@
 namespace axiometry {
 
 const Field* find_field(std::string_view key) {
-  const auto fields = metadata_fields();
-  const auto found = std::ranges::find(fields, key, &Field::key);
-  return found == fields.end() ? nullptr : &*found;
+  static const std::unordered_map<std::string_view, const Field*> by_key = [] {
+    std::unordered_map<std::string_view, const Field*> all;
+    for (const Field& field : metadata_fields()) all.emplace(field.key, &field);  // the first of a key
+    return all;
+  }();
+  const auto found = by_key.find(key);
+  return found == by_key.end() ? nullptr : found->second;
 }
 
 bool is_given(const Field& field, const Metadata& metadata) {

@@ -43,34 +43,33 @@ Value correction_to_json(const AppliedCorrection& correction) {
   return object;
 }
 
-Value corrected_readings_to_json(const Series& evaluated, const Series& measured) {
-  Value list = Value::array();
+void put_corrected_readings(json::Place place, const Series& evaluated, const Series& measured) {
+  json::List list(place);
   for (std::size_t i = 0; i < evaluated.target_count(); ++i)
     for (Direction direction : {Direction::up, Direction::down})
       for (std::size_t j = 0; j < evaluated.run_count(); ++j) {
         const auto reading = evaluated.reading(i, direction, j);
         if (!reading) continue;
-        Value& row = list.push(Value::object());
+        json::Object row = list.object();
         row.add("target", evaluated.targets()[i].in_native());
         row.add("direction", direction == Direction::up ? "up" : "down");
         row.add("run", j + 1);
         row.add("deviation", reading->in_native());
-        row.add("as_measured", number_or_null(measured.reading(i, direction, j)));
+        row.add("as_measured", native_number(measured.reading(i, direction, j)));
       }
-  return list;
 }
 
 }  // namespace
 
-void add_corrections(Value& object, const Test& test) {
+void add_corrections(json::Object& object, const Test& test) {
   const Provenance& provenance = test.provenance;
   if (!provenance.corrections.empty()) {
-    Value& list = object.add("corrections", Value::array());
+    json::List list = object.list("corrections");
     for (const AppliedCorrection& correction : provenance.corrections) list.push(correction_to_json(correction));
   }
   if (provenance.expansion_correction)
     object.add("expansion_correction", expansion_to_json(*provenance.expansion_correction));
-  if (test.as_measured) object.add("readings", corrected_readings_to_json(test.series, *test.as_measured));
+  if (test.as_measured) put_corrected_readings(object.at("readings"), test.series, *test.as_measured);
 }
 
 Value drift_to_json(const Test& test) {

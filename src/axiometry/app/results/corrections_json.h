@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json_place.h"
 #include "axiometry/model/test.h"
 
 /// What was done to the readings, as machines read it; belongs to wire.h. docs/results.md describes the keys.
@@ -9,7 +9,7 @@ namespace axiometry::app {
 
 /// Adds "corrections" and "readings" (those evaluated, and beside them as they were measured) where the readings were
 /// corrected, and "expansion_correction" where for expansion.
-void add_corrections(json::Value& object, const Test& test);
+void add_corrections(json::Object& object, const Test& test);
 
 /// "drift": per hour or per reading with its standard uncertainty; null where it cannot be estimated.
 json::Value drift_to_json(const Test& test);

@@ -134,7 +134,9 @@ Result<ManyOutputs> ManyOutputs::create(const OutputNames& names, const report::
   return outputs;
 }
 
-std::string json_line(const Evaluated& evaluated) { return json::dump(to_json(evaluated), 0); }
+std::string json_line(const Evaluated& evaluated) {
+  return json::text_of([&](json::Place place) { put_result(place, evaluated); });
+}
 
 Result<void> ManyOutputs::add_json(std::string_view text) {
   AXIOMETRY_TRY_VOID(json_->write(json_empty_ ? "[\n" : ",\n"));

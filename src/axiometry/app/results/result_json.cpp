@@ -21,97 +21,153 @@
 namespace axiometry::app {
 namespace {
 
+using json::Place;
 using json::Value;
 
-Value position_result_to_json(const iso230_2::PositionResult& p) {
-  Value object = Value::object();
+std::optional<std::string_view> unless_empty(std::string_view s) { return s.empty() ? std::nullopt : std::optional(s); }
+
+void put_position(Place place, const iso230_2::PositionResult& p) {
+  json::Object object(place);
   object.add("target", p.target.in_native());
   object.add("n_up", p.count_up);
   object.add("n_down", p.count_down);
   for (const auto& quantity : iso230_2::position_quantities)
-    object.add(quantity.key, number_or_null(p.*quantity.member));
-  return object;
+    object.add(quantity.key, native_number(p.*quantity.member));
 }
 
-Value judgement_to_json(const iso230_2::Judgement& judgement) {
-  Value row = Value::object();
+void put_judgement(Place place, const iso230_2::Judgement& judgement) {
+  json::Object row(place);
   row.add("parameter", judgement.tolerance.parameter->key);
   row.add("limit", judgement.tolerance.limit.in_native());
   row.add("source", iso230_2::tolerance_source_key(judgement.tolerance.source));
   row.add("verdict", uncertainty::verdict_name(judgement.decision.verdict));
   row.add("rule", judgement.rule.id());
-  Value& replaced = row.add("replaced", Value::array());
-  for (const iso230_2::ReplacedLimit& other : judgement.tolerance.replaced) {
-    Value& limit = replaced.push(Value::object());
-    limit.add("limit", other.limit.in_native());
-    limit.add("source", iso230_2::tolerance_source_key(other.source));
+  {
+    json::List replaced = row.list("replaced");
+    for (const iso230_2::ReplacedLimit& other : judgement.tolerance.replaced) {
+      json::Object limit = replaced.object();
+      limit.add("limit", other.limit.in_native());
+      limit.add("source", iso230_2::tolerance_source_key(other.source));
+    }
   }
-  row.add("withheld", judgement.withheld.empty() ? Value() : Value(judgement.withheld));
+  row.add("withheld", unless_empty(judgement.withheld));
   const auto& known = judgement.uncertainty;
-  row.add("u", known ? Value(known->u.in_native()) : Value());
-  row.add("u_degrees_of_freedom", known ? number_or_null(known->degrees_of_freedom) : Value());
-  row.add("u_method", known ? Value(iso230_2::method_key(known->method)) : Value());
-  row.add("u_measurand", known && known->measurand ? Value(iso230_2::measurand_key(*known->measurand)) : Value());
+  const bool measurand_known = known && known->measurand;
+  row.add("u", known ? std::optional(known->u.in_native()) : std::nullopt);
+  row.add("u_degrees_of_freedom", known ? known->degrees_of_freedom : std::nullopt);
+  row.add("u_method", known ? std::optional(iso230_2::method_key(known->method)) : std::nullopt);
+  row.add("u_measurand", measurand_known ? std::optional(iso230_2::measurand_key(*known->measurand)) : std::nullopt);
   const bool judged = judgement.decision.verdict != uncertainty::Verdict::not_applicable;
-  row.add("guard_band", judged && judgement.has_guard_band() ? Value(judgement.decision.guard_band) : Value());
-  row.add("rejection_band", judged && judgement.has_guard_band() ? Value(judgement.decision.rejection_band) : Value());
-  row.add("acceptance_limit", number_or_null(judged ? judgement.acceptance_limit() : std::nullopt));
-  row.add("rejection_limit", number_or_null(judged ? judgement.rejection_limit() : std::nullopt));
-  row.add("probability_conforming", number_or_null(judgement.decision.probability_conforming));
+  const bool guarded = judged && judgement.has_guard_band();
+  row.add("guard_band", guarded ? std::optional(judgement.decision.guard_band) : std::nullopt);
+  row.add("rejection_band", guarded ? std::optional(judgement.decision.rejection_band) : std::nullopt);
+  row.add("acceptance_limit", native_number(judged ? judgement.acceptance_limit() : std::nullopt));
+  row.add("rejection_limit", native_number(judged ? judgement.rejection_limit() : std::nullopt));
+  row.add("probability_conforming", judgement.decision.probability_conforming);
   const auto& range = judgement.decision.probability_range;
-  row.add("probability_least", range ? Value(range->least) : Value());
-  row.add("probability_most", range ? Value(range->most) : Value());
-  row.add("consumer_risk", number_or_null(judgement.decision.consumer_risk));
-  row.add("producer_risk", number_or_null(judgement.decision.producer_risk));
-  return row;
+  row.add("probability_least", range ? std::optional(range->least) : std::nullopt);
+  row.add("probability_most", range ? std::optional(range->most) : std::nullopt);
+  row.add("consumer_risk", judgement.decision.consumer_risk);
+  row.add("producer_risk", judgement.decision.producer_risk);
 }
 
 /// "verdict", "tolerances" and, when a table was used, which row of it.
-void add_conformity(Value& object, const Evaluated& evaluated) {
+void add_conformity(json::Object& object, const Evaluated& evaluated) {
   const auto verdict = iso230_2::overall_verdict(evaluated.judgements);
   if (!verdict) return;
   object.add("verdict", uncertainty::verdict_name(*verdict));
-  Value& list = object.add("tolerances", Value::array());
-  for (const auto& judgement : evaluated.judgements) list.push(judgement_to_json(judgement));
+  {
+    json::List list = object.list("tolerances");
+    for (const auto& judgement : evaluated.judgements) put_judgement(list.next(), judgement);
+  }
   if (!evaluated.tolerance_band) return;
   const AppliedBand& band = *evaluated.tolerance_band;
-  Value& table = object.add("tolerance_table", Value::object());
+  json::Object table = object.object("tolerance_table");
   table.add("file", band.file);
   table.add("sha256", band.sha256);
   table.add("name", band.name);
-  table.add("travel_up_to", band.travel_max ? Value(band.travel_max->in_native()) : Value());
+  table.add("travel_up_to", band.travel_max ? std::optional(band.travel_max->in_native()) : std::nullopt);
 }
 
-json::Value claims_to_json(const iso230_2::Claims& claims, const iso230_2::TestEnvironment* logged) {
-  Value list = Value::array();
+void put_findings(Place place, std::span<const iso230_2::Finding> findings) {
+  json::List list(place);
+  for (const auto& finding : findings) {
+    json::Object row = list.object();
+    row.add("id", finding.id);
+    row.add("clause", finding.clause);
+    row.add("severity", iso230_2::severity_name(finding.severity));
+    row.add("message", finding.message);
+  }
+}
+
+void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::TestEnvironment* logged) {
+  json::List list(place);
   for (const iso230_2::Claim& claim : claims) {
-    Value& row = list.push(Value::object());
+    json::Object row = list.object();
     row.add("key", iso230_2::claim_key(claim.kind));
     row.add("title", claim.title);
     row.add("holds", claim.holds());
-    row.add("missing", findings_to_json(claim.against));
+    put_findings(row.at("missing"), claim.against);
     if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(logged));
   }
-  return list;
 }
 
 /// What is told for information and never judged; nothing when nothing was asked for.
-void add_information(Value& object, const Test& test, const iso230_2::AxisParameters& parameters) {
+void add_information(json::Object& object, const Test& test, const iso230_2::AxisParameters& parameters) {
   const auto smaller = iso230_2::smaller_repeatability(test.metadata, parameters);
   if (!smaller) return;
-  Value& row = object.add("information", Value::object()).add("smaller_repeatability", Value::object());
+  json::Object information = object.object("information");
+  json::Object row = information.object("smaller_repeatability");
   row.add("value", smaller->value.in_native());
   row.add("of", smaller->parameter->key);
   row.add("remark", iso230_2::smaller_repeatability_remark);
 }
 
 /// With the axis (8.2.4), of the parameters that exist; nothing where the axis has no symbol.
-void add_symbols(Value& object, const Evaluated& evaluated) {
+void add_symbols(json::Object& object, const Evaluated& evaluated) {
   const Axis& axis = evaluated.test.metadata.axis;
   if (iso230_2::error_symbol(axis).empty()) return;
-  Value& symbols = object.add("symbols", Value::object());
+  json::Object symbols = object.object("symbols");
   for (const auto& p : iso230_2::parameters)
     if (evaluated.assessment.evaluation.parameters.*p.member) symbols.add(p.key, iso230_2::error_symbol(axis, p));
+}
+
+void put_source(Place place, const Provenance& provenance, const std::string& test_name) {
+  json::Object object(place);
+  object.add("file", provenance.file);
+  if (!test_name.empty()) object.add("test", test_name);
+  object.add("sha256", unless_empty(provenance.sha256));
+  object.add("format", provenance.format);
+}
+
+void put_program(Place place) {
+  json::Object object(place);
+  object.add("name", "axiometry");
+  object.add("version", version);
+}
+
+void put_axis(Place place, const Axis& axis) {
+  json::Object object(place);
+  object.add("name", axis.name);
+  object.add("kind", axis_kind_name(axis.kind));
+}
+
+void put_positions(Place place, std::span<const iso230_2::PositionResult> positions) {
+  json::List list(place);
+  for (const auto& p : positions) put_position(list.next(), p);
+}
+
+void put_metadata(Place place, const Metadata& metadata) {
+  json::Object object(place);
+  formats::add_metadata(object, metadata);
+}
+
+void put_verification(Place place, const report::VerifiedFigures& verified) {
+  json::Object verification(place);
+  verification.add("figures", verified.figures);
+  verification.add("verdicts", verified.verdicts);
+  verification.add("compared", verified.compared);
+  verification.add("differences", std::size_t{0});
 }
 
 std::string csv_text(std::string_view s) { return text::csv_cell(text::no_formula(s)); }
@@ -163,72 +219,45 @@ std::string claim_cells(const iso230_2::Claims& claims) {
 }  // namespace
 
 json::Value findings_to_json(std::span<const iso230_2::Finding> findings) {
-  Value list = Value::array();
-  for (const auto& finding : findings) {
-    Value& row = list.push(Value::object());
-    row.add("id", finding.id);
-    row.add("clause", finding.clause);
-    row.add("severity", iso230_2::severity_name(finding.severity));
-    row.add("message", finding.message);
-  }
-  return list;
+  return json::tree_of([&](Place place) { put_findings(place, findings); });
 }
 
 json::Value source_to_json(const Provenance& provenance, const std::string& test_name) {
-  Value object = Value::object();
-  object.add("file", provenance.file);
-  if (!test_name.empty()) object.add("test", test_name);
-  object.add("sha256", provenance.sha256.empty() ? Value() : Value(provenance.sha256));
-  object.add("format", provenance.format);
-  return object;
+  return json::tree_of([&](Place place) { put_source(place, provenance, test_name); });
 }
 
-json::Value program_to_json() {
-  Value object = Value::object();
-  object.add("name", "axiometry");
-  object.add("version", version);
-  return object;
+json::Value program_to_json() { return json::tree_of(put_program); }
+
+void put_result(json::Place place, const Evaluated& evaluated) {
+  const Test& test = evaluated.test;
+  const Metadata& metadata = test.metadata;
+  const iso230_2::Assessment& assessment = evaluated.assessment;
+  json::Object object(place);
+  object.add("standard", edition_of(metadata.axis));
+  put_axis(object.at("axis"), metadata.axis);
+  object.add("unit", deviation_unit_key(metadata.axis.kind));
+  object.add("conforming", assessment.conforming());
+  put_claims(object.at("claims"), iso230_2::claims_of(test, assessment),
+             evaluated.temperatures ? &evaluated.temperatures->environment : nullptr);
+  if (!assessment.label.empty()) object.add("label", assessment.label);
+  put_parameters(object.at("parameters"), assessment.evaluation.parameters);
+  add_symbols(object, evaluated);
+  put_uncertainty(object.at("uncertainty"), assessment);
+  add_conformity(object, evaluated);
+  add_information(object, test, assessment.evaluation.parameters);
+  put_positions(object.at("positions"), assessment.evaluation.positions);
+  object.add("drift", drift_to_json(test));
+  if (evaluated.temperatures) object.add("environment", environment_to_json(*evaluated.temperatures));
+  put_findings(object.at("findings"), assessment.findings);
+  put_metadata(object.at("metadata"), metadata);
+  put_source(object.at("source"), test.provenance, evaluated.name);
+  add_corrections(object, test);
+  put_program(object.at("program"));
+  if (evaluated.verified) put_verification(object.at("verification"), *evaluated.verified);
 }
 
 json::Value to_json(const Evaluated& evaluated) {
-  const Metadata& metadata = evaluated.test.metadata;
-  Value axis = Value::object();
-  axis.add("name", metadata.axis.name);
-  axis.add("kind", axis_kind_name(metadata.axis.kind));
-  Value metadata_object = Value::object();
-  formats::add_metadata(metadata_object, metadata);
-  Value positions = Value::array();
-  for (const auto& p : evaluated.assessment.evaluation.positions) positions.push(position_result_to_json(p));
-
-  Value object = Value::object();
-  object.add("standard", edition_of(metadata.axis));
-  object.add("axis", std::move(axis));
-  object.add("unit", deviation_unit_key(metadata.axis.kind));
-  object.add("conforming", evaluated.assessment.conforming());
-  object.add("claims", claims_to_json(iso230_2::claims_of(evaluated.test, evaluated.assessment),
-                                      evaluated.temperatures ? &evaluated.temperatures->environment : nullptr));
-  if (!evaluated.assessment.label.empty()) object.add("label", evaluated.assessment.label);
-  object.add("parameters", parameters_to_json(evaluated.assessment.evaluation.parameters));
-  add_symbols(object, evaluated);
-  object.add("uncertainty", uncertainty_to_json(evaluated.assessment));
-  add_conformity(object, evaluated);
-  add_information(object, evaluated.test, evaluated.assessment.evaluation.parameters);
-  object.add("positions", std::move(positions));
-  object.add("drift", drift_to_json(evaluated.test));
-  if (evaluated.temperatures) object.add("environment", environment_to_json(*evaluated.temperatures));
-  object.add("findings", findings_to_json(evaluated.assessment.findings));
-  object.add("metadata", std::move(metadata_object));
-  object.add("source", source_to_json(evaluated.test.provenance, evaluated.name));
-  add_corrections(object, evaluated.test);
-  object.add("program", program_to_json());
-  if (evaluated.verified) {
-    Value& verification = object.add("verification", Value::object());
-    verification.add("figures", evaluated.verified->figures);
-    verification.add("verdicts", evaluated.verified->verdicts);
-    verification.add("compared", evaluated.verified->compared);
-    verification.add("differences", std::size_t{0});
-  }
-  return object;
+  return json::tree_of([&](Place place) { put_result(place, evaluated); });
 }
 
 json::Value error_to_json(const std::string& file, const Error& error) {

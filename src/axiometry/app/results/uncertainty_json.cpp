@@ -19,6 +19,7 @@ using iso230_2::ExpandedUncertainty;
 using iso230_2::GumUncertainty;
 using iso230_2::MonteCarlo;
 using iso230_2::ParameterDistribution;
+using json::Place;
 using json::Value;
 
 Value texts(const std::vector<std::string>& list) { return Value::array({list.begin(), list.end()}); }
@@ -33,46 +34,52 @@ Value per_parameter(const ToJson& to_json) {
   return object;
 }
 
-Value contributor_to_json(const iso230_2::Contributor& contributor) {
-  Value inputs = Value::array();
-  for (const auto& input : contributor.inputs) {
-    Value& row = inputs.push(Value::object());
-    row.add("symbol", input.symbol);
-    row.add("value", input.value);
-    row.add("unit", input.unit);
-    if (!input.note.empty()) row.add("note", input.note);
-  }
-  Value object = Value::object();
+/// The same put into a place: `put(place, parameter)`.
+template <typename Put>
+void put_per_parameter(Place place, const Put& put) {
+  json::Object object(place);
+  for (const auto& p : iso230_2::parameters) put(object.at(p.key), p);
+}
+
+void put_contributor(Place place, const iso230_2::Contributor& contributor) {
+  json::Object object(place);
   object.add("key", contributor.key);
   object.add("symbol", contributor.symbol);
   object.add("title", contributor.title);
   object.add("formula", contributor.formula);
-  object.add("inputs", std::move(inputs));
-  object.add("U", number_or_null(contributor.U));
-  return object;
+  {
+    json::List inputs = object.list("inputs");
+    for (const auto& input : contributor.inputs) {
+      json::Object row = inputs.object();
+      row.add("symbol", input.symbol);
+      row.add("value", input.value);
+      row.add("unit", input.unit);
+      if (!input.note.empty()) row.add("note", input.note);
+    }
+  }
+  object.add("U", native_number(contributor.U));
 }
 
-Value corrected_to_json(const iso230_2::CorrectedRepeatability& corrected) {
-  Value object = Value::object();
-  object.add("R", number_or_null(corrected.parameters.R));
-  object.add("R_up", number_or_null(corrected.parameters.R_up));
-  object.add("R_down", number_or_null(corrected.parameters.R_down));
-  Value floored = Value::array();
+void put_corrected(Place place, const iso230_2::CorrectedRepeatability& corrected) {
+  json::Object object(place);
+  object.add("R", native_number(corrected.parameters.R));
+  object.add("R_up", native_number(corrected.parameters.R_up));
+  object.add("R_down", native_number(corrected.parameters.R_down));
+  json::List floored = object.list("floored_targets");
   for (std::size_t i : corrected.floored) floored.push(corrected.positions[i].target.in_native());
-  object.add("floored_targets", std::move(floored));
-  return object;
 }
 
-Value annex_a_budget_to_json(const iso230_2::AnnexA& annex) {
-  Value object = Value::object();
-  Value& contributors = object.add("contributors", Value::array());
-  for (const auto& contributor : annex.budget) contributors.push(contributor_to_json(contributor));
+void put_annex_a_budget(Place place, const iso230_2::AnnexA& annex) {
+  json::Object object(place);
+  {
+    json::List contributors = object.list("contributors");
+    for (const auto& contributor : annex.budget) put_contributor(contributors.next(), contributor);
+  }
   object.add("notes", texts(annex.notes));
   object.add("runs", annex.runs);
   object.add("slow_environment", annex.slow_environment);
   object.add("coverage_factor", 2);
-  if (annex.corrected) object.add("corrected_repeatability", corrected_to_json(*annex.corrected));
-  return object;
+  if (annex.corrected) put_corrected(object.at("corrected_repeatability"), *annex.corrected);
 }
 
 void add_expanded(Value& object, const ExpandedUncertainty& uncertainty) {
@@ -309,14 +316,17 @@ Value monte_carlo_run_to_json(const MonteCarlo& run) {
   return object;
 }
 
-Value resolved_to_json(const iso230_2::ResolvedInputs& inputs) {
-  Value list = Value::array();
+void put_inputs(Place place, const iso230_2::ResolvedInputs& inputs) {
+  json::List list(place);
   for (const iso230_2::ResolvedRow& input : inputs.rows) {
-    Value& row = list.push(Value::object());
+    json::Object row = list.object();
     row.add("key", input.key);
     row.add("symbol", input.symbol);
     row.add("title", report::input_title(input));
-    row.add("value", input.value ? Value(*input.value) : Value(input.word));
+    if (input.value)
+      row.add("value", *input.value);
+    else
+      row.add("value", input.word);
     row.add("unit", input.unit);
     row.add("origin", iso230_2::origin_key(input.origin));
     row.add("origin_title", report::origin_text(input));
@@ -325,26 +335,23 @@ Value resolved_to_json(const iso230_2::ResolvedInputs& inputs) {
     row.add("use_title", report::use_text(input));
     if (!input.reason.empty()) row.add("reason", input.reason);
   }
-  return list;
 }
 
 /// The uncertainty that stands with the results, whatever else was estimated.
-Value record_to_json(const iso230_2::Assessment& assessment) {
+void put_record(Place place, const iso230_2::Assessment& assessment) {
   const auto method = iso230_2::method_of_record(assessment);
-  Value object = Value::object();
-  object.add("method", method ? Value(iso230_2::method_key(*method)) : Value());
+  json::Object object(place);
+  object.add("method", method ? std::optional(iso230_2::method_key(*method)) : std::nullopt);
   object.add("chosen", assessment.method_of_record.has_value());
-  object.add("parameters", per_parameter([&](const iso230_2::ParameterInfo& parameter) {
-               const auto known = iso230_2::uncertainty_of_record(assessment, parameter);
-               if (!known) return Value();
-               Value row = Value::object();
-               row.add("u", known->u.in_native());
-               row.add("U", number_or_null(known->U));
-               row.add("low", known->interval.lower);
-               row.add("high", known->interval.upper);
-               return row;
-             }));
-  return object;
+  put_per_parameter(object.at("parameters"), [&](Place of, const iso230_2::ParameterInfo& parameter) {
+    const auto known = iso230_2::uncertainty_of_record(assessment, parameter);
+    if (!known) return of.put(std::nullopt);
+    json::Object row(of);
+    row.add("u", known->u.in_native());
+    row.add("U", native_number(known->U));
+    row.add("low", known->interval.lower);
+    row.add("high", known->interval.upper);
+  });
 }
 
 }  // namespace
@@ -357,22 +364,36 @@ json::Value seed_to_json(std::uint64_t seed) {
   return seed < seed_limit ? Value(static_cast<double>(seed)) : Value(fmt::format("{}", seed));
 }
 
+std::optional<double> native_number(const std::optional<Deviation>& x) {
+  return x ? std::optional(x->in_native()) : std::nullopt;
+}
+
+void put_parameters(Place place, const iso230_2::AxisParameters& parameters) {
+  put_per_parameter(place, [&](Place of, const auto& p) { of.put(native_number(parameters.*p.member)); });
+}
+
 json::Value parameters_to_json(const iso230_2::AxisParameters& parameters) {
-  return per_parameter([&](const auto& p) { return number_or_null(parameters.*p.member); });
+  return json::tree_of([&](Place place) { put_parameters(place, parameters); });
+}
+
+void put_uncertainty(Place place, const iso230_2::Assessment& assessment) {
+  const auto& [annex_a, gum, monte_carlo] = std::tie(assessment.annex_a, assessment.gum, assessment.monte_carlo);
+  json::Object object(place);
+  put_record(object.at("record"), assessment);
+  put_inputs(object.at("inputs"), assessment.inputs);
+  if (annex_a)
+    put_parameters(object.at("annex_a"), annex_a->U);
+  else
+    object.add("annex_a", std::nullopt);
+  object.add("gum", gum ? gum_to_json(*gum) : Value());
+  object.add("monte_carlo", monte_carlo ? monte_carlo_to_json(*monte_carlo) : Value());
+  if (annex_a) put_annex_a_budget(object.at("annex_a_budget"), *annex_a);
+  if (gum) object.add("gum_budget", gum_budget_to_json(*gum));
+  if (monte_carlo) object.add("monte_carlo_run", monte_carlo_run_to_json(*monte_carlo));
 }
 
 json::Value uncertainty_to_json(const iso230_2::Assessment& assessment) {
-  const auto& [annex_a, gum, monte_carlo] = std::tie(assessment.annex_a, assessment.gum, assessment.monte_carlo);
-  Value object = Value::object();
-  object.add("record", record_to_json(assessment));
-  object.add("inputs", resolved_to_json(assessment.inputs));
-  object.add("annex_a", annex_a ? parameters_to_json(annex_a->U) : Value());
-  object.add("gum", gum ? gum_to_json(*gum) : Value());
-  object.add("monte_carlo", monte_carlo ? monte_carlo_to_json(*monte_carlo) : Value());
-  if (annex_a) object.add("annex_a_budget", annex_a_budget_to_json(*annex_a));
-  if (gum) object.add("gum_budget", gum_budget_to_json(*gum));
-  if (monte_carlo) object.add("monte_carlo_run", monte_carlo_run_to_json(*monte_carlo));
-  return object;
+  return json::tree_of([&](Place place) { put_uncertainty(place, assessment); });
 }
 
 }  // namespace axiometry::app

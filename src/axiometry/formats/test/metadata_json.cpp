@@ -20,26 +20,24 @@ std::string_view member_of(std::string_view key) {
   return dot == std::string_view::npos ? std::string_view() : key.substr(dot + 1);
 }
 
-Value json_of(const Field& field, const Records& records) {
-  Value list = Value::array();
+void put_records(json::Place place, const Field& field, const Records& records) {
+  json::List list(place);
   for (const auto& record : records) {
-    Value& item = list.push(Value::object());
+    json::Object item = list.object();
     for (std::size_t c = 0; c < record.size(); ++c) {
       if (const auto* s = std::get_if<std::string>(&record[c])) item.add(field.columns[c].key, *s);
       if (const auto* x = std::get_if<double>(&record[c])) item.add(field.columns[c].key, *x);
     }
   }
-  return list;
 }
 
-Value json_of(const Field& field, const FieldValue& value) {
-  if (const auto* s = std::get_if<std::string>(&value)) return *s;
-  if (const auto* x = std::get_if<double>(&value)) return *x;
-  if (const auto* b = std::get_if<bool>(&value)) return *b;
-  if (const auto* records = std::get_if<Records>(&value)) return json_of(field, *records);
-  Value list = Value::array();
+void put_field(json::Place place, const Field& field, const FieldValue& value) {
+  if (const auto* s = std::get_if<std::string>(&value)) return place.put(*s);
+  if (const auto* x = std::get_if<double>(&value)) return place.put(*x);
+  if (const auto* b = std::get_if<bool>(&value)) return place.put(*b);
+  if (const auto* records = std::get_if<Records>(&value)) return put_records(place, field, *records);
+  json::List list(place);
   for (double x : std::get<std::vector<double>>(value)) list.push(x);
-  return list;
 }
 
 std::unexpected<Error> unknown(std::string_view what, std::string_view name, const std::vector<std::string_view>& known,
@@ -141,21 +139,39 @@ Result<void> take_group(Metadata& metadata, std::string_view group, const Value&
 
 }  // namespace
 
-void add_metadata(Value& object, const Metadata& metadata) {
-  // A field's group may come in pieces in the table, so members are gathered group by group.
-  std::vector<std::pair<std::string_view, Value>> groups;
-  for (const Field& field : metadata_fields()) {
-    const FieldValue value = field.get(metadata);
-    if (std::holds_alternative<std::monostate>(value)) continue;
-    auto group = std::ranges::find(groups, group_of(field.key), &std::pair<std::string_view, Value>::first);
-    if (member_of(field.key).empty()) {
-      groups.emplace_back(field.key, json_of(field, value));
-    } else {
-      if (group == groups.end()) group = groups.emplace(groups.end(), group_of(field.key), Value::object());
-      group->second.add(member_of(field.key), json_of(field, value));
+void add_metadata(json::Object& object, const Metadata& metadata) {
+  struct Given {
+    const Field* field;
+    FieldValue value;
+    bool told = false;
+  };
+  std::vector<Given> given;
+  for (const Field& field : metadata_fields())
+    if (FieldValue value = field.get(metadata); !std::holds_alternative<std::monostate>(value))
+      given.push_back({&field, std::move(value)});
+  // A field's group may come in pieces in the table: all of it stands where its first member does.
+  for (auto first = given.begin(); first != given.end(); ++first) {
+    if (first->told) continue;
+    if (member_of(first->field->key).empty()) {
+      put_field(object.at(first->field->key), *first->field, first->value);
+      continue;
+    }
+    const std::string_view group = group_of(first->field->key);
+    json::Object members = object.object(group);
+    for (auto other = first; other != given.end(); ++other) {
+      if (group_of(other->field->key) != group) continue;
+      other->told = true;
+      put_field(members.at(member_of(other->field->key)), *other->field, other->value);
     }
   }
-  for (auto& [name, value] : groups) object.add(name, std::move(value));
+}
+
+void add_metadata(Value& object, const Metadata& metadata) {
+  Value of_metadata = json::tree_of([&](json::Place place) {
+    json::Object members(place);
+    add_metadata(members, metadata);
+  });
+  for (auto& [name, value] : of_metadata.members()) object.add(name, value);
 }
 
 Result<Metadata> metadata_from(const Value& object, std::span<const std::string_view> others) {
