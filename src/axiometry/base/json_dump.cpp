@@ -24,20 +24,11 @@ namespace {
 /// ASCII that needs no escape.
 bool stands_for_itself(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
 
-/// How one character that does not stand for itself is written, and the bytes that it took.
-struct Written {
-  std::string text;
-  std::size_t taken = 1;
-};
-Written written_character(std::string_view s) {
-  const auto first = static_cast<unsigned char>(s.front());
-  if (first >= 0x80) {
-    const Character character = character_at(s, 0);
-    return {std::string(character.valid() ? s.substr(0, character.length) : "\uFFFD"), character.length};
-  }
+/// How one character is written that needs more room than it takes.
+std::string escaped(char c) {
   constexpr std::string_view known = "\"\\\n\r\t", letters = "\"\\nrt";
-  if (const std::size_t k = known.find(s.front()); k != known.npos) return {{'\\', letters[k]}};
-  return {fmt::format("\\u{:04x}", static_cast<unsigned>(first))};
+  if (const std::size_t k = known.find(c); k != known.npos) return {'\\', letters[k]};
+  return fmt::format("\\u{:04x}", static_cast<unsigned>(c));
 }
 
 /// Copies the bytes at the beginning that stand for themselves; how many. Eight at a time as long as all of them do: a
@@ -76,13 +67,34 @@ void Text::append_quoted(std::string_view s) {
     s.remove_prefix(plain);
     to += plain;
     if (s.empty()) break;
-    end_at(to);
-    const Written special = written_character(s);
-    append(special.text);
-    s.remove_prefix(special.taken);
-    to = room(s.size() + 1);
+    const bool ascii = static_cast<unsigned char>(s.front()) < 0x80;
+    const Character character = ascii ? Character{} : character_at(s, 0);
+    if (!ascii && character.valid()) {
+      to = std::copy_n(s.data(), character.length, to);
+    } else {
+      end_at(to);
+      append(ascii ? escaped(s.front()) : std::string("\uFFFD"));
+      to = room(s.size() - character.length + 1);
+    }
+    s.remove_prefix(character.length);
   }
   *to++ = '"';
+  end_at(to);
+}
+
+/// Nearly every name is plain, and goes in at once.
+void Text::append_name(std::string_view name, bool behind_another) {
+  char* to = room(name.size() + 4);
+  if (behind_another) *to++ = ',';
+  end_at(to);
+  *to++ = '"';
+  if (const std::size_t plain = copy_plain(name, to); plain < name.size()) {
+    append_quoted(name);
+    return append(':');
+  }
+  to += name.size();
+  *to++ = '"';
+  *to++ = ':';
   end_at(to);
 }
 
@@ -156,8 +168,8 @@ class Writer {
     for (std::size_t k = 0; k < members.size(); ++k) {
       if (k > 0) out_.append(',');
       new_line(level + 1);
-      out_.append_quoted(members[k].first);
-      out_.append(indent_ > 0 ? ": " : ":");
+      out_.append_name(members[k].first, false);
+      if (indent_ > 0) out_.append(' ');
       write(members[k].second, level + 1);
     }
     if (!members.empty()) new_line(level);

@@ -33,7 +33,8 @@ class Text {
   }
   void append(std::string_view s);         ///< as it is
   void append_quoted(std::string_view s);  ///< with what must be escaped; bytes that are not UTF-8 as U+FFFD
-  void append_number(double x);            ///< contract: finite
+  void append_name(std::string_view name, bool behind_another);  ///< of a member
+  void append_number(double x);                                  ///< contract: finite
 
   std::string take();
 
@@ -126,9 +127,7 @@ class [[nodiscard]] Object {
     if (place_.text_ == nullptr) return Place(place_.tree_->add(name, Value()));
     Text& text = *place_.text_;
     AXIOMETRY_CONTRACT(text.open_ == level_);
-    if (std::exchange(any_, true)) text.append(',');
-    text.append_quoted(name);
-    text.append(':');
+    text.append_name(name, std::exchange(any_, true));
     return place_;
   }
   template <typename T>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/results/corrections_json.h"
 
+#include "axiometry/app/results/told_results.h"
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/standards/readings/drift.h"
 

@@ -12,6 +12,7 @@
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/results/told_results.h"
 #include "axiometry/base/text.h"
 
 namespace axiometry::app {

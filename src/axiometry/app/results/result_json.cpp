@@ -7,12 +7,13 @@
 #include <string_view>
 
 #include "axiometry/app/results/corrections_json.h"
+#include "axiometry/app/results/told_results.h"
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/app/temperatures/temperatures.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
-#include "axiometry/formats/test/metadata_json.h"
+#include "axiometry/formats/test/metadata_place.h"
 #include "axiometry/standards/iso230_2/error_symbol.h"
 #include "axiometry/standards/iso230_2/information.h"
 #include "axiometry/standards/iso230_2/rules/claims.h"

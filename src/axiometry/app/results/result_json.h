@@ -6,7 +6,6 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/base/json.h"
-#include "axiometry/base/json_place.h"
 
 /// Results as machines read them: JSON objects and the rows of a combined CSV. The one place that
 /// spells their keys; docs/results.md describes them.
@@ -14,8 +13,7 @@ namespace axiometry::app {
 
 /// One evaluation. Numbers are in the axis' native unit ("um" or "arcsec") and full double precision;
 /// what does not exist is null.
-void put_result(json::Place place, const Evaluated& evaluated);
-json::Value to_json(const Evaluated& evaluated);  ///< the same as a tree
+json::Value to_json(const Evaluated& evaluated);
 
 /// Members that every result has: "findings", "source" (`test_name` for one of many in its file), "program".
 json::Value findings_to_json(std::span<const iso230_2::Finding> findings);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/results/told_results.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/resolved_text.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"

@@ -7,7 +7,6 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/base/json.h"
-#include "axiometry/base/json_place.h"
 
 /// The uncertainties of an evaluation as machines read them; belongs to wire.h. docs/results.md describes the keys.
 namespace axiometry::app {
@@ -15,15 +14,12 @@ namespace axiometry::app {
 json::Value number_or_null(const std::optional<double>& x);
 json::Value number_or_null(const std::optional<Deviation>& x);
 json::Value seed_to_json(std::uint64_t seed);  ///< a number, but text above 2⁵³, which not every reader can hold
-std::optional<double> native_number(const std::optional<Deviation>& x);
-void put_parameters(json::Place place, const iso230_2::AxisParameters& parameters);
 json::Value parameters_to_json(const iso230_2::AxisParameters& parameters);
 
 /// "record", the uncertainty that stands with the results and decides; "annex_a", "gum" and "monte_carlo" with a member
 /// per parameter each, null where the method was not run or says nothing, and beside them their budgets and runs where
 /// there are any.
-void put_uncertainty(json::Place place, const iso230_2::Assessment& assessment);
-json::Value uncertainty_to_json(const iso230_2::Assessment& assessment);  ///< the same as a tree
+json::Value uncertainty_to_json(const iso230_2::Assessment& assessment);
 
 /// Further columns of the combined CSV for the methods that were asked for, each with a leading comma:
 /// gum_U_A …, mc_mean_A …, mc_u_A …, mc_low_A …, mc_high_A …. Empty cells where null, all of them for an error.

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/base/text.h"
+#include "axiometry/formats/test/metadata_place.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "axiometry/base/json.h"
-#include "axiometry/base/json_place.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/metadata.h"
 
@@ -13,8 +12,7 @@
 namespace axiometry::formats {
 
 /// Adds a member for every group that has something given.
-void add_metadata(json::Object& object, const Metadata& metadata);
-void add_metadata(json::Value& object, const Metadata& metadata);  ///< the same as a tree
+void add_metadata(json::Value& object, const Metadata& metadata);
 
 /// Takes every member of `object` but those named in `others`. Fails, with the place, on unknown names
 /// (the message says the nearest one) and on values that the field does not allow. null is "not given".

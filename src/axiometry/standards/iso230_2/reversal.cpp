@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/standards/iso230_2/reversal.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace axiometry::iso230_2 {
@@ -19,6 +21,16 @@ PositionResult with_shift_down(PositionResult position, double shift) {
 }
 
 }  // namespace
+
+Deviation reversal_remainder(std::span<const PositionResult> positions, Deviation common) {
+  double largest = 0.0;
+  for (const PositionResult& position : positions) {
+    if (!position.mean_up || !position.mean_down) continue;
+    const double down = position.mean_down->in_native() + common.in_native();  // as with_shift_down() has it
+    largest = std::max(largest, std::abs(position.mean_up->in_native() - down));
+  }
+  return Deviation::native(largest);
+}
 
 std::optional<CommonReversal> common_reversal(std::span<const PositionResult> positions) {
   const std::optional<Deviation> common = evaluate_axis(positions).B_mean;

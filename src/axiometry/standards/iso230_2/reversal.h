@@ -15,6 +15,9 @@ struct CommonReversal {
   AxisParameters without;  ///< the parameters that the axis would have if every approach from above were B̄ higher
 };
 
+/// CommonReversal::remainder alone, at a fraction of the cost: `common` is B̄.
+Deviation reversal_remainder(std::span<const PositionResult> positions, Deviation common);
+
 /// Absent where no target has both directions.
 std::optional<CommonReversal> common_reversal(std::span<const PositionResult> positions);
 

@@ -24,6 +24,15 @@ TEST(CommonReversal, IsThatOfAllTargetsAndWhatRemainsIsThatOfEach) {
   EXPECT_EQ(found->without.R_down, measured.R_down);
 }
 
+TEST(CommonReversal, LeavesTheSameRemainderWhicheverWayItIsAskedFor) {
+  const Series some = make_series({0, 1, 2}, {{1, 2, none}, {2.1, 3, 7}}, {{6, none, 13}, {7.3, 9, 14}});
+  for (const Series& series : {table2::series(), some}) {
+    const auto positions = evaluate_positions(series);
+    const Deviation common = *evaluate(series).parameters.B_mean;
+    EXPECT_EQ(reversal_remainder(positions, common), common_reversal(positions)->remainder);
+  }
+}
+
 TEST(CommonReversal, LeavesWhatAnEvaluationOfMovedReadingsGives) {
   const Series series = table2::series();
   std::vector<RunDeviations> down = table2::down;

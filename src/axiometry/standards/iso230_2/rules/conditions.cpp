@@ -178,9 +178,9 @@ std::optional<Finding> same_reversal_everywhere(const Case& c) {
   const auto with_both = std::ranges::count_if(
       c.evaluation.positions, [](const PositionResult& position) { return position.reversal.has_value(); });
   if (with_both < 4) return std::nullopt;
-  const auto common = common_reversal(c.evaluation.positions);
   const AxisParameters& p = c.evaluation.parameters;
-  if (common->remainder.in_native() > 0.3 * p.B->in_native()) return std::nullopt;
+  if (reversal_remainder(c.evaluation.positions, *p.B_mean).in_native() > 0.3 * p.B->in_native()) return std::nullopt;
+  const auto common = common_reversal(c.evaluation.positions);
   const bool repeated = p.R.has_value();
   const double measured = (repeated ? p.R : p.E)->in_native();
   const double without = (repeated ? common->without.R : common->without.E)->in_native();
