@@ -19,8 +19,8 @@ namespace axiometry::app {
 /// limit and verdict.
 std::vector<store::Figure> figures_of(const Evaluated& evaluated);
 
-/// Of all limits together, as lists keep it: overall_verdict(), empty where nothing could be judged. Of several lines it
-/// is asked with the judgements of all: one that could not be judged leaves the whole undecided.
+/// Of all limits together, as lists keep it: overall_verdict(), empty where nothing could be judged. Of several lines
+/// it is asked with the judgements of all: one that could not be judged leaves the whole undecided.
 std::string kept_verdict(std::span<const iso230_2::Judgement> judgements);
 
 /// What `options` of a kept evaluation holds.
