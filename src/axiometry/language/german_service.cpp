@@ -183,6 +183,9 @@ constexpr Phrase service_rows[] = {
     {"the store cannot be used: {0}", "das Archiv ist nicht nutzbar: {0}"},
     {"the store's server cannot be reached: {0}", "der Server des Archivs ist nicht erreichbar: {0}"},
     {"there is no file of this name", "es gibt keine Datei dieses Namens"},
+    {"this test states no serial number: by the name {0=} alone it is kept with machine {1#}, whose number is {2=}",
+     "diese Prüfung nennt keine Seriennummer: Allein nach dem Namen {0} wird sie bei Maschine {1} gespeichert, deren "
+     "Nummer {2} ist"},
     {"{0#} machines of the archive are called {1=}, and no serial number in this test tells them apart: it is kept "
      "with a machine without a number",
      "{0} Maschinen des Archivs heißen {1}, und keine Seriennummer in dieser Prüfung unterscheidet sie: sie wird bei "

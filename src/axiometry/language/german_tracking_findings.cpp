@@ -188,6 +188,14 @@ constexpr Phrase tracking_findings_rows[] = {
      "was broken; the readings from there on have a dead path of their own",
      "die Längen springen um {0} vor Messwert {1} ({2}) und bleiben dort, mehr als {3}, was keine Maschine tut: Der "
      "Strahl war unterbrochen; die Messwerte von dort an haben eine eigene Totstrecke"},
+    {"the lengths of station {0=} are too long by {1#} against those of the others: its air or wavelength is not "
+     "theirs, or it was taken for another; what all have in common no length tells",
+     "die Längen von Station {0} sind gegenüber denen der anderen um {1} zu lang: Ihre Luft oder Wellenlänge ist nicht "
+     "die der anderen, oder sie wurde für eine andere gehalten; was allen gemeinsam ist, zeigt keine Länge"},
+    {"the lengths of station {0=} are too short by {1#} against those of the others: its air or wavelength is not "
+     "theirs, or it was taken for another; what all have in common no length tells",
+     "die Längen von Station {0} sind gegenüber denen der anderen um {1} zu kurz: Ihre Luft oder Wellenlänge ist nicht "
+     "die der anderen, oder sie wurde für eine andere gehalten; was allen gemeinsam ist, zeigt keine Länge"},
     {"the lengths of station {0=} jump by {1#} before reading {2#} (point {3=}): taken as a beam that was broken, with "
      "a dead path of its own from there on",
      "die Längen von Station {0} springen um {1} vor Messwert {2} (Punkt {3}): als Strahlunterbrechung behandelt, von "

@@ -141,8 +141,7 @@ Result<SimulationInputs> simulation_inputs(const SimulateRequest& request) {
   inputs.has_errors = !request.errors.empty();
   if (inputs.has_errors) {
     AXIOMETRY_TRY(const std::string error_bytes, whole_file(request.errors));
-    AXIOMETRY_TRY(inputs.errors,
-                  in_file(formats::read_true_errors(error_bytes, inputs.machine), request.errors));
+    AXIOMETRY_TRY(inputs.errors, in_file(formats::read_true_errors(error_bytes, inputs.machine), request.errors));
   }
   return inputs;
 }

@@ -231,18 +231,10 @@ std::vector<KeptFigure> volume_figures(const IdentifiedMachine& found) {
 
 std::string stem_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
-/// The worst of the lines: one that fails fails them all.
 std::string verdict_of(const EvaluatedLines& lines) {
-  using uncertainty::Verdict;
-  std::optional<Verdict> worst;
-  for (const Evaluated& line : lines.tests) {
-    const auto verdict = iso230_2::overall_verdict(line.judgements);
-    if (!verdict || *verdict == Verdict::not_applicable) continue;
-    const bool worse = !worst || *verdict == Verdict::does_not_conform ||
-                       (*verdict == Verdict::undecided && *worst == Verdict::conforms);
-    if (worse) worst = verdict;
-  }
-  return worst ? std::string(uncertainty::verdict_name(*worst)) : std::string();
+  std::vector<iso230_2::Judgement> of_all;
+  for (const Evaluated& line : lines.tests) of_all.insert(of_all.end(), line.judgements.begin(), line.judgements.end());
+  return kept_verdict(of_all);
 }
 
 template <typename Findings>

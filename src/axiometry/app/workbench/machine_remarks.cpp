@@ -17,6 +17,12 @@ Result<std::vector<std::string>> remarks_on(const store::Transaction& archive, c
   if (meant.takes_number)
     remarks.push_back(fmt::format("machine {} had no serial number and takes over {}, which this test states",
                                   meant.known->id, text::quoted(stated.serial_number)));
+  const auto has_number = [](const store::Machine& machine) { return !text::trim(machine.serial_number).empty(); };
+  if (meant.known && !has_number(stated) && has_number(meant.known->value))
+    remarks.push_back(
+        fmt::format("this test states no serial number: by the name {} alone it is kept with machine {}, whose number "
+                    "is {}",
+                    text::quoted(stated.name), meant.known->id, text::quoted(meant.known->value.serial_number)));
   if (meant.others > 0)
     remarks.push_back(fmt::format(
         "{} machines of the archive are called {}, and no serial number in this test tells them apart: it is "

@@ -63,6 +63,11 @@ std::vector<store::Figure> figures_of(const Evaluated& evaluated) {
   return figures;
 }
 
+std::string kept_verdict(std::span<const iso230_2::Judgement> judgements) {
+  const auto verdict = iso230_2::overall_verdict(judgements);
+  return verdict ? verdict_text(*verdict) : std::string();
+}
+
 store::Evaluation evaluation_of(const Evaluated& evaluated, const KeptOptions& how) {
   Value kept = to_json(how.options);
   kept.add("from_archive", to_json(how.from_archive));
@@ -75,7 +80,7 @@ store::Evaluation evaluation_of(const Evaluated& evaluated, const KeptOptions& h
   evaluation.result = json::dump(to_json(evaluated), 0);
   evaluation.unit = deviation_unit_key(evaluated.test.metadata.axis.kind);
   evaluation.conforming = evaluated.assessment.conforming();
-  if (const auto verdict = iso230_2::overall_verdict(evaluated.judgements)) evaluation.verdict = verdict_text(*verdict);
+  evaluation.verdict = kept_verdict(evaluated.judgements);
   evaluation.label = evaluated.assessment.label;
   evaluation.figures = figures_of(evaluated);
   return evaluation;

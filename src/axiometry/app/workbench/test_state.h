@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,10 @@ namespace axiometry::app {
 /// Every parameter that exists, with the uncertainty of record (iso230_2_record.h) where there is one, and with its
 /// limit and verdict.
 std::vector<store::Figure> figures_of(const Evaluated& evaluated);
+
+/// Of all limits together, as lists keep it: overall_verdict(), empty where nothing could be judged. Of several lines
+/// it is asked with the judgements of all: one that could not be judged leaves the whole undecided.
+std::string kept_verdict(std::span<const iso230_2::Judgement> judgements);
 
 /// What `options` of a kept evaluation holds.
 struct KeptOptions {

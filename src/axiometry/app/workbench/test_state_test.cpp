@@ -9,6 +9,21 @@
 namespace axiometry::app {
 namespace {
 
+TEST(KeptVerdict, IsThatOfAllLimitsTogether) {
+  using uncertainty::Verdict;
+  const auto kept = [](std::initializer_list<Verdict> verdicts) {
+    std::vector<iso230_2::Judgement> judgements;
+    for (const Verdict verdict : verdicts) judgements.emplace_back().decision.verdict = verdict;
+    return kept_verdict(judgements);
+  };
+  EXPECT_EQ(kept({}), "");
+  EXPECT_EQ(kept({Verdict::not_applicable}), "");
+  EXPECT_EQ(kept({Verdict::conforms, Verdict::conforms}), "conforms");
+  EXPECT_EQ(kept({Verdict::conforms, Verdict::not_applicable}), "undecided") << "of one test or of two lines";
+  EXPECT_EQ(kept({Verdict::conforms, Verdict::undecided}), "undecided");
+  EXPECT_EQ(kept({Verdict::undecided, Verdict::does_not_conform, Verdict::not_applicable}), "does not conform");
+}
+
 TEST(TestOptions, ComeBackAsTheyWereWritten) {
   TestOptions options;
   options.monte_carlo = true;

@@ -106,6 +106,9 @@ TEST_F(TheWorkbench, SaysWhatBecameOfTheMachineThatATestStates) {
   EXPECT_THAT(remarks("# machine.name: Mill 5\n"), IsEmpty());
   EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 11\n"),
               ElementsAre("machine 1 had no serial number and takes over \"11\", which this test states"));
+  EXPECT_THAT(remarks("# machine.name: Mill 5\n# axis.name: Z\n"),
+              ElementsAre("this test states no serial number: by the name \"Mill 5\" alone it is kept with machine 1, "
+                          "whose number is \"11\""));
   EXPECT_THAT(remarks("# machine.name: Mill 5\n# machine.serial_number: 22\n"), IsEmpty());
   EXPECT_THAT(
       remarks("# machine.name: Mill 5\n# axis.name: Y\n"),

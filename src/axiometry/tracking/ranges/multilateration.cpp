@@ -10,6 +10,7 @@
 #include "axiometry/tracking/ranges/range_covariance.h"
 #include "axiometry/tracking/ranges/range_input.h"
 #include "axiometry/tracking/ranges/range_solution.h"
+#include "axiometry/tracking/ranges/station_scales.h"
 
 namespace axiometry::tracking {
 namespace detail {
@@ -286,7 +287,9 @@ Result<MultilaterationFit> multilaterate(std::span<const Vector3> nominal_mm, st
                                          std::span<const RangeReading> readings,
                                          const MultilaterationOptions& options) {
   const detail::RangeInput input{nominal_mm, stations, readings, options};
-  return detail::Multilateration(input).carry_out();
+  AXIOMETRY_TRY(MultilaterationFit fit, detail::Multilateration(input).carry_out());
+  if (auto finding = detail::scale_finding(input, fit)) fit.findings.push_back(*std::move(finding));
+  return fit;
 }
 
 }  // namespace axiometry::tracking

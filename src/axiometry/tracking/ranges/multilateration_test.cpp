@@ -301,6 +301,44 @@ TEST(Multilateration, names_a_reading_that_does_not_fit) {
   EXPECT_TRUE(fit->breaks.empty());
 }
 
+const Finding* scales_differ(const MultilaterationFit& fit) {
+  const auto found = std::ranges::find(fit.findings, "multilateration-scales-differ", &Finding::id);
+  return found == fit.findings.end() ? nullptr : &*found;
+}
+
+TEST(Multilateration, tells_lengths_of_one_station_that_are_too_long_in_proportion) {
+  for (const double um_per_m : {20.0, -5.0}) {
+    Truth truth = make_truth({.sigma_mm = 2e-4, .seed = 21});
+    for (RangeReading& r : truth.readings)
+      if (r.station == 2) r.length_mm += 1e-6 * um_per_m * distance(truth.points[r.point], truth.stations[2]);
+    const auto fit = solve(truth, with_sigma(2e-4));
+    ASSERT_TRUE(fit) << error_of(fit);
+    ASSERT_NE(scales_differ(*fit), nullptr) << um_per_m;
+    EXPECT_THAT(scales_differ(*fit)->message,
+                HasSubstr("station 3 are too " + std::string(um_per_m > 0 ? "long" : "short")));
+  }
+}
+
+TEST(Multilateration, tells_no_scale_that_all_stations_have_in_common) {
+  Truth truth = make_truth({.sigma_mm = 2e-4, .seed = 22});
+  for (RangeReading& r : truth.readings)
+    r.length_mm += 20e-6 * distance(truth.points[r.point], truth.stations[r.station]);
+  const auto fit = solve(truth, with_sigma(2e-4));
+  ASSERT_TRUE(fit) << error_of(fit);
+  EXPECT_EQ(scales_differ(*fit), nullptr) << "it changes the size alone, and the machine may be that large";
+  EXPECT_LT(fit->chi_squared, 1.3 * static_cast<double>(fit->degrees_of_freedom));
+}
+
+// By chance once in a million; with lengths that scatter more than stated too, since χ²/ν is what is measured by.
+TEST(Multilateration, tells_no_scales_of_lengths_that_only_scatter) {
+  for (unsigned seed = 100; seed < 160; ++seed)
+    for (const double stated : {2e-4, 0.7e-4}) {
+      const auto fit = solve(make_truth({.points = 30, .sigma_mm = 2e-4, .seed = seed}), with_sigma(stated));
+      ASSERT_TRUE(fit) << error_of(fit);
+      EXPECT_EQ(scales_differ(*fit), nullptr) << seed << ", " << stated;
+    }
+}
+
 TEST(Multilateration, lets_a_common_scale_change_the_size_and_nothing_else) {
   const Truth truth = make_truth({.sigma_mm = 1e-3, .seed = 12});
   auto options = with_sigma(1e-3);

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "axiometry/base/number_text.h"
-#include "axiometry/volumetric/field/curve_nodes.h"
 #include "axiometry/base/text.h"
+#include "axiometry/volumetric/field/curve_nodes.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
 #include "axiometry/volumetric/identify/noise_trials.h"
 

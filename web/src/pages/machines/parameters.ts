@@ -22,17 +22,8 @@ export function plain_symbol(parameter: Parameter): string {
   return parameter.replace('_up', '↑').replace('_down', '↓').replace('_mean', '\u0304');
 }
 
-/** Of several parameters together: the gravest. */
-function joint_verdict(figures: readonly FigureOfTest[]): Verdict | null {
-  const found = figures.map((figure) => figure.verdict);
-  if (found.includes('does not conform')) return 'does not conform';
-  if (found.includes('undecided')) return 'undecided';
-  return found.includes('conforms') ? 'conforms' : null;
-}
-
 /** Of a test: as it was given, since a limit of a parameter that the test lacks is in no figure. */
-export const verdict_of = (point: Trend['points'][number] | undefined): Verdict | null =>
-  point === undefined ? null : point.verdict === undefined ? joint_verdict(point.figures) : point.verdict;
+export const verdict_of = (point: Trend['points'][number] | undefined): Verdict | null => point?.verdict ?? null;
 
 /** Whether a figure stands over its limit: as it was judged; one that nobody judged, against the limit that is drawn. */
 export const is_over = ({ value, verdict }: FigureOfTest, drawn: number | null): boolean =>
