@@ -16,7 +16,7 @@ namespace {
 
 constexpr double gain_least = 60.0;     // as of a break, in look_for_breaks()
 constexpr double by_chance = 1e-6;      // of m − 1 unknowns without an effect
-constexpr double freedom_least = 20.0;  // below it χ²/ν itself is too uncertain to measure by
+constexpr double freedom_of_scales_least = 20.0;  // below it χ²/ν itself is too uncertain to measure by
 
 /// ν + 2 √(2ν): by chance above it once in forty times.
 bool larger_than_usual(const MultilaterationFit& fit) {
@@ -48,7 +48,7 @@ std::optional<Finding> scale_finding(const RangeInput& input, const Multilaterat
       !larger_than_usual(fit))
     return std::nullopt;
   const auto free = with_free_scales(input, fit);
-  if (!free || static_cast<double>(free->degrees_of_freedom) < freedom_least) return std::nullopt;
+  if (!free || static_cast<double>(free->degrees_of_freedom) < freedom_of_scales_least) return std::nullopt;
   const double share = std::max(1.0, free->chi_squared / static_cast<double>(free->degrees_of_freedom));
   const double gain = (fit.chi_squared - free->chi_squared) / share;
   const double chance = numeric::chi_square_quantile(1.0 - by_chance, static_cast<double>(input.stations - 1));
