@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "axiometry/volumetric/identify/identification.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
@@ -151,19 +151,19 @@ Placed placed(unsigned first_seed, unsigned sets, TrialFaults faults) {
   return all;
 }
 
+/// Of 50 breaks in 10 such sets all 50 were held, 41 to the reading: the others are small, or have an outlier beside
+/// them.
 TEST(Identify, PlacesBreaksToTheReadingOrSaysBetweenWhich) {
-  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 4;
-  const Placed all = placed(100, sets, {.breaks = 5, .outliers = 4});
-  std::printf("all: %zu held %zu exact %zu elsewhere %zu jumps %zu\n", all.breaks, all.held, all.exact, all.elsewhere,
-              all.jumps_wrong);
+  const Placed all = placed(100, 4, {.breaks = 5, .outliers = 4});
+  EXPECT_EQ(all.breaks, 20u);
+  EXPECT_EQ(all.held, 20u);
+  EXPECT_GE(all.exact, 11u);
   EXPECT_EQ(all.elsewhere, 0u);
   EXPECT_EQ(all.jumps_wrong, 0u);
 }
 
-TEST(Identify, TellsNoBreakInSetsWithoutOne) {
-  const unsigned sets = std::getenv("SETS") ? std::atoi(std::getenv("SETS")) : 4;
-  EXPECT_EQ(placed(500, sets, {.outliers = 6}).elsewhere, 0u);
-}
+/// None in 40 such sets.
+TEST(Identify, TellsNoBreakInSetsWithoutOne) { EXPECT_EQ(placed(500, 4, {.outliers = 6}).elsewhere, 0u); }
 
 /// Half way between both levels: on neither side is it an outlier.
 TEST(Identify, LeavesOutAReadingOfWhichNothingTellsOnWhichSideOfABreakItWasMeasured) {
@@ -173,7 +173,7 @@ TEST(Identify, LeavesOutAReadingOfWhichNothingTellsOnWhichSideOfABreakItWasMeasu
   const double jump_mm = 8e-3 * machine.model.sigma_um(600.0);
   for (std::size_t i = broken; i < 6 * 80; ++i) lengths.readings[i].length_mm += jump_mm;
   lengths.readings[broken - 1].length_mm += 0.5 * jump_mm;
-  const auto result = identify(machine.model, lengths, {});
+  const auto result = identify(machine.model, lengths, {.sizes = {8, 8, 8}, .drift = DriftModel::none});
   ASSERT_TRUE(result) << result.error().message;
   ASSERT_EQ(result->breaks.size(), 1u);
   EXPECT_EQ(result->breaks[0].earliest_reading, broken - 1);
