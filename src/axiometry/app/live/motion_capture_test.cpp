@@ -168,7 +168,7 @@ TEST(MotionCapture, RefusesStatementsThatFitNoCapture) {
   EXPECT_THAT(refusal([](auto& c) { c.options.motion->sense = *reading_sense("+Z"); }),
               HasSubstr("expected +Y or -Y as EYX is"));
   EXPECT_THAT(refusal([](auto& c) { c.options.motion->stop_column.reset(); }), HasSubstr("expected --stop-column"));
-  EXPECT_THAT(refusal([](auto& c) { c.options.motion->sign = StopSign::keys; }),
+  EXPECT_THAT(refusal([](auto& c) { c.options.motion->sign = StopSign::readings; }),
               HasSubstr("found a column of the stops"));
   EXPECT_THAT(refusal([](auto& c) {
                 c.options.motion->sign = StopSign::keys;

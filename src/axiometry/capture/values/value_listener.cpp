@@ -80,7 +80,7 @@ void ValueListener::take(const Sample& value) {
 void ValueListener::push_beside(std::span<const Sample> samples) {
   if (options_.sign == StopSign::position) {
     match(detector_->push(samples));
-    return forget_old();
+    return samples.empty() ? void() : forget_before(samples.back().time_s);
   }
   for (const Sample& sample : samples) {
     const bool on = sample.position != 0.0;
@@ -228,13 +228,14 @@ void ValueListener::read_rest(const CapturedReading& reading) {
   given_.push_back(at_rests_.back());
 }
 
-/// A rest that goes on began at most a few windows before it was seen.
-void ValueListener::forget_old() {
+/// A rest that goes on began at most a few windows before it was seen. The time is that of the positions, of which the
+/// readings may be far ahead.
+void ValueListener::forget_before(double time_s) {
   const auto now = detector_->now();
   std::size_t old = window_.size() > most_of_a_rest ? window_.size() - most_of_a_rest : 0;
-  if (last_ && !(now && now->at_rest)) {
+  if (!(now && now->at_rest)) {
     const double kept_s = windows_kept * options_.rest.window.in_s() + options_.rest.settling.in_s();
-    const auto first = std::ranges::lower_bound(window_, last_->time_s - kept_s, {}, &Sample::time_s);
+    const auto first = std::ranges::lower_bound(window_, time_s - kept_s, {}, &Sample::time_s);
     old = std::max(old, static_cast<std::size_t>(first - window_.begin()));
   }
   if (2 * old > window_.size()) window_.erase(window_.begin(), window_.begin() + static_cast<std::ptrdiff_t>(old));

@@ -109,7 +109,7 @@ class ValueListener {
   void match(const std::vector<Standstill>& standstills);
   void take_events();
   void read_rest(const CapturedReading& reading);
-  void forget_old();
+  void forget_before(double time_s);
   void event(EventKind kind, double time_s, std::string message);
 
   Plan plan_;

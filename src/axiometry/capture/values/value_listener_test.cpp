@@ -292,6 +292,19 @@ TEST(ValueListener, FindsStopsByThePositionBesideTheReading) {
   }
 }
 
+TEST(ValueListener, KeepsReadingsThatAreFarAheadOfThePositions) {
+  const Plan plan = straightness_plan();
+  const DrivenAxis axis(plan);
+  ValueListener listener = listener_of(plan, StopSign::position);
+  listener.push(values_of(axis.samples()));
+  const auto positions = beside_of(axis.samples(), StopSign::position);
+  for (std::span<const Sample> rest = positions; !rest.empty();
+       rest = rest.subspan(std::min<std::size_t>(100, rest.size())))
+    listener.push_beside(rest.first(std::min<std::size_t>(100, rest.size())));
+  ASSERT_TRUE(listener.finish());
+  expect_truth(listener, 12);
+}
+
 TEST(ValueListener, UsesNoReadingThatMovesWhileTheAxisRests) {
   const Plan plan = straightness_plan();
   const DrivenAxis axis(plan);

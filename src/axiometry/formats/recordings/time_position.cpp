@@ -136,6 +136,8 @@ time_s,position_mm
   min, h; mm, um, nm, m, in, deg, arcsec, rad and so on. Of several columns the only
   one with a unit of position, or called one, is read, setpoints and deviations left aside; else `--stream-axis` says
   which.
+- Readings of a straightness or a rotation (`axiometry capture --stops`) are read in the unit that the header or
+  `--unit` names, of several columns from that of `--stream-axis`.
 - The time may be a point in time: `2026-11-21T12:34:56.789Z`, `2026-11-21 12:34:56,789`; it counts from the first.
 - Lines that begin with `#` or `%` and empty lines are passed over.
 - Refused: lines with other columns than those before, numbers that are not finite, time that runs backwards, positions
