@@ -24,7 +24,7 @@ namespace {
 
 using capture::StopSign;
 
-constexpr std::size_t approach_width = 17;  // of "target 12↑ run 10"
+constexpr std::size_t kind_width = 17;  // of "target 12↑ run 10"
 
 class MotionDisplay {
  public:
@@ -36,7 +36,7 @@ class MotionDisplay {
     if (quiet_) return;
     clear();
     std::string line =
-        fmt::format("{}  {}", left(capture::approach_name(value.approach), approach_width), app::value_text(value, motion));
+        fmt::format("{}  {}", left(capture::approach_name(value.approach), kind_width), app::value_text(value, motion));
     for (const std::string& remark : value.remarks) line += terminal_.yellow("; " + remark);
     fmt::print("{}\n", line);
     std::fflush(stdout);
@@ -45,7 +45,7 @@ class MotionDisplay {
   void event(const capture::CaptureEvent& event) {
     if (quiet_) return;
     clear();
-    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), approach_width)), event.message,
+    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), kind_width)), event.message,
                format_fixed(event.time_s, 2));
     std::fflush(stdout);
   }
@@ -64,7 +64,7 @@ class MotionDisplay {
     if (due && by_keys && due_told_ != due) {
       due_told_ = due;
       clear();
-      fmt::print("{}  {}\n", left("next", approach_width), place(*due, values.plan()));
+      fmt::print("{}  {}\n", left("next", kind_width), place(*due, values.plan()));
       std::fflush(stdout);
     }
     if (!shows_now_) return;
