@@ -125,7 +125,7 @@ TEST(SevenLines, TowardsTheCornerADiagonalEndsInIt) {
 TEST(SevenLines, WhatTheInstrumentCannotSeeIsLostWithTheAngle) {
   TrackingSetup setup = machine({100, 80, -600});
   setup.limits.elevation_highest_deg = 80;
-  EXPECT_EQ(reason(chosen(setup), "z"), "its beam has an elevation of 90.0°, the instrument takes -20.0° to 80.0°");
+  EXPECT_EQ(reason(chosen(setup), "z"), "its beam has an elevation of 90.0°, the instrument takes −20.0° to 80.0°");
   setup.limits.elevation_highest_deg = 90;
   setup.limits.incidence_most_deg = 60;
   EXPECT_THAT(names(chosen(setup).lost), ElementsAre("x", "y", "xy"));
