@@ -107,6 +107,10 @@ constexpr Phrase files_rows[] = {
      "entfernen oder comma angeben"},
     {"found errors in a format that leaves their sign open; they were taken as measured minus target",
      "Abweichungen in einem Format, das ihr Vorzeichen offenlässt; sie wurden als gemessen minus Sollwert genommen"},
+    {"found in the column {0=} numbers that do not follow the targets, expected measured positions; "
+     "deviations are named so, as in deviation_um or deviation_arcsec",
+     "in der Spalte {0} Zahlen, die den Zielpositionen nicht folgen; erwartet: gemessene Positionen; "
+     "Abweichungen heißen so, wie in deviation_um oder deviation_arcsec"},
     {"found in the column {0=} target minus {1=}, expected measured minus target; read as the format generic its sign "
      "is turned",
      "in Spalte {0} Sollwert minus {1}; erwartet: gemessen minus Sollwert; im Format generic gelesen, wird das "
@@ -172,6 +176,9 @@ constexpr Phrase files_rows[] = {
     {"found the format {0=}, expected {1=}", "Format {0}; erwartet: {1}"},
     {"found the kind {0=}, expected an object with a member {1=}",
      "Art {0}; erwartet: ein Objekt mit einem Eintrag {1}"},
+    {"found the row {0=} among rows of runs; is it a run too, or a limit or a mean?",
+     "Zeile {0} zwischen Zeilen von Durchläufen; ist sie auch ein Durchlauf, oder eine Grenze oder ein "
+     "Mittelwert?"},
     {"found the run {0=}, expected a whole number from 1 to {1#}; runs count from 1, so add 1 to every run, or read "
      "the file as the format generic",
      "Durchlauf {0}; erwartet: eine ganze Zahl von 1 bis {1}; Durchläufe zählen ab 1: zu jedem 1 addieren oder die "
@@ -190,6 +197,8 @@ constexpr Phrase files_rows[] = {
      "unbekannter Eintrag {0}; erwartet: plan oder lengths, source, layout und options oder resume"},
     {"found the words {0=} in {1}; which of them say up, and which down (down_words)?",
      "die Wörter {0} in {1}; welche davon heißen aufwärts und welche abwärts (down_words)?"},
+    {"found the words {0} in {1}; do they part axes, or tell readings left out?",
+     "Wörter {0} in {1}; trennen sie Achsen, oder nennen sie ausgelassene Messwerte?"},
     {"found time running backwards: {0}; the times of the readings are left out",
      "rückwärts laufende Zeit: {0}; die Zeiten der Messwerte sind weggelassen"},
     {"found whole numbers between commas, some with leading zeros; commas may be decimal marks as well as delimiters: "
@@ -243,10 +252,20 @@ constexpr Phrase files_rows[] = {
      "{0} gefunden; erwartet: die Richtung forward oder reverse"},
     {"found {0=}, expected two numbers: position and error",
      "{0} gefunden; erwartet: zwei Zahlen: Position und Abweichung"},
+    {"found {0} beside numbered runs; is it a run too, or a limit or a mean?",
+     "{0} neben nummerierten Durchläufen; ist das auch ein Durchlauf, oder eine Grenze oder ein Mittelwert?"},
+    {"found {0} named for one direction and targets that rise and fall; from where was each target "
+     "approached: up, down, motion or names?",
+     "{0}, nach einer Richtung benannt, und Zielpositionen, die steigen und fallen; von wo wurde jeweils "
+     "angefahren: up, down, motion oder names?"},
     {"found {0} that may all be the readings; which of them is it?",
      "{0} können alle die Messwerte sein; welche ist es?"},
     {"found {0} that may all be the targets; which of them is it?",
      "{0} können alle die Zielpositionen sein; welche ist es?"},
+    {"found {0}, whose name leaves its sign open; is it actual minus target (1) or target minus actual, as "
+     "a correction is (-1)?",
+     "{0}, deren Name das Vorzeichen offen lässt; ist es Ist minus Soll (1) oder Soll minus Ist, wie bei "
+     "einer Korrektur (-1)?"},
     {"header_lines {0#} ({1})", "Kopfzeilen: {0} ({1})"},
     {"ignore", "unbeachtet"},
     {"in which unit are the readings ({0}, up to {1#})?", "In welcher Einheit sind die Messwerte ({0}, bis {1})?"},

@@ -53,7 +53,7 @@ std::string spell_out_signs(std::string name) {
        {std::pair<std::string_view, std::string_view>{"↑", " up "}, {"↓", " down "}, {"\u2212", "-"}})
     for (std::size_t k; (k = name.find(sign)) != std::string::npos;) name.replace(k, sign.size(), word);
   const std::string trimmed(text::trim(name));
-  if (trimmed.size() < 2) return trimmed;
+  if (trimmed.size() < 2 || trimmed.contains("+/-")) return trimmed;
   const auto spelled = [](char c) { return c == '+' ? " up " : " down "; };
   if (is_sign(trimmed.back())) return trimmed.substr(0, trimmed.size() - 1) + spelled(trimmed.back());
   if (is_sign(trimmed.front())) return spelled(trimmed.front()) + trimmed.substr(1);
@@ -180,11 +180,18 @@ bool read_as_wide(Column& column, const Words& words) {
   return true;
 }
 
+/// "Ist-Soll", "deviation (target - actual)": a difference whose sign the generic importer knows.
+bool names_a_difference(const Words& words) {
+  return any_may_be(words, meaning::target) && any_may_be(words, meaning::measured);
+}
+
 /// The role of a name without numbers and directions; Measured::position marks the undecided "position".
 void read_as_long(Column& column, const Words& words) {
   const bool all_known = std::ranges::all_of(words, [](const Word& w) { return w.may_be(meaning::known); });
   if (text::trim(column.name).empty()) {
     column.role = ColumnRole::ignored;  // the numbering that data frames write, or a delimiter at the end of lines
+  } else if (names_a_difference(words)) {
+    column.role = ColumnRole::unknown;
   } else if (!all_known) {
     column.role = any_may_be(words, meaning::ignored) ? ColumnRole::ignored : ColumnRole::unknown;
   } else if (any_may_be(words, meaning::deviation)) {
@@ -224,7 +231,7 @@ Column column_from(const CsvCell& cell) {
   column.direction.reset();
   read_as_long(column, words);
   // "deviation_furlong": the last word is meant as a unit when the others alone make sense; "run 1 aller" has none.
-  if (column.role == ColumnRole::unknown && parts.unit.empty() && words.size() > 1) {
+  if (column.role == ColumnRole::unknown && parts.unit.empty() && words.size() > 1 && !names_a_difference(words)) {
     const std::size_t mark = cell.text.find_last_of("_ /-");
     const std::string last = mark == std::string::npos ? "" : cell.text.substr(mark + 1);
     const bool tells_direction = !parse_number(last) && generic::direction_word(last);

@@ -46,6 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Name{"actual position (mm)", "reading position mm"}, Name{"test", "test"}, Name{"test_id", "test"},
                     Name{"timestamp", "ignored"}, Name{"time_s", "ignored"}, Name{"temperature (°C)", "ignored"},
                     Name{"comment", "ignored"}, Name{"target number", "ignored"}, Name{"", "ignored"},
+                    Name{"deviation +/- [um]", "reading um"}, Name{"Ist-Soll [µm]", "unknown um"},
+                    Name{"actual-target", "unknown"}, Name{"deviation (target - actual) [um]", "unknown um"},
                     Name{"colour", "unknown"}, Name{"selected_reference_slot", "unknown"}));
 
 INSTANTIATE_TEST_SUITE_P(

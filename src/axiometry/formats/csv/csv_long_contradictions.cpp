@@ -60,6 +60,28 @@ Result<void> LongRows::check_comparison(TextPosition at) {
   return {};
 }
 
+// Measured positions rise with their targets, or fall where the scale is turned. Numbers that do neither are
+// deviations, and would be read as errors as large as the travel.
+Result<void> LongRows::check_positions(TextPosition at) const {
+  constexpr double least_slope = 0.1;
+  const double per_position = deviation_per_position(layout_.kind);
+  const auto count = static_cast<double>(readings_.size());
+  double middle = 0.0;
+  for (const RowReading& row : readings_) middle += targets_.targets()[row.target] / count;
+  double products = 0.0;
+  double squares = 0.0;
+  for (const RowReading& row : readings_) {
+    const double target = targets_.targets()[row.target];
+    products += (target - middle) * (target + row.deviation / per_position);
+    squares += (target - middle) * (target - middle);
+  }
+  if (std::abs(products) >= least_slope * squares) return {};
+  return fail(fmt::format("found in the column {} numbers that do not follow the targets, expected measured positions; "
+                          "deviations are named so, as in deviation_um or deviation_arcsec",
+                          text::quoted(preamble_.columns[layout_.reading].name)),
+              at);
+}
+
 /// Labels ↑ and ↓ against the way the targets run, where rows stand in the order of the measurement.
 void LongRows::remark_swapped_labels() {
   constexpr double most = 0.9;

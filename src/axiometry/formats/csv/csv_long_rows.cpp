@@ -343,6 +343,8 @@ Result<void> LongRows::end_test() {
   AXIOMETRY_TRY(Series series, placed(Series::make_dense(std::move(sorted), runs, std::move(deviations)), at));
   if (layout_.rule.measured == Measured::deviation)
     AXIOMETRY_TRY_VOID(placed(check_deviations(series, layout_.kind), at));
+  else
+    AXIOMETRY_TRY_VOID(check_positions(at));
   AXIOMETRY_TRY_VOID(check_comparison(at));
   if (!layout_.test) remark_swapped_labels();
   if (!metadata_) {

@@ -93,6 +93,7 @@ class LongRows {
   Result<Direction> direction_of(const CsvCell& cell);
   void compare_with_position(const std::vector<CsvCell>& cells, Position target, double deviation);
   Result<void> check_comparison(TextPosition at);
+  Result<void> check_positions(TextPosition at) const;
   void remark_swapped_labels();
   Result<void> end_test();
   Result<std::vector<double>> dense(std::size_t runs);

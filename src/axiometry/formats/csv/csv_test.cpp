@@ -67,6 +67,15 @@ TEST(CsvLong, TakesTheTargetFromMeasuredPositions) {
   EXPECT_NEAR(at(test, 1, Direction::down, 0), -0.5, 1e-9);
 }
 
+TEST(CsvLong, RefusesDeviationsUnderANameOfPositions) {
+  const std::string bytes = "target_mm,direction,run,Messwert [um]\n0,up,1,0.1\n100,up,1,1.2\n200,up,1,2.0\n";
+  const auto format = recognise(bytes);
+  ASSERT_TRUE(format);
+  const auto test = (*format)->read(bytes);
+  ASSERT_FALSE(test);
+  EXPECT_TRUE(test.error().message.contains("numbers that do not follow the targets")) << test.error().message;
+}
+
 TEST(CsvLong, MakesARotaryAxisOfAngles) {
   const axiometry::Test test = read_as(
       "csv-long", "# axis.kind: rotary\ntarget_deg,direction,run,deviation_deg\n0,up,1,0.001\n90,up,1,-0.002\n");

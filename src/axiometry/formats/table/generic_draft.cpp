@@ -66,11 +66,28 @@ class Roles {
     if (!find_wide()) find_readings();
     find_runs();
     find_times();
-    for (std::size_t c = 0; c < draft_.shape.columns; ++c)
-      if (!taken_[c]) draft_.give_role(c, ImportRole::ignore, by_numbers, "nothing of it is needed");
+    for (std::size_t c = 0; c < draft_.shape.columns; ++c) {
+      if (taken_[c]) continue;
+      draft_.give_role(c, ImportRole::ignore, by_numbers, "nothing of it is needed");
+      if (may_part_rows(c))
+        draft_.ask("columns", fmt::format("found the words {} in {}; do they part axes, or tell readings left out?",
+                                          spellings(c), draft_.called(c)));
+    }
   }
 
  private:
+  /// A few words that change from row to row under an unknown name: "X" and "Y", "ok" and "lost". Each row its own word
+  /// parts nothing.
+  bool may_part_rows(std::size_t c) const {
+    constexpr std::size_t few = 4;
+    const ColumnFacts& f = draft_.facts[c];
+    if (draft_.shape.names.empty() || draft_.shape.names[c].empty() || !is_nameless(draft_, c)) return false;
+    if (f.words == 0 || f.numeric()) return false;
+    if (clock_seconds(f.spellings.front(), draft_.shape.decimal_mark)) return false;
+    const std::size_t kinds = f.spellings.size() + (f.missing > 0 ? 1 : 0);
+    return kinds >= 2 && kinds <= few;
+  }
+
   void take(std::size_t c, ImportRole role, double confidence, std::string reason) {
     taken_[c] = true;
     draft_.give_role(c, role, confidence, std::move(reason));

@@ -115,6 +115,12 @@ void decide_reading_unit(Draft& draft, std::size_t target, std::span<const std::
                                         draft.facts[first].magnitude()));
 }
 
+void ask_sign(Draft& draft, std::size_t reading) {
+  draft.ask("sign", fmt::format("found {}, whose name leaves its sign open; is it actual minus target (1) or target "
+                                "minus actual, as a correction is (-1)?",
+                                draft.called(reading)));
+}
+
 void decide_sign(Draft& draft, std::size_t target, std::size_t reading) {
   ImportProfile& profile = draft.guess.profile;
   if (profile.columns[reading].role != ImportRole::deviation) return;
@@ -133,6 +139,7 @@ void decide_sign(Draft& draft, std::size_t target, std::size_t reading) {
                     "offset may have been taken out, or they are corrected",
                     draft.called(*position), found.farthest, deviation_unit(profile.target_unit->kind)));
   }
+  if (draft.heads[reading].sign_open) return ask_sign(draft, reading);
   if (!draft.heads[reading].target_minus_actual) return;
   profile.sign = -1.0;
   draft.decide("sign", "-1", 0.9, "its name says target minus actual");
@@ -196,10 +203,15 @@ void decide_direction(Draft& draft, const Sequence& sequence, std::span<const st
     for (std::size_t c : readings) draft.column(c).direction.reset();
     return take(DirectionRule::column, 0.95, "a column says it");
   }
+  const Motion& motion = sequence.motion;
+  const bool both_ways = motion.is_sweeps && motion.has_up && motion.has_down;
+  if (readings.size() == 1 && fixed(readings.front()) && both_ways)
+    return draft.ask("direction", fmt::format("found {} named for one direction and targets that rise and fall; from "
+                                              "where was each target approached: up, down, motion or names?",
+                                              draft.called(readings.front())));
   if (!readings.empty() && std::ranges::all_of(readings, fixed))
     return take(DirectionRule::names, 0.95, "the names of the readings say it");
-  const Motion& motion = sequence.motion;
-  if (readings.size() == 1 && motion.is_sweeps && motion.has_up && motion.has_down) {
+  if (readings.size() == 1 && both_ways) {
     const Parity parity = parity_of(sequence.runs, motion.directions, first_run_of(draft));
     if (!parity.alternates)
       return take(DirectionRule::motion, 0.85, "the targets rise and fall in the order of the rows");
@@ -217,6 +229,21 @@ void decide_direction(Draft& draft, const Sequence& sequence, std::span<const st
                                      found));
 }
 
+/// "X aller" beside "Passage 1 aller": a run, or computed from the runs. "hin" beside "hin.1" is a name that a program
+/// made unique.
+void ask_about_unnumbered(Draft& draft, std::span<const std::size_t> readings) {
+  const auto numbered = [&](std::size_t c) { return draft.column(c).run.has_value(); };
+  if (std::ranges::none_of(readings, numbered)) return;
+  for (const std::size_t c : readings) {
+    const bool repeated = std::ranges::any_of(readings, [&](std::size_t other) {
+      return numbered(other) && draft.shape.names[other].starts_with(draft.shape.names[c]);
+    });
+    if (numbered(c) || repeated) continue;
+    return draft.ask("columns", fmt::format("found {} beside numbered runs; is it a run too, or a limit or a mean?",
+                                            draft.called(c)));
+  }
+}
+
 /// Numbers of runs in names of columns, from 1; or counted, where several columns of one direction have none.
 bool number_columns(Draft& draft, std::span<const std::size_t> readings) {
   const auto numbered = [&](std::size_t c) { return draft.column(c).run.has_value(); };
@@ -230,6 +257,7 @@ bool number_columns(Draft& draft, std::span<const std::size_t> readings) {
     for (std::size_t c : readings) *draft.column(c).run += from_zero;
     return true;
   }
+  ask_about_unnumbered(draft, readings);
   for (std::size_t c : readings) draft.column(c).run.reset();
   if (!several) return false;
   std::map<int, std::size_t> next;
@@ -278,7 +306,10 @@ void decide_units(Draft& draft) {
   if (!target || readings.empty()) return;
   decide_target_unit(draft, *target, readings);
   decide_reading_unit(draft, *target, readings);
-  if (readings.size() == 1) decide_sign(draft, *target, readings.front());
+  if (readings.size() == 1) return decide_sign(draft, *target, readings.front());
+  const auto open = std::ranges::find_if(
+      readings, [&](std::size_t c) { return draft.heads[c].sign_open && draft.heads[c].role == HeadRole::unknown; });
+  if (open != readings.end()) ask_sign(draft, *open);
 }
 
 void decide_rules(Draft& draft) {

@@ -57,6 +57,19 @@ std::optional<std::size_t> label_count(const Draft& draft) {
   return std::nullopt;
 }
 
+/// "Mittelwert auf" below "Lauf 1 auf" is no run.
+void ask_about_computed_row(Draft& draft, std::size_t c) {
+  bool any_numbered = false;
+  for (std::size_t r = 1; r < draft.shape.rows.size(); ++r)
+    any_numbered = any_numbered || head_of(draft.shape.rows[r][c]).run.has_value();
+  for (std::size_t r = 1; r < draft.shape.rows.size(); ++r) {
+    const Head head = head_of(draft.shape.rows[r][c]);
+    if (head.role != HeadRole::ignored && (head.run || !any_numbered)) continue;
+    return draft.ask("end", fmt::format("found the row {} among rows of runs; is it a run too, or a limit or a mean?",
+                                        text::quoted(draft.shape.rows[r][c])));
+  }
+}
+
 void decide_label(Draft& draft, std::size_t c) {
   const ColumnFacts facts = facts_of(draft.shape, 1)[c];
   const std::string& name = draft.shape.rows.front()[c];
@@ -73,6 +86,7 @@ void decide_label(Draft& draft, std::size_t c) {
     draft.give_role(c, ImportRole::label, 0.85, "its labels name runs or directions");
     for (std::size_t r = 1; r < draft.shape.rows.size(); ++r)
       if (head_of(draft.shape.rows[r][c]).run == std::size_t{0}) draft.guess.profile.first_run = 0;
+    ask_about_computed_row(draft, c);
   } else {
     draft.give_role(c, ImportRole::ignore, 0.75, "nothing of it is needed");
   }

@@ -89,7 +89,33 @@ constexpr std::string_view ignored_words[] = {
     // Computed from the readings: computed again here.
     "mean", "average", "avg", "std", "stdev", "stddev", "sigma", "min", "max", "minimum", "maximum", "median", "range",
     "sum", "total", "mittel", "mittelwert", "standardabweichung", "streuung", "summe", "moyenne", "écart-type", "media",
-    "promedio", "spannweite", "reversal", "umkehrspanne", "平均", "平均值", "标准差", "標準偏差"};
+    "promedio", "spannweite", "reversal", "umkehrspanne", "limit", "limits", "limite", "limites", "tolerance",
+    "tolérance", "toleranz", "tolleranza", "tolerancia", "grenze", "grenzwert", "obergrenze", "untergrenze", "公差",
+    "平均", "平均值", "标准差", "標準偏差"};
+// Deviations, or what takes them away: names alone do not say.
+constexpr std::string_view correction_words[] = {"correction",
+                                                 "corrections",
+                                                 "corr",
+                                                 "korrektur",
+                                                 "korrekturen",
+                                                 "korrekturwert",
+                                                 "korrekturwerte",
+                                                 "kompensation",
+                                                 "kompensationswert",
+                                                 "komp",
+                                                 "compensation",
+                                                 "compensations",
+                                                 "comp",
+                                                 "correzione",
+                                                 "correzioni",
+                                                 "compensazione",
+                                                 "corrección",
+                                                 "correccion",
+                                                 "compensación",
+                                                 "compensacion",
+                                                 "补偿",
+                                                 "補正"};
+constexpr std::string_view minus_words[] = {"minus", "moins", "meno", "menos"};
 constexpr std::string_view up_words[] = {
     "up",       "forward",   "fwd",      "positive", "hin",    "vor",     "vorwärts", "vorwaerts", "positiv",
     "aufwärts", "aufwaerts", "hinweg",   "aller",    "avant",  "montant", "montée",   "positif",   "avanti",
@@ -190,6 +216,7 @@ NameAndUnit part_unit(std::string name) {
 std::optional<Direction> direction_by_sign(std::string_view name) {
   const auto of = [](char sign) { return sign == '+' ? Direction::up : Direction::down; };
   const auto is_sign = [](char c) { return c == '+' || c == '-'; };
+  if (name.contains("+/-")) return std::nullopt;  // both signs
   if (name.size() < 2) return name == "+" || name == "-" ? std::optional(of(name.front())) : std::nullopt;
   if (is_sign(name.back())) return of(name.back());
   if (is_sign(name.front())) return of(name.front());
@@ -254,8 +281,12 @@ Head head_of(std::string_view raw) {
   const std::string_view plain = text::trim(parts.name);
   const std::vector<std::string> words = words_of(plain);
   head.role = role_of(words);
-  const bool up = find_any(words, up_words).has_value();
-  const bool down = find_any(words, down_words).has_value();
+  const bool corrected = find_any(words, correction_words).has_value();
+  std::vector<std::string> ways = words;
+  if (corrected)  // "vor Kompensation" and "avant correction" are before it, not forward
+    std::erase_if(ways, [](const std::string& w) { return w == "vor" || w == "avant"; });
+  const bool up = find_any(ways, up_words).has_value();
+  const bool down = find_any(ways, down_words).has_value();
   if (up != down) head.direction = up ? Direction::up : Direction::down;
   if (!up && !down) head.direction = direction_by_end(words);
   if (!up && !down && !head.direction) head.direction = direction_by_sign(plain);
@@ -265,9 +296,13 @@ Head head_of(std::string_view raw) {
     if (const auto number = parse_count(numbers.front())) head.run = static_cast<std::size_t>(*number);
   const auto target = find_any(words, target_words);
   const auto measured = find_any(words, measured_words);
-  if (target && measured && plain.contains('-')) {  // a difference of the two
+  const bool leading_minus = plain.size() > 1 && plain.front() == '-' && is_letter(plain[1]);
+  head.sign_open = (corrected && head.role == HeadRole::unknown) || (leading_minus && head.role == HeadRole::deviation);
+  if (target && measured && (plain.contains('-') || find_any(words, minus_words))) {  // a difference of the two
+    const auto deviation = find_any(words, deviation_words);
     head.role = HeadRole::deviation;
-    head.target_minus_actual = *target < *measured;
+    head.sign_open = *target < *measured && deviation && *deviation > *measured;  // "Soll-Ist-Abweichung" names both
+    head.target_minus_actual = *target < *measured && !head.sign_open;
     head.direction.reset();
   }
   return head;

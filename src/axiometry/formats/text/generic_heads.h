@@ -32,6 +32,7 @@ struct Head {
   std::optional<Direction> direction;  ///< stated in the name
   std::optional<std::size_t> run;      ///< the only number in the name
   bool target_minus_actual = false;    ///< "Soll - Ist": a deviation of the other sign
+  bool sign_open = false;              ///< "Korrektur", "-Error", "Soll-Ist-Abweichung": it may be of the other sign
 };
 
 Head head_of(std::string_view name);
