@@ -112,6 +112,31 @@ TEST(GenericHazards, TimesMayRunBackwards) {
   EXPECT_TRUE(remarks(bytes, "found time running backwards"));
 }
 
+TEST(GenericHazards, TheNewestRowMayStandFirst) {
+  for (const std::string_view run : {"", "run", "one way"}) {
+    std::string rows;
+    int n = 0;
+    for (const Row& r : rows_of_a_test()) {
+      const std::size_t counted = run == "run" ? r.run + 1 : 2 * r.run + (r.direction == up ? 1 : 2);
+      const std::string row = fmt::format("10:30:{:02};{:.2f};{:.1f}", n++, r.target, r.deviation);
+      rows = row + (run.empty() ? "" : fmt::format(";{}", counted)) + "\n" + rows;
+    }
+    const std::string bytes = fmt::format("Time;Target [mm];Deviation [um]{}\n", run.empty() ? "" : ";Run") + rows;
+    expect_test(bytes);
+    EXPECT_EQ(read_guessed(bytes)->times_s[2], 1.0) << "target 100, first run upwards";
+    EXPECT_TRUE(remarks(bytes, "begin with the newest reading and were turned round"));
+  }
+}
+
+TEST(GenericHazards, TimesOfOneMinuteEachMayFallAtMidnight) {
+  int n = 0;
+  const std::string bytes = filed("Time;Target [mm];Deviation [um]\n", [&](const Row& r) {
+    return fmt::format("{}:00;{:.2f};{:.1f}\n", n++ < 6 ? "23:59" : "00:00", r.target, r.deviation);
+  });
+  expect_test(bytes);
+  EXPECT_FALSE(remarks(bytes, "turned round"));
+}
+
 TEST(GenericHazards, NumbersMayLackTheirZeroAndHaveExponents) {
   expect_test(filed("Target (mm)\tError (mm)\n", [](const Row& r) {
     return fmt::format("{}\t{}\n", r.target, fmt::format("{:.4f}", r.deviation / 1000.0).substr(1));

@@ -143,6 +143,15 @@ struct Sequence {
   std::vector<double> runs;  ///< of the run column, by row; empty without one
 };
 
+bool lists_newest_first(const Draft& draft) {
+  const auto time = draft.find(ImportRole::time);
+  if (!time) return false;
+  std::vector<double> times;
+  for (const auto& row : draft.shape.rows)
+    times.push_back(clock_seconds(row[*time], draft.shape.decimal_mark).value_or(std::nan("")));
+  return is_newest_first(times);
+}
+
 Sequence sequence_of(const Draft& draft, std::size_t target) {
   TargetIndex index;
   std::vector<std::uint32_t> ranks;
@@ -151,7 +160,10 @@ Sequence sequence_of(const Draft& draft, std::size_t target) {
     ranks.push_back(index.number(x));
   }
   for (std::uint32_t& rank : ranks) rank = index.ranks()[rank];
+  const bool turn = lists_newest_first(draft);
+  if (turn) std::ranges::reverse(ranks);
   Sequence sequence{motion_of(ranks, index.targets().size()), {}};
+  if (turn) std::ranges::reverse(sequence.motion.directions);
   if (const auto run = draft.find(ImportRole::run)) sequence.runs = draft.facts[*run].values;
   return sequence;
 }
