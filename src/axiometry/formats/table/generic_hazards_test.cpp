@@ -128,6 +128,32 @@ TEST(GenericHazards, TheNewestRowMayStandFirst) {
   }
 }
 
+TEST(GenericHazards, TimesInNoUnitAreSecondsOnlyWhereTheyCanBe) {
+  const auto table = [](std::string_view head, double begin, double step) {
+    int n = 0;
+    return filed(fmt::format("{};Target [mm];Deviation [um]\n", head), [&](const Row& r) {
+      return fmt::format("{:.7f};{:.2f};{:.1f}\n", begin + step * n++, r.target, r.deviation);
+    });
+  };
+  for (const double step : {10.0 / 60.0, 10.0 / 86400.0, 10000.0}) {  // minutes, days, milliseconds
+    expect_test(table("Time", step < 0.001 ? 46083.5 : 0.0, step));
+    EXPECT_TRUE(read_guessed(table("Time", 0.0, step))->times_s.empty()) << step;
+  }
+  EXPECT_EQ(read_guessed(table("Time", 0.0, 10.0))->times_s[2], 10.0);
+  EXPECT_EQ(read_guessed(table("Time [s]", 0.0, 0.5))->times_s[2], 0.5);
+}
+
+TEST(GenericHazards, RowsThatCountBackwardsAreAskedAbout) {
+  for (const std::string_view head : {"No", "Time"}) {
+    double n = 12.0;
+    const double step = head == "No" ? 1.0 : 0.1;
+    const std::string bytes = filed(fmt::format("{};Target [mm];Deviation [um]\n", head), [&](const Row& r) {
+      return fmt::format("{:.6g};{:.2f};{:.1f}\n", step * n--, r.target, r.deviation);
+    });
+    EXPECT_TRUE(answer_to(bytes).contains("do the rows stand from the last to the first?")) << answer_to(bytes);
+  }
+}
+
 TEST(GenericHazards, TimesOfOneMinuteEachMayFallAtMidnight) {
   int n = 0;
   const std::string bytes = filed("Time;Target [mm];Deviation [um]\n", [&](const Row& r) {

@@ -138,6 +138,18 @@ void decide_sign(Draft& draft, std::size_t target, std::size_t reading) {
   draft.decide("sign", "-1", 0.9, "its name says target minus actual");
 }
 
+/// A column that is not read, but tells that the rows stand from the last to the first: times of an unknown unit, or a
+/// running number.
+std::optional<std::size_t> counts_backwards(const Draft& draft) {
+  for (std::size_t c = 0; c < draft.shape.columns; ++c) {
+    const HeadRole head = draft.heads[c].role;
+    if (draft.guess.profile.columns[c].role == ImportRole::ignore &&
+        (head == HeadRole::time || head == HeadRole::index) && is_newest_first(draft.facts[c].values))
+      return c;
+  }
+  return std::nullopt;
+}
+
 struct Sequence {
   Motion motion;
   std::vector<double> runs;  ///< of the run column, by row; empty without one
@@ -212,6 +224,11 @@ void decide_direction(Draft& draft, const Sequence& sequence, std::span<const st
     return take(DirectionRule::names, 0.95, "the names of the readings say it");
   const Motion& motion = sequence.motion;
   if (readings.size() == 1 && motion.is_sweeps && motion.has_up && motion.has_down) {
+    if (const auto falling = draft.find(ImportRole::time) ? std::nullopt : counts_backwards(draft))
+      return draft.ask("direction",
+                       fmt::format("found {} falling from row to row: do the rows stand from the last to the first? "
+                                   "Then turn them round; if they stand in the order of the measurement: motion",
+                                   draft.called(*falling)));
     const Parity parity = parity_of(sequence.runs, motion.directions, first_run_of(draft));
     if (!parity.alternates)
       return take(DirectionRule::motion, 0.85, "the targets rise and fall in the order of the rows");
