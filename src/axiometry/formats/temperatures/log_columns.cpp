@@ -141,7 +141,7 @@ bool tells_half_of_day(std::string_view cell) {
 bool dates_readings(const std::vector<std::string_view>& cells, std::size_t date, char delimiter) {
   const auto is_number = [&](std::string_view cell) { return log_number(cell, delimiter).has_value(); };
   const auto is_word = [&](std::string_view cell) {
-    return !is_number(cell) && !has_no_value(cell) && !time_of_day_s(cell);
+    return !is_number(cell) && !has_no_value(cell) && !time_of_day_s(cell) && !day_of(cell) && !moment_of(cell);
   };
   const auto before = cells | std::views::take(date);
   const auto after = cells | std::views::drop(date + 1);
