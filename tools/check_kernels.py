@@ -16,7 +16,7 @@ def main():
     listing = subprocess.run(["nm", "-C", "-A", sys.argv[1]], capture_output=True, text=True, check=True).stdout
     kernels, shared = set(), []
     for line in listing.splitlines():
-        found = re.match(r".*[:\[](\w+_kernel_(?:plain|avx2|avx512)\.cpp\.o)\]?:\s*[0-9a-f]* (\w) (.*)", line)
+        found = re.match(r".*[:\[](\w*kernels?_(?:plain|avx2|avx512)\.cpp\.o)\]?:\s*[0-9a-f]* (\w) (.*)", line)
         if not found:
             continue
         kernels.add(found[1])

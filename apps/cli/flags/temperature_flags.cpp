@@ -65,7 +65,7 @@ void add_temperature_flags(const Verb& verb, app::TemperatureRequest& request, c
               request.roles.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
             }
           },
-          "What a sensor is of where its name does not say so: machine, equipment or air; may be repeated")
+          "What a sensor is of where its name does not say so: machine, equipment, air or none; may be repeated")
       ->type_name("NAME=ROLE")
       ->one_at_a_time()
       ->group(group);

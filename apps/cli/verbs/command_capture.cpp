@@ -179,7 +179,16 @@ int capture_part(const CaptureArguments& arguments) {
   return capture_exit_code(lengths.lengths.readings.size(), lengths.planned);
 }
 
+/// A pipe is read as a file is, which is there still when the program was killed.
+void tell_of_standard_input(const CaptureArguments& arguments) {
+  if (arguments.run.from != "-" || arguments.quiet || arguments.run.out == "-") return;
+  fmt::print(stderr,
+             "axiometry: what comes from the standard input is not kept as it came: tee keeps it, as in "
+             "... | tee run.csv | axiometry capture --from - ...\n");
+}
+
 int capture(const CaptureArguments& arguments) {
+  tell_of_standard_input(arguments);
   if (arguments.options.motion) return capture_motion(arguments.run, arguments.options, arguments.quiet);
   const auto of_lines = app::is_tracking_plan_file(arguments.options.plan);
   if (!of_lines) return capture_failed(of_lines.error());
@@ -236,8 +245,8 @@ void add_capture(const Verb& program, int& exit_code) {
   auto arguments = std::make_shared<CaptureArguments>();
   app::CaptureRun& run = arguments->run;
   verb->add_option("--from", run.from,
-                   "Where positions come from: a file, - for the standard input, tcp://host:port or "
-                   "serial:///dev/ttyACM0?baud=2000000")
+                   "Where positions come from: a file, - for the standard input (no --raw is kept of it), "
+                   "tcp://host:port or serial:///dev/ttyACM0?baud=2000000")
       ->type_name("SOURCE")
       ->required();
   verb->add_option("--out", run.out,

@@ -273,6 +273,8 @@ constexpr Phrase noise_rows[] = {
      "der Kennwert, den dieselben Anfahrten mit vollkommenen Messgeräten bei 20 °C ergeben hätten, abgesehen von dem, "
      "was laut Feststellungen nicht korrigiert ist,"},
     {"the recording at standstill tells it", "die Aufzeichnung bei Stillstand sagt es"},
+    {"the rows of the table begin with the newest reading and were turned round",
+     "die Zeilen der Tabelle beginnen mit dem neuesten Messwert und wurden umgedreht"},
     {"the scatter within runs leaves room for it", "die Streuung innerhalb der Durchläufe lässt Raum dafür"},
     {"the temperature log begins with the newest reading and was turned round",
      "die Temperaturaufzeichnung beginnt mit dem neuesten Messwert und wurde umgedreht"},

@@ -227,6 +227,10 @@ constexpr Phrase refusals_files_rows[] = {
      "{0}={1} in Zeile {2} und Daten für {3} Zyklen; die Daten wurden gezählt"},
     {"found {0=}={1#} on line {2#} and data of {3#} positions; the data were counted",
      "{0}={1} in Zeile {2} und Daten für {3} Positionen; die Daten wurden gezählt"},
+    {"found {0} falling from row to row: do the rows stand from the last to the first? Then turn them round; if they "
+     "stand in the order of the measurement: motion",
+     "{0} fällt von Zeile zu Zeile: Stehen die Zeilen von der letzten zur ersten? Dann bitte umdrehen; stehen sie in "
+     "der Reihenfolge der Messung: motion"},
     {"found {0} named as measured, but neither close to the targets nor small; are they deviations or positions, and "
      "in which unit?",
      "{0} heißt gemessen, liegt aber weder nahe den Zielpositionen noch sind die Werte klein; sind es Abweichungen "

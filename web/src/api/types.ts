@@ -1480,7 +1480,7 @@ export interface components {
             sensors?: {
                 name: string;
                 /** @enum {string} */
-                role: "machine" | "equipment" | "air";
+                role: "machine" | "equipment" | "air" | "none";
             }[];
             lowest_C?: number;
             highest_C?: number;

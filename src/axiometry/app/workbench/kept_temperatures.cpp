@@ -54,10 +54,10 @@ Result<void> take_roles(JsonMembers& members, formats::SensorRoles& roles) {
     AXIOMETRY_TRY_VOID(take_line(sensor, "name", role.first));
     AXIOMETRY_TRY_VOID(take_line(sensor, "role", role.second));
     AXIOMETRY_TRY_VOID(sensor.finish());
-    if (role.second != "machine" && role.second != "equipment" && role.second != "air")
-      return fail(
-          fmt::format("found the role {} of a sensor, expected machine, equipment or air", text::quoted(role.second)),
-          item.at());
+    if (role.second != "machine" && role.second != "equipment" && role.second != "air" && role.second != "none")
+      return fail(fmt::format("found the role {} of a sensor, expected machine, equipment, air or none",
+                              text::quoted(role.second)),
+                  item.at());
     roles.push_back(std::move(role));
   }
   return {};

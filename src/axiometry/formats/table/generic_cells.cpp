@@ -147,4 +147,14 @@ std::optional<double> clock_seconds(std::string_view cell, char decimal_mark) {
   return static_cast<double>(*hours * 3600 + *minutes * 60) + *rest;
 }
 
+bool is_newest_first(std::span<const double> times_s) {
+  constexpr double half_a_day_s = 43200.0;
+  if (times_s.size() < 2 || !(times_s.front() > times_s.back())) return false;
+  for (std::size_t k = 1; k < times_s.size(); ++k) {
+    const double fall = times_s[k - 1] - times_s[k];
+    if (!(fall >= 0.0 && fall < half_a_day_s)) return false;
+  }
+  return true;
+}
+
 }  // namespace axiometry::formats::generic

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/generic_motion.h"
+#include "axiometry/formats/text/name_words.h"
 #include "axiometry/formats/text/target_index.h"
 
 namespace axiometry::formats::generic {
@@ -52,6 +53,19 @@ bool comes_back_evenly(const ColumnFacts& column) {
   }
   if (motion_of(numbers, counts.size()).is_sweeps) return true;
   return std::ranges::max(counts) == std::ranges::min(counts) && counts.front() > 1;
+}
+
+constexpr NameWord words_of_seconds[] = {{"s"},        {"sec"},      {"secs"},     {"second"},
+                                         {"seconds"},  {"sek"},      {"sekunde"},  {"sekunden"},
+                                         {"secondes"}, {"secondi"},  {"segundos"}, {"秒", WordPlace::anywhere}};
+
+/// Whether approaches follow each other as they do on a machine: not in less than a second on the mean, as minutes and
+/// days of a spreadsheet would, nor in more than an hour, as milliseconds would.
+bool may_be_seconds(const ColumnFacts& column) {
+  constexpr double shortest_s = 1.0, longest_s = 3600.0;
+  if (column.numbers < 2) return true;
+  const double step = column.range() / static_cast<double>(column.numbers - 1);
+  return step >= shortest_s && step <= longest_s;
 }
 
 bool is_nameless(const Draft& draft, std::size_t c) { return draft.heads[c].role == HeadRole::unknown; }
@@ -294,7 +308,11 @@ class Roles {
         return is_missing(row[c]) || clock_seconds(row[c], draft_.shape.decimal_mark);
       });
       if (other_unit || !readable) continue;
-      return take(c, ImportRole::time, by_name, "its name");
+      if (!draft_.facts[c].numeric() || has_any_word(name, words_of_seconds))
+        return take(c, ImportRole::time, by_name, "its name");
+      if (may_be_seconds(draft_.facts[c]))
+        return take(c, ImportRole::time, by_numbers, "its name, which tells no unit, so taken for seconds");
+      take(c, ImportRole::ignore, by_name, "times whose unit nobody tells, and which are hardly seconds");
     }
   }
 

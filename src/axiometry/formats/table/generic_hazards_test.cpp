@@ -112,6 +112,57 @@ TEST(GenericHazards, TimesMayRunBackwards) {
   EXPECT_TRUE(remarks(bytes, "found time running backwards"));
 }
 
+TEST(GenericHazards, TheNewestRowMayStandFirst) {
+  for (const std::string_view run : {"", "run", "one way"}) {
+    std::string rows;
+    int n = 0;
+    for (const Row& r : rows_of_a_test()) {
+      const std::size_t counted = run == "run" ? r.run + 1 : 2 * r.run + (r.direction == up ? 1 : 2);
+      const std::string row = fmt::format("10:30:{:02};{:.2f};{:.1f}", n++, r.target, r.deviation);
+      rows = row + (run.empty() ? "" : fmt::format(";{}", counted)) + "\n" + rows;
+    }
+    const std::string bytes = fmt::format("Time;Target [mm];Deviation [um]{}\n", run.empty() ? "" : ";Run") + rows;
+    expect_test(bytes);
+    EXPECT_EQ(read_guessed(bytes)->times_s[2], 1.0) << "target 100, first run upwards";
+    EXPECT_TRUE(remarks(bytes, "begin with the newest reading and were turned round"));
+  }
+}
+
+TEST(GenericHazards, TimesInNoUnitAreSecondsOnlyWhereTheyCanBe) {
+  const auto table = [](std::string_view head, double begin, double step) {
+    int n = 0;
+    return filed(fmt::format("{};Target [mm];Deviation [um]\n", head), [&](const Row& r) {
+      return fmt::format("{:.7f};{:.2f};{:.1f}\n", begin + step * n++, r.target, r.deviation);
+    });
+  };
+  for (const double step : {10.0 / 60.0, 10.0 / 86400.0, 10000.0}) {  // minutes, days, milliseconds
+    expect_test(table("Time", step < 0.001 ? 46083.5 : 0.0, step));
+    EXPECT_TRUE(read_guessed(table("Time", 0.0, step))->times_s.empty()) << step;
+  }
+  EXPECT_EQ(read_guessed(table("Time", 0.0, 10.0))->times_s[2], 10.0);
+  EXPECT_EQ(read_guessed(table("Time [s]", 0.0, 0.5))->times_s[2], 0.5);
+}
+
+TEST(GenericHazards, RowsThatCountBackwardsAreAskedAbout) {
+  for (const std::string_view head : {"No", "Time"}) {
+    double n = 12.0;
+    const double step = head == "No" ? 1.0 : 0.1;
+    const std::string bytes = filed(fmt::format("{};Target [mm];Deviation [um]\n", head), [&](const Row& r) {
+      return fmt::format("{:.6g};{:.2f};{:.1f}\n", step * n--, r.target, r.deviation);
+    });
+    EXPECT_TRUE(answer_to(bytes).contains("do the rows stand from the last to the first?")) << answer_to(bytes);
+  }
+}
+
+TEST(GenericHazards, TimesOfOneMinuteEachMayFallAtMidnight) {
+  int n = 0;
+  const std::string bytes = filed("Time;Target [mm];Deviation [um]\n", [&](const Row& r) {
+    return fmt::format("{}:00;{:.2f};{:.1f}\n", n++ < 6 ? "23:59" : "00:00", r.target, r.deviation);
+  });
+  expect_test(bytes);
+  EXPECT_FALSE(remarks(bytes, "turned round"));
+}
+
 TEST(GenericHazards, NumbersMayLackTheirZeroAndHaveExponents) {
   expect_test(filed("Target (mm)\tError (mm)\n", [](const Row& r) {
     return fmt::format("{}\t{}\n", r.target, fmt::format("{:.4f}", r.deviation / 1000.0).substr(1));

@@ -84,6 +84,7 @@ class TableReader {
   }
 
   Result<void> settle() {
+    turn_newest_first();
     AXIOMETRY_TRY_VOID(settle_directions());
     return settle_runs();
   }
@@ -110,6 +111,11 @@ class TableReader {
     test.times_s = std::move(gathered_series.times_s);
     if (gathered_series.remark) test.provenance.remarks.push_back(*std::move(gathered_series.remark));
     return test;
+  }
+
+  std::optional<SourceRemark> turned() const {
+    if (!turned_) return std::nullopt;
+    return SourceRemark{false, "the rows of the table begin with the newest reading and were turned round"};
   }
 
   /// Labels ↑ and ↓ against the way the targets run.
@@ -273,6 +279,17 @@ class TableReader {
                 {line, cell.column});
   }
 
+  /// Directions by motion and by visits, and repetitions, follow from the order of the measurement.
+  void turn_newest_first() {
+    if (profile_.layout == TableLayout::transposed) return;
+    std::vector<double> times(row_count_, none);
+    for (const Entry& e : entries_) times[e.row] = e.time_s;
+    turned_ = is_newest_first(times);
+    if (!turned_) return;
+    for (Entry& e : entries_) e.row = row_count_ - 1 - e.row;
+    std::ranges::stable_sort(entries_, {}, &Entry::row);
+  }
+
   Motion motion_by_rows() {
     std::vector<std::uint32_t> ranks(row_count_);
     for (const Entry& e : entries_) ranks[e.row] = targets_.ranks()[e.target];
@@ -342,6 +359,7 @@ class TableReader {
   std::size_t width_ = 0;
   std::size_t row_count_ = 0;
   bool measured_ = false;
+  bool turned_ = false;
 };
 
 }  // namespace
@@ -363,6 +381,7 @@ Result<Test> read_with(const ImportProfile& profile, std::string_view bytes) {
     remarks.push_back(
         {false, fmt::format("{} above the table told nothing that is known and {} passed over",
                             counted(above.passed_over, "line"), above.passed_over == 1 ? "was" : "were")});
+  if (auto turned = reader.turned()) remarks.push_back(std::move(*turned));
   if (auto swapped = reader.swapped_labels()) remarks.push_back(std::move(*swapped));
   return test;
 }

@@ -145,10 +145,31 @@ void decide_sign(Draft& draft, std::size_t target, std::size_t reading) {
   draft.decide("sign", "-1", 0.9, "its name says target minus actual");
 }
 
+/// A column that is not read, but tells that the rows stand from the last to the first: times of an unknown unit, or a
+/// running number.
+std::optional<std::size_t> counts_backwards(const Draft& draft) {
+  for (std::size_t c = 0; c < draft.shape.columns; ++c) {
+    const HeadRole head = draft.heads[c].role;
+    if (draft.guess.profile.columns[c].role == ImportRole::ignore &&
+        (head == HeadRole::time || head == HeadRole::index) && is_newest_first(draft.facts[c].values))
+      return c;
+  }
+  return std::nullopt;
+}
+
 struct Sequence {
   Motion motion;
   std::vector<double> runs;  ///< of the run column, by row; empty without one
 };
+
+bool lists_newest_first(const Draft& draft) {
+  const auto time = draft.find(ImportRole::time);
+  if (!time) return false;
+  std::vector<double> times;
+  for (const auto& row : draft.shape.rows)
+    times.push_back(clock_seconds(row[*time], draft.shape.decimal_mark).value_or(std::nan("")));
+  return is_newest_first(times);
+}
 
 Sequence sequence_of(const Draft& draft, std::size_t target) {
   TargetIndex index;
@@ -158,7 +179,10 @@ Sequence sequence_of(const Draft& draft, std::size_t target) {
     ranks.push_back(index.number(x));
   }
   for (std::uint32_t& rank : ranks) rank = index.ranks()[rank];
+  const bool turn = lists_newest_first(draft);
+  if (turn) std::ranges::reverse(ranks);
   Sequence sequence{motion_of(ranks, index.targets().size()), {}};
+  if (turn) std::ranges::reverse(sequence.motion.directions);
   if (const auto run = draft.find(ImportRole::run)) sequence.runs = draft.facts[*run].values;
   return sequence;
 }
@@ -212,6 +236,11 @@ void decide_direction(Draft& draft, const Sequence& sequence, std::span<const st
   if (!readings.empty() && std::ranges::all_of(readings, fixed))
     return take(DirectionRule::names, 0.95, "the names of the readings say it");
   if (readings.size() == 1 && both_ways) {
+    if (const auto falling = draft.find(ImportRole::time) ? std::nullopt : counts_backwards(draft))
+      return draft.ask("direction",
+                       fmt::format("found {} falling from row to row: do the rows stand from the last to the first? "
+                                   "Then turn them round; if they stand in the order of the measurement: motion",
+                                   draft.called(*falling)));
     const Parity parity = parity_of(sequence.runs, motion.directions, first_run_of(draft));
     if (!parity.alternates)
       return take(DirectionRule::motion, 0.85, "the targets rise and fall in the order of the rows");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <ranges>
 #include <set>
@@ -124,12 +125,23 @@ bool is_slashed_date(std::string_view cell) {
          cell.front() >= '0' && cell.front() <= '9';
 }
 
+/// "11:00:00 AM", "2026-03-02 01:00 p.m.", or "PM" in a cell of its own.
+bool tells_half_of_day(std::string_view cell) {
+  const std::string lower = text::to_lower(text::trim(cell));
+  const auto ends = [&](std::string_view word) {
+    if (!lower.ends_with(word)) return false;
+    const std::string_view before = text::trim(std::string_view(lower).substr(0, lower.size() - word.size()));
+    return before.empty() || (before.contains(':') && before.back() >= '0' && before.back() <= '9');
+  };
+  return std::ranges::any_of(std::initializer_list<std::string_view>{"am", "pm", "a.m.", "p.m."}, ends);
+}
+
 /// Whether the date in that cell stands where readings have theirs: no word before it, and a number in another cell.
 /// Else the line is one about the logger.
 bool dates_readings(const std::vector<std::string_view>& cells, std::size_t date, char delimiter) {
   const auto is_number = [&](std::string_view cell) { return log_number(cell, delimiter).has_value(); };
   const auto is_word = [&](std::string_view cell) {
-    return !is_number(cell) && !has_no_value(cell) && !time_of_day_s(cell);
+    return !is_number(cell) && !has_no_value(cell) && !time_of_day_s(cell) && !day_of(cell) && !moment_of(cell);
   };
   const auto before = cells | std::views::take(date);
   const auto after = cells | std::views::drop(date + 1);
@@ -297,6 +309,10 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
                     "month",
                     text::quoted(*slashed)));
   }
+  const auto half = std::ranges::find_if(cells, tells_half_of_day);
+  if (half != cells.end() && dates_readings(cells, static_cast<std::size_t>(half - cells.begin()), delimiter))
+    return fail(fmt::format("found the time {}, expected hours from 0 to 23: AM and PM are not read",
+                            text::quoted(text::trim(*half))));
   auto columns = time_columns(cells, heads, delimiter);
   if (!columns) return std::nullopt;
   const auto is_number = [&](std::size_t k) { return k < cells.size() && log_number(cells[k], delimiter).has_value(); };

@@ -38,7 +38,38 @@ constexpr RoleWord words_of_roles[] = {
     {{"screw", WordPlace::front_or_back}, "machine"},
 };
 
+/// Of what is no reading of a sensor, and of what flows: no word of a place beside them changes that.
+constexpr NameWord words_without_role[] = {
+    {"dew", WordPlace::whole},
+    {"dewpoint", WordPlace::anywhere},
+    {"tau", WordPlace::whole},
+    {"taupunkt", WordPlace::anywhere},
+    {"set", WordPlace::whole},
+    {"setpoint", WordPlace::anywhere},
+    {"soll", WordPlace::whole},
+    {"sollwert", WordPlace::anywhere},
+    {"consigne", WordPlace::whole},
+    {"alarm", WordPlace::anywhere},
+    {"limit", WordPlace::front},
+    {"grenzwert", WordPlace::anywhere},
+    {"max", WordPlace::whole},
+    {"maximum", WordPlace::whole},
+    {"min", WordPlace::whole},
+    {"minimum", WordPlace::whole},
+    {"coolant", WordPlace::anywhere},
+    {"kühlmittel", WordPlace::anywhere},
+    {"kühlwasser", WordPlace::anywhere},
+    {"kühlschmierstoff", WordPlace::anywhere},
+    {"kss", WordPlace::whole},
+    {"oil", WordPlace::whole},
+    {"öl", WordPlace::whole},
+    {"Öl", WordPlace::whole},
+    {"hydrauliköl", WordPlace::anywhere},
+};
+
 }  // namespace
+
+bool names_no_role(std::string_view name) { return has_any_word(name, words_without_role); }
 
 std::optional<std::string_view> sensor_role(std::string_view name) {
   if (name.starts_with("column ")) return std::nullopt;

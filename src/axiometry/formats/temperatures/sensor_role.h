@@ -11,4 +11,7 @@ namespace axiometry::formats {
 /// "column 2", the name of a column without a head.
 std::optional<std::string_view> sensor_role(std::string_view name);
 
+/// Whether a name tells a temperature that none of the three has: a dew point, a set point, a limit, a coolant.
+bool names_no_role(std::string_view name);
+
 }  // namespace axiometry::formats

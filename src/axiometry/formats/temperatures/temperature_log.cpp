@@ -25,7 +25,7 @@ constexpr double coldest = -60.0, hottest = 100.0;
 constexpr double day_s = 86400.0;
 constexpr double unix_from = 1e8, unix_ms_from = 1e11;  // 1973 in seconds; numbers of that size count from 1970
 constexpr double unix_to_s = 7289654400.0;              // end of 2200, as of written moments
-constexpr std::string_view role_words[] = {"machine", "equipment", "air"};
+constexpr std::string_view role_words[] = {"machine", "equipment", "air", "none"};
 
 /// What is told of sensors whose role follows from their names.
 struct NamedRole {
@@ -174,13 +174,18 @@ class LogReader {
       if (std::ranges::count(roles, name, &SensorRoles::value_type::first) > 1)
         return fail(fmt::format("found two roles of the sensor {}, expected one", text::quoted(name)));
       if (!text::is_one_of(role, role_words))
-        return fail(
-            fmt::format("found {} as what a sensor is of, expected machine, equipment or air", text::quoted(role)));
+        return fail(fmt::format("found {} as what a sensor is of, expected machine, equipment, air or none",
+                                text::quoted(role)));
       if (std::ranges::find(columns_->temperatures, name, &LogColumn::name) == columns_->temperatures.end())
         return fail(
             fmt::format("found no sensor {} in the temperature log, expected one of {}", text::quoted(name), names()));
     }
     for (std::size_t k = 0; k < values_.size(); ++k) add_sensor(log, k, roles);
+    if (log.sensors.empty())
+      return fail(
+          fmt::format("found no sensor of the machine, the equipment or the air in the temperature log, expected one "
+                      "of {} to be stated as such",
+                      names()));
     if (std::ranges::all_of(log.sensors, [](const TemperatureCourse& course) { return course.times_s.empty(); }))
       return fail("found no temperature in the temperature log, expected some");
     tell_of_names();
@@ -198,6 +203,15 @@ class LogReader {
 
   void add_sensor(TemperatureLog& log, std::size_t k, const SensorRoles& roles) {
     const std::string& name = columns_->temperatures[k].name;
+    const auto stated = std::ranges::find(roles, name, &SensorRoles::value_type::first);
+    if (stated != roles.end() && text::equal_ignoring_case(stated->second, "none")) return;
+    if (stated == roles.end() && names_no_role(name)) {
+      remarks_.push_back(
+          fmt::format("column {} of the temperature log is by its name no temperature of the machine, the equipment or "
+                      "the air and is left out",
+                      text::quoted(name)));
+      return;
+    }
     TemperatureCourse course{{}, name, {}, {}};
     for (std::size_t j = 0; j < times_.size(); ++j) {
       if (std::isnan(values_[k][j])) continue;
@@ -214,7 +228,6 @@ class LogReader {
                       text::quoted(name), beyond_[k], times_.size()));
     if (course.times_s.empty())
       remarks_.push_back(fmt::format("temperature sensor {} has no reading at all", text::quoted(name)));
-    const auto stated = std::ranges::find(roles, name, &SensorRoles::value_type::first);
     if (stated != roles.end()) {
       course.role = text::to_lower(stated->second);
     } else if (const auto role = sensor_role(name)) {

@@ -189,7 +189,24 @@ TEST(TemperatureLogs, TakeTheRolesThatAreStated) {
   EXPECT_THAT(refusal(text, {{"T3", "air"}}), HasSubstr("found no sensor \"T3\""));
   EXPECT_THAT(refusal(text, {{"T1", "machine"}, {"T1", "air"}}),
               HasSubstr("found two roles of the sensor \"T1\", expected one"));
-  EXPECT_THAT(refusal(text, {{"T1", "floor"}}), HasSubstr("expected machine, equipment or air"));
+  EXPECT_THAT(refusal(text, {{"T1", "floor"}}), HasSubstr("expected machine, equipment, air or none"));
+}
+
+TEST(TemperatureLogs, LeaveOutTemperaturesOfNothingThatTheyAreFor) {
+  for (const char* head : {"Dew Pt [C]", "Air dew point [°C]", "Taupunkt Luft [°C]", "Set point [C]", "Raum Soll [°C]",
+                           "Air max alarm [C]", "Coolant [C]", "Oil [C]", "Kühlmittel [°C]", "Öl [°C]"}) {
+    const std::string text = fmt::format("time;{};Air [C]\n2026-03-02 09:00;7.8;20\n2026-03-02 09:10;7.9;20\n", head);
+    const auto log = log_of(text);
+    ASSERT_EQ(log.sensors.size(), 1u) << head;
+    EXPECT_EQ(log.sensors[0].location, "Air");
+    EXPECT_THAT(log.remarks, Contains(HasSubstr("is by its name no temperature of the machine"))) << head;
+  }
+  const std::string text = "time_s;Oil [C];Outside [C]\n0;20;5\n60;21;5\n";
+  const auto stated = log_of(text, {{"Oil", "machine"}, {"Outside", "none"}});
+  ASSERT_EQ(stated.sensors.size(), 1u);
+  EXPECT_EQ(stated.sensors[0].role, "machine");
+  EXPECT_THAT(stated.remarks, IsEmpty());
+  EXPECT_THAT(refusal(text, {{"Outside", "none"}}), HasSubstr("expected one of \"Oil\", \"Outside\" to be stated"));
 }
 
 TEST(TemperatureLogs, MayBeginWithTheNewestReadingOrHaveNoDate) {
@@ -218,6 +235,15 @@ TEST(TemperatureLogs, MayLastForCenturiesAndRefuseWhatLiesBeyond) {
   EXPECT_EQ(moment_text(*turned.begin), "1900-01-01T00:00:00");
   EXPECT_THAT(refusal("time;air [°C]\n1700000000;20\n1700000600;20.1\n900000000000000;21\n"),
               HasSubstr("4:1: found \"900000000000000;21\""));
+}
+
+TEST(TemperatureLogs, SayThatHalvesOfTheDayAreNotRead) {
+  for (const char* reading : {"2026-03-02,11:00:00 AM,20.1", "2026-03-02 1:00 p.m.,20.1", "11:00 PM,20.1",
+                              "2026-03-02 11:00:00 AM 20.1"})
+    EXPECT_THAT(refusal(fmt::format("Date,Time,Air (C)\n{}\n", reading)), HasSubstr("AM and PM are not read"))
+        << reading;
+  const auto log = log_of("Started,11:00 AM,12\ntime,air [°C]\n2026-03-02T09:00,20\n2026-03-02T09:10,20.1\n");
+  EXPECT_EQ(log.sensors.size(), 1u);
 }
 
 TEST(TemperatureLogs, RefuseWhatNobodyCanKnow) {
