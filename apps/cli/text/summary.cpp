@@ -63,12 +63,21 @@ bool exists(const app::Evaluated& e, const iso230_2::ParameterInfo& parameter) {
   return (e.assessment.evaluation.parameters.*parameter.member).has_value();
 }
 
-std::string parameter_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
+/// A parameter that has a limit, which stands below the table, so that the value tells on which side of it it lies.
+report::ShownParameter shown_with_limit(const iso230_2::ParameterInfo& parameter, const app::Evaluated& e,
+                                        const report::Options& options) {
   const AxisKind kind = e.test.metadata.axis.kind;
+  for (const auto& judgement : e.judgements)
+    if (judgement.tolerance.parameter->key == parameter.key)
+      return report::show(judgement, e.assessment, kind, options);
+  return report::show(parameter, e.assessment, kind, options);
+}
+
+std::string parameter_table(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
   std::size_t value_width = 0;
   std::size_t uncertainty_width = 0;
   for (const auto& parameter : iso230_2::parameters) {
-    const auto shown = report::show(parameter, e.assessment, kind, options);
+    const auto shown = shown_with_limit(parameter, e, options);
     if (exists(e, parameter)) value_width = std::max(value_width, display_width(shown.value));
     uncertainty_width = std::max(
         {uncertainty_width, display_width(shown.U), display_width(report::translated(shown.interval, options))});
@@ -78,7 +87,7 @@ std::string parameter_table(const app::Evaluated& e, const report::Options& opti
     titles = std::max(titles, display_width(report::translated(parameter.title, options)) + 2);
   std::string text;
   for (const auto& parameter : iso230_2::parameters) {
-    const auto shown = report::show(parameter, e.assessment, kind, options);
+    const auto shown = shown_with_limit(parameter, e, options);
     const bool of_interval = !shown.interval.empty();
     const std::string uncertainty =
         (of_interval       ? ", "
@@ -119,8 +128,7 @@ std::string tolerance_row(const iso230_2::Judgement& judgement, const app::Evalu
                           const ToleranceWidths& widths, const Terminal& terminal) {
   const AxisKind kind = e.test.metadata.axis.kind;
   const report::ParameterScale scale = report::parameter_scale(kind, options.unit);
-  const int decimals =
-      report::limit_decimals(report::show(*judgement.tolerance.parameter, e.assessment, kind, options));
+  const int decimals = report::limit_decimals(report::show(judgement, e.assessment, kind, options));
   const auto number = [&](const std::optional<Deviation>& x) {
     return x ? format_fixed(x->in_native() * scale.per_native, decimals, options.numbers) : std::string("–");
   };

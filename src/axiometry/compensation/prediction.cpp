@@ -41,6 +41,7 @@ struct RetestChange {
   double exchanged = 0.0;              ///< and by it with its directions exchanged
   double mirrored = 0.0;               ///< or its positions
   double found = 0.0, variance = 0.0;  ///< x̄_retest − x̄_before
+  double reversal = 0.0;               ///< by the table: between this direction and the other
 };
 
 std::size_t way_index(Direction direction) { return static_cast<std::size_t>(direction); }
@@ -63,7 +64,8 @@ std::vector<RetestChange> changes_of(const Series& before, const Series& after, 
       changes.push_back({position, direction, added.at(position, direction) - was, added.at(position, other) - was,
                          added.at(ends - position, direction) - was, b.mean - a.mean,
                          a.standard_deviation * a.standard_deviation / static_cast<double>(a.count) +
-                             b.standard_deviation * b.standard_deviation / static_cast<double>(b.count)});
+                             b.standard_deviation * b.standard_deviation / static_cast<double>(b.count),
+                         change_at(position, direction, added, removed) - change_at(position, other, added, removed)});
     }
   }
   return changes;
@@ -106,6 +108,14 @@ ChangeLine line_of(const std::vector<RetestChange>& changes, double RetestChange
   return line;
 }
 
+constexpr double least_reversal = 0.01;  // µm or ″, root mean square: less of a table is of rounding
+
+bool has_reversal(const std::vector<RetestChange>& changes) {
+  double sum = 0.0;
+  for (const RetestChange& c : changes) sum += c.reversal * c.reversal;
+  return sum > least_reversal * least_reversal * static_cast<double>(changes.size());
+}
+
 void add_reversal(const std::vector<RetestChange>& changes, Effect& effect) {
   double rr = 0.0, rf = 0.0, rv = 0.0;
   const auto first_down = std::ranges::find(changes, Direction::down, &RetestChange::direction);
@@ -119,7 +129,7 @@ void add_reversal(const std::vector<RetestChange>& changes, Effect& effect) {
     rf += wanted * (up->found - down->found);
     rv += wanted * wanted * (up->variance + down->variance);
   }
-  if (!(rr > 0.0) || std::sqrt(rv) / rr >= share_u_most) return;
+  if (!(rr > 0.0)) return;
   effect.of_reversal = rf / rr;
   effect.u_of_reversal = std::sqrt(rv) / rr;
 }
@@ -171,7 +181,8 @@ std::optional<Effect> effect_of_table(const Series& before, const Series& after,
   };
   effect.exchanged = is_explained_as(&RetestChange::exchanged);
   effect.mirrored = is_explained_as(&RetestChange::mirrored);
-  add_reversal(changes, effect);
+  effect.has_reversal = has_reversal(changes);
+  if (effect.has_reversal) add_reversal(changes, effect);
   return effect;
 }
 

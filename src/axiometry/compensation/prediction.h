@@ -47,7 +47,8 @@ struct Effect {
   TableShare whole;
   double u_of_scatter = 0.0;  ///< the part of u that the scatter of both tests makes
   /// γ of x̄↑ − x̄↓ alone, which no new zero and no shape of the axis can hide: −1 where directions are exchanged, 2
-  /// where a backlash acts beside the table. Nothing where the table does not change it by more than the scatter.
+  /// where a backlash acts beside the table. Nothing where the table has none, or no target was approached from both
+  /// sides in both tests.
   std::optional<double> of_reversal{};
   double u_of_reversal = 0.0;
   /// Of ↑ and of ↓ alone, each with an a of its own, so that the reversal has no part in it. Nothing where it does not
@@ -56,6 +57,7 @@ struct Effect {
   /// Whether the change is explained, as by a line, by all of the table with its directions exchanged, or with its
   /// positions mirrored from end to end.
   bool exchanged = false, mirrored = false;
+  bool has_reversal = false;  ///< the table changes the reversal, by more than what rounding makes
   std::size_t compared = 0;  ///< targets and directions that both tests have
 };
 

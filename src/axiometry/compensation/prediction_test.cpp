@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <optional>
+#include <vector>
+
 #include "axiometry/compensation/fit.h"
 #include "axiometry/compensation/suspicions.h"
 #include "axiometry/standards/iso230_2/parameters.h"
@@ -122,6 +126,28 @@ TEST(FindingOfRetest, CallsAReversalThatChangedNoPrediction) {
   };
   EXPECT_EQ(id_of(curve), "retest-as-predicted");
   EXPECT_EQ(id_of(turned), "retest-unexplained");
+}
+
+TEST(FindingOfRetest, CallsAReversalOfWhichItKnowsTooLittleNoPrediction) {
+  const auto id_of = [](std::optional<double> reversal, double u) {
+    return finding_of_retest({.whole = {1.0, 0.01, 1.0, true, false},
+                              .of_reversal = reversal,
+                              .u_of_reversal = u,
+                              .has_reversal = true})
+        .id;
+  };
+  EXPECT_EQ(id_of(0.15, 0.2), "retest-reversal-not-active");
+  EXPECT_EQ(id_of(1.9, 0.2), "retest-reversal-twice");
+  EXPECT_EQ(id_of(1.0, 0.2), "retest-as-predicted");
+  EXPECT_EQ(id_of(0.5, 0.2), "retest-reversal-untold") << "as near to nothing as to what it should be";
+  EXPECT_EQ(id_of(1.0, 0.5), "retest-reversal-untold");
+  EXPECT_EQ(id_of(std::nullopt, 0.0), "retest-reversal-untold");
+}
+
+TEST(FindingOfRetest, DoesNotVouchForAReversalThatTheReTestHasNoApproachesFor) {
+  const std::vector<std::vector<double>> none(2, std::vector<double>(5, std::numeric_limits<double>::quiet_NaN()));
+  const Series once = make_series(targets, {{2, 2, 2, 2, 2}, {2.2, 2.2, 1.8, 2.4, 2}}, none);
+  EXPECT_EQ(finding_of_retest(*effect_of_table(before(), once, table(), nullptr, 1e-3)).id, "retest-reversal-untold");
 }
 
 TEST(FindingOfRetest, NamesMirroredPositionsWhereTheyExplainTheChange) {

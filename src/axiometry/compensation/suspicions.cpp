@@ -94,7 +94,8 @@ bool is_about(const TableShare& found, double share, double enough) {
 
 /// The re-test is the test but for what is small, and no share that matters could hide in it.
 bool is_not_active(const Effect& effect) {
-  const bool reversal = effect.of_reversal && std::abs(*effect.of_reversal) > 0.5;
+  const bool reversal =
+      effect.of_reversal && std::abs(*effect.of_reversal) > std::max(0.5, 3.0 * effect.u_of_reversal);
   return effect.whole.unchanged && !reversal && is_about(effect.whole, 0.0, near_enough) &&
          std::abs(effect.whole.share) + 2.0 * effect.whole.u < 0.5;
 }
@@ -106,28 +107,55 @@ bool directions_agree(const Effect& effect, double share) {
   });
 }
 
-bool reversal_agrees(const Effect& effect, double share) {
-  return !effect.of_reversal ||
+/// Measured, and within its uncertainty.
+bool reversal_may_be(const Effect& effect, double share) {
+  return effect.of_reversal &&
          std::abs(*effect.of_reversal - share) <= std::max(part_most, 3.0 * effect.u_of_reversal);
+}
+
+/// One that was not measured contradicts nothing, and proves nothing either.
+bool reversal_contradicts(const Effect& effect, double share) {
+  return effect.of_reversal && !reversal_may_be(effect, share);
+}
+
+/// The table has a reversal of which the re-test does not tell whether it is corrected: not measured, or as near to not
+/// at all, or to twice.
+bool is_reversal_untold(const Effect& effect) {
+  if (!effect.of_reversal) return effect.has_reversal;
+  return reversal_may_be(effect, 1.0) && (reversal_may_be(effect, 0.0) || reversal_may_be(effect, 2.0));
 }
 
 bool acts_as_a_whole(const Effect& effect, double share) {
   return effect.whole.is_line && is_about(effect.whole, share, near_enough) && directions_agree(effect, share) &&
-         reversal_agrees(effect, share);
+         !reversal_contradicts(effect, share);
 }
 
 /// As it should, but perhaps for the reversal: by the whole where that is a line, or by both directions alone, where a
 /// reversal that is wrong puts the whole out of line.
 bool acts_in_each_direction(const Effect& effect, double enough) {
   if (effect.whole.is_line && is_about(effect.whole, 1.0, enough) && directions_agree(effect, 1.0)) return true;
-  return !reversal_agrees(effect, 1.0) && std::ranges::all_of(effect.directions, [enough](const auto& way) {
+  return reversal_contradicts(effect, 1.0) && std::ranges::all_of(effect.directions, [enough](const auto& way) {
     return way && way->is_line && is_about(*way, 1.0, enough);
   });
 }
 
+NamedFinding finding_of_untold_reversal(const Effect& effect) {
+  const std::string share = share_words(effect.whole);
+  if (!effect.of_reversal)
+    return {"retest-reversal-untold", false,
+            fmt::format("the re-test shows {} of the table, and nothing of its reversal: no target has approaches from "
+                        "both sides in both tests",
+                        share)};
+  return {"retest-reversal-untold", false,
+          fmt::format("the re-test shows {} of the table; of its reversal {} ± {} (k = 2), too uncertain to tell "
+                      "whether it is corrected",
+                      share, format_fixed(*effect.of_reversal, 2), format_fixed(2.0 * effect.u_of_reversal, 2))};
+}
+
 NamedFinding finding_of_active(const Effect& effect, const RetestContext& context) {
   const std::string share = share_words(effect.whole);
-  if (reversal_agrees(effect, 1.0)) {
+  if (!reversal_contradicts(effect, 1.0)) {
+    if (!context.above_expected && is_reversal_untold(effect)) return finding_of_untold_reversal(effect);
     if (!context.above_expected && is_about(effect.whole, 1.0, near_enough))
       return {"retest-as-predicted", false,
               fmt::format("the table does what it should: the re-test shows {} of it", share)};
@@ -140,18 +168,15 @@ NamedFinding finding_of_active(const Effect& effect, const RetestContext& contex
                         share)};
   }
   const std::string reversal = format_fixed(*effect.of_reversal, 2);
-  const auto is_reversal = [&](double amount) {
-    return std::abs(*effect.of_reversal - amount) <= std::max(part_most, 3.0 * effect.u_of_reversal);
-  };
-  if (is_reversal(-1.0) && effect.exchanged)
+  if (reversal_may_be(effect, -1.0) && effect.exchanged)
     return {"retest-directions", true,
             fmt::format("the table's two directions are exchanged: the re-test shows {} of its reversal", reversal)};
-  if (is_reversal(2.0))
+  if (reversal_may_be(effect, 2.0))
     return {"retest-reversal-twice", true,
             fmt::format("the reversal is corrected twice, the re-test shows {} of it: is a backlash of the control "
                         "active beside the table?",
                         reversal)};
-  if (is_reversal(0.0))
+  if (reversal_may_be(effect, 0.0))
     return {"retest-reversal-not-active", true,
             fmt::format("the reversal is not corrected, the re-test shows {} of it", reversal)};
   return {"retest-reversal-otherwise", true,
@@ -321,7 +346,7 @@ NamedFinding finding_of_retest(const Effect& effect, const RetestContext& contex
             fmt::format("the table's positions are mirrored, the first value at the last position: so the change from "
                         "test to re-test is explained, the table itself shows {} in it",
                         share)};
-  if (effect.whole.is_line && !(effect.of_reversal && std::abs(*effect.of_reversal - effect.whole.share) > part_most))
+  if (effect.whole.is_line && !reversal_contradicts(effect, effect.whole.share))
     return {"retest-otherwise", true,
             fmt::format("the re-test shows {} of the table, everywhere in proportion: is its scale another one in the "
                         "control (unit, count, magnification), or did axis or set-up change?",

@@ -102,6 +102,8 @@ std::set<std::string> of_retests() {
   for (const double reversal : {-1.0, 2.0, 0.0, 0.5})
     findings.push_back(
         finding_of_retest({.whole = share_of(1.0), .of_reversal = reversal, .exchanged = reversal < 0.0}));
+  findings.push_back(finding_of_retest({.whole = share_of(1.0), .of_reversal = 0.8, .u_of_reversal = 0.4}));
+  findings.push_back(finding_of_retest({.whole = share_of(1.0), .has_reversal = true}));
   findings.push_back(finding_of_retest({.whole = share_of(1.0, 0.5)}));
   findings.push_back(finding_of_retest({.whole = share_of(1.0)}, {.above_expected = true}));
   const TableShare no_line{0.3, 0.1, 0.2, false, false};

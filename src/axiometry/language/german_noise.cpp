@@ -133,8 +133,10 @@ constexpr Phrase noise_rows[] = {
      "probability of {1#}.",
      "Das Intervall ist ein Bayes’sches: Bei diesen Messwerten und dem, was über die Eingangsgrößen bekannt ist, liegt "
      "{0} mit einer Wahrscheinlichkeit von {1} darin."},
-    {"The interval is {0}: {1} lies in it in about {2#} of tests, as far as this one stands for them.",
-     "Das Intervall ist {0}: {1} liegt bei etwa {2} der Prüfungen darin, soweit diese für sie steht."},
+    {"The interval is {0}, made to hold {1} in {2#} of tests: in simulated tests it held A, B, R, R↑ and R↓ less "
+     "often, R↑ and R↓ in fewer than half of them.",
+     "Das Intervall ist {0}, gemacht für {2} der Prüfungen, in denen darin liegen soll: {1}. In simulierten Prüfungen "
+     "lagen A, B, R, R↑ und R↓ seltener darin, R↑ und R↓ bei weniger als der Hälfte."},
     {"The kind of E_VE is open: the interval assumes that white noise is at most five times what E_VE says",
      "Die Art von E_VE ist offen: das Intervall setzt voraus, dass weißes Rauschen höchstens fünfmal so groß ist, "
      "wie E_VE besagt"},

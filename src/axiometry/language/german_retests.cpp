@@ -59,6 +59,10 @@ constexpr Phrase retests_rows[] = {
      "change?",
      "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle, und es bleibt mehr, als diese erwarten lässt: Haben sich "
      "Achse oder Aufbau geändert?"},
+    {"the re-test shows {0#} ± {1#} (k = 2) of the table, and nothing of its reversal: no target has approaches from "
+     "both sides in both tests",
+     "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle und nichts von deren Umkehrspanne: Kein Ziel hat in beiden "
+     "Prüfungen Anfahrten von beiden Seiten"},
     {"the re-test shows {0#} ± {1#} (k = 2) of the table, everywhere in proportion: is its scale another one in the "
      "control (unit, count, magnification), or did axis or set-up change?",
      "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle, überall im selben Verhältnis: Hat die Tabelle in der "
@@ -66,6 +70,10 @@ constexpr Phrase retests_rows[] = {
      "geändert?"},
     {"the re-test shows {0#} ± {1#} (k = 2) of the table: too uncertain to tell whether it is active",
      "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle: zu unsicher, um zu sagen, ob sie wirkt"},
+    {"the re-test shows {0#} ± {1#} (k = 2) of the table; of its reversal {2#} ± {3#} (k = 2), too uncertain to tell "
+     "whether it is corrected",
+     "die Nachprüfung zeigt {0} ± {1} (k = 2) der Tabelle; von deren Umkehrspanne {2} ± {3} (k = 2), zu unsicher, um "
+     "zu sagen, ob sie korrigiert wird"},
     {"the re-test shows {0=} of {1#} {2=}, where 95 % of re-tests would show less than {3#} {4=}: the axis, the "
      "set-up or the table is not what it was taken for",
      "die Nachprüfung zeigt {0} von {1} {2}, wo 95 % der Nachprüfungen weniger als {3} {4} zeigen würden: Die Achse, "

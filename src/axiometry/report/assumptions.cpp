@@ -46,11 +46,13 @@ std::string_view environment_words(const Test& test) {
 
 bool has_noise(const iso230_2::MonteCarlo& run) { return run.hypotheses.size() > 1; }
 
-/// Runs that were drawn again, or cells taken for themselves: nothing Bayesian about either.
+/// Runs that were drawn again, or cells taken for themselves: nothing Bayesian about either. What they held is measured
+/// in docs/studies/coverage.md.
 std::vector<std::string> of_sampling(const iso230_2::MonteCarlo& run, const Subject& subject, const Options& options) {
   const bool bootstrap = run.type_a == iso230_2::TypeA::resampled;
   return {
-      fmt::format("The interval is {}: {} lies in it in about {} of tests, as far as this one stands for them.",
+      fmt::format("The interval is {}, made to hold {} in {} of tests: in simulated tests it held A, B, R, R↑ and R↓ "
+                  "less often, R↑ and R↓ in fewer than half of them.",
                   bootstrap ? "a bootstrap one, of runs drawn again from those that were measured"
                             : "one of Student’s t and χ² for every target and direction by itself (JCGM 101, 6.4.9.2)",
                   measurand_words(run.measurand, subject.assessment), shown_percent(run.coverage, options)),

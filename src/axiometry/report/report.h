@@ -62,5 +62,8 @@ struct ShownParameter {
 };
 ShownParameter show(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment, AxisKind kind,
                     const Options& options);
+/// Beside its limit: with as many decimals more as tell on which side of it the value lies.
+ShownParameter show(const iso230_2::Judgement& judgement, const iso230_2::Assessment& assessment, AxisKind kind,
+                    const Options& options);
 
 }  // namespace axiometry::report

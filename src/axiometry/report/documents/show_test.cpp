@@ -66,6 +66,19 @@ TEST(Show, RoundsALargeUncertaintyToItsDigitsToo) {
   EXPECT_EQ(shown(table2, "A").U, "4300");
 }
 
+TEST(Show, TellsBesideALimitOnWhichSideOfItTheValueLies) {
+  const Reported bare = testing_support::reported_without_metadata();  // A = 9.586…
+  const auto beside = [&](double limit) {
+    iso230_2::Judgement judgement{};
+    judgement.tolerance = testing_support::tolerance("A", limit);
+    judgement.magnitude = bare.assessment.evaluation.parameters.A;
+    return show(judgement, bare.assessment, AxisKind::linear, bare.options).value;
+  };
+  EXPECT_EQ(beside(10.0), "9.6");
+  EXPECT_EQ(beside(9.6), "9.59") << "less than its limit";
+  EXPECT_EQ(beside(9.5), "9.6");
+}
+
 TEST(Show, SaysNotApplicableWhereAParameterDoesNotExist) {
   const Reported single =
       testing_support::reported({{}, testing_support::make_series({0, 100, 200}, {{1, 2, 3}}, {{2, 3, 4}}), {}});

@@ -171,7 +171,7 @@ void draw_value(Operations& operations, const Bar& bar, const plot::Scale& x, do
 /// "9.6 ± 4.3 of 10 µm", "9.6 (8.0 to 12.3) of 10 µm", in English
 std::string value_text(const Judgement& judgement, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show(*judgement.tolerance.parameter, subject.assessment, kind, options);
+  const ShownParameter shown = show(judgement, subject.assessment, kind, options);
   const double limit = judgement.tolerance.limit.in_native() * parameter_scale(kind, options.unit).per_native;
   const std::string doubt = !shown.U.empty()          ? " ± " + shown.U
                             : !shown.interval.empty() ? fmt::format(" ({})", shown.interval)

@@ -110,10 +110,11 @@ std::vector<TableCell> row(const iso230_2::ParameterInfo& parameter, const Subje
                            const Options& options) {
   const Axis& axis = subject.test.metadata.axis;
   const ParameterScale scale = parameter_scale(axis.kind, options.unit);
-  const ShownParameter shown = show(parameter, subject.assessment, axis.kind, options);
+  const Judgement* judgement = judgement_of(parameter, subject.judgements);
+  const ShownParameter shown = judgement != nullptr ? show(*judgement, subject.assessment, axis.kind, options)
+                                                    : show(parameter, subject.assessment, axis.kind, options);
   const bool exists = (subject.assessment.evaluation.parameters.*parameter.member).has_value();
   const bool with_tolerances = !subject.judgements.empty();
-  const Judgement* judgement = judgement_of(parameter, subject.judgements);
   std::vector<TableCell> row = {{starred(symbol(parameter.symbol), parameter.acceptance)}};
   if (with_iso230_1) row.push_back({iso230_1_symbol(axis.name, parameter.symbol)});
   row.push_back(text_cell(parameter.title));

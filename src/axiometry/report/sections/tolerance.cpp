@@ -77,7 +77,7 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
                                     const Options& options) {
   const auto& [tolerance, rule, magnitude, known, decision, withheld] = judgement;
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show(*judgement.tolerance.parameter, subject.assessment, kind, options);
+  const ShownParameter shown = show(judgement, subject.assessment, kind, options);
   const RowNumbers numbers(subject, options, shown);
   const auto if_judged = [&](std::optional<Deviation> x) { return numbers.rounded(magnitude ? x : std::nullopt); };
   std::vector<TableCell> row = {{symbol(tolerance.parameter->symbol)}};
@@ -135,7 +135,7 @@ RichText origins_of_limits(std::span<const Judgement> judgements) {
 /// "A = (9.6 ± 4.3) µm (Annex A); tolerance 10 µm", "A = 9.6 µm, 8.0 to 12.3 µm (Monte Carlo); tolerance 10 µm"
 RichText value_and_tolerance(const Judgement& judgement, const Subject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
-  const ShownParameter shown = show(*judgement.tolerance.parameter, subject.assessment, kind, options);
+  const ShownParameter shown = show(judgement, subject.assessment, kind, options);
   const std::string unit = (shown.unit == "″" || shown.unit == "°" ? "" : "\u00a0") + std::string(shown.unit);
   std::string value = shown.value + unit;
   if (!shown.U.empty()) value = fmt::format("({} ± {}){}", shown.value, shown.U, unit);

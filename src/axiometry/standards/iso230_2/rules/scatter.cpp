@@ -30,6 +30,7 @@ std::string without_text(const Case& c, const AxisParameters& without) {
     const auto& before = c.evaluation.parameters.*parameter.member;
     const auto& after = without.*parameter.member;
     if (!before || !after || !(std::abs(before->in_native()) > 0.0)) continue;
+    if (deviation_text(c, after->in_native()) == deviation_text(c, before->in_native())) continue;  // of rounding
     const double change = std::abs(after->in_native() / before->in_native() - 1.0);
     if (change > largest && parameter.member != &AxisParameters::B_mean) largest = change, most = &parameter;
   }
