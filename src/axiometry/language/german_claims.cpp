@@ -100,6 +100,8 @@ constexpr Phrase claims_rows[] = {
      "auf ihnen liegen"},
     {"temperatures at the start and the end of the test are not stated",
      "Temperaturen am Anfang und am Ende der Prüfung sind nicht angegeben"},
+    {"the date of the test is given as {0=}, expected a day from 1950 to now",
+     "das Prüfdatum ist als {0} angegeben, erwartet ein Tag von 1950 bis jetzt"},
     {"the date of the test is given as {0=}, which is no day", "das Prüfdatum ist als {0} angegeben, was kein Tag ist"},
     {"the method of record, {0}, finds an uncertainty of 0 of {1#}, which is none",
      "das maßgebliche Verfahren, {0}, findet eine Unsicherheit von 0 für {1}, und das ist keine"},

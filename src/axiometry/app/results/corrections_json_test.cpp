@@ -41,7 +41,7 @@ TEST(Wire, HasTheDriftPerReadingOrPerHour) {
   const json::Value result = result_of({});
   const json::Value& drift = *result.find("drift");
   EXPECT_NEAR(drift.find("per_reading")->number(), -0.2815082644628112 / 109, 1e-12);
-  EXPECT_NEAR(drift.find("standard_uncertainty")->number(), 0.1619168805129893 / 109, 1e-12);
+  EXPECT_NEAR(drift.find("standard_uncertainty")->number(), 0.8099583258843761 / 109, 1e-12);
   EXPECT_EQ(drift.find("per_hour"), nullptr);
   axiometry::Test test{{}, testing_support::make_series({0, 1}, {{0, 1}, {3, 1}}, {}), {}};
   test.times_s = {0, 3600, 1800, 5400, 0, 0, 0, 0};

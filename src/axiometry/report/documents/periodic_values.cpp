@@ -77,7 +77,7 @@ std::vector<PeriodicRow> periodic_rows(const PeriodicDirection& d, AxisKind kind
   rows.push_back(row("Slope of the removed line", "b", d.slope_native.value * per_metre(kind),
                      k * d.slope_native.u * per_metre(kind), kind == AxisKind::linear ? "µm/m" : "″/°", options));
   rows.push_back(deviation_row("Removed line at the first target", "a", d.offset));
-  rows.push_back({d.period_known ? "Chance of such an amplitude by noise" : "Chance of such a peak by noise", "p",
+  rows.push_back({d.period_known ? "Chance of this size by white noise" : "Chance of the peak by white noise", "p",
                   shown_chance(d.false_alarm, options), "", ""});
   rows.push_back(plain_row("Periods covered", "", d.periods_covered, ""));
   rows.push_back(plain_row("Targets per period", "", d.targets_per_period, ""));
@@ -94,7 +94,7 @@ Table harmonic_table(const PeriodicDirection& d, AxisKind kind, const Options& o
                    {joined({italic("U"), plain(fmt::format(", {}", um))}), Align::decimal},
                    {joined({symbol("φ_h"), plain(", °")}), Align::decimal},
                    {joined({italic("U"), plain(", °")}), Align::decimal},
-                   {plain("Chance by noise"), Align::decimal},
+                   {plain("Chance by white noise"), Align::decimal},
                    {plain("Part of the curve"), Align::start, false, true}};
   for (const auto& h : d.harmonics) {
     const PeriodicRow A =

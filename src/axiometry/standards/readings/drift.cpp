@@ -2,19 +2,25 @@
 #include "axiometry/standards/readings/drift.h"
 
 #include <cmath>
+#include <vector>
 
 namespace axiometry {
 namespace {
 
 constexpr double seconds_per_hour = 3600.0;
 
+/// Of the readings of one run, about the means of their target and direction.
+struct RunSums {
+  double t = 0.0;
+  double x = 0.0;
+  std::size_t readings = 0;
+};
+
 /// Sums about the means of a target and direction, over all of them.
 struct Sums {
   double tt = 0.0;
   double tx = 0.0;
-  double xx = 0.0;
-  std::size_t readings = 0;
-  std::size_t cells = 0;
+  std::vector<RunSums> runs;
 };
 
 void add_cell(Sums& sums, const Test& test, const TestCourse& course, std::size_t target, Direction direction) {
@@ -37,10 +43,34 @@ void add_cell(Sums& sums, const Test& test, const TestCourse& course, std::size_
     const double x = cell[j] - mean_x;
     sums.tt += t * t;
     sums.tx += t * x;
-    sums.xx += x * x;
+    sums.runs[j].t += t;
+    sums.runs[j].x += x;
+    ++sums.runs[j].readings;
   }
-  sums.readings += count;
-  ++sums.cells;
+}
+
+struct SlopeScatter {
+  double u = 0.0;
+  std::size_t degrees_of_freedom = 0;
+};
+
+/// Of the slope, from the means of the runs about their own line. Readings of one run are not independent: a run that
+/// lies elsewhere as a whole moves them all.
+std::optional<SlopeScatter> scatter_of_runs(const std::vector<RunSums>& runs) {
+  double tt = 0.0, tx = 0.0, xx = 0.0;
+  std::size_t counted = 0;
+  for (const RunSums& run : runs) {
+    if (run.readings == 0) continue;
+    const double weight = 1.0 / static_cast<double>(run.readings);  // of sums: n times the mean's square
+    tt += weight * run.t * run.t;
+    tx += weight * run.t * run.x;
+    xx += weight * run.x * run.x;
+    ++counted;
+  }
+  if (counted < 3 || !(tt > 0.0)) return std::nullopt;
+  const std::size_t nu = counted - 2;
+  const double residuals = std::fmax(0.0, xx - tx * tx / tt);
+  return SlopeScatter{std::sqrt(residuals / static_cast<double>(nu) / tt), nu};
 }
 
 }  // namespace
@@ -58,15 +88,16 @@ std::optional<Drift> drift_of(const Test& test) {
   Drift drift{{}, std::nullopt, 0, course_of(test)};
   if (!drift.course.order_known) return std::nullopt;
   Sums sums;
+  sums.runs.resize(test.series.run_count());
   for (Direction direction : {Direction::up, Direction::down})
     for (std::size_t i = 0; i < test.series.target_count(); ++i) add_cell(sums, test, drift.course, i, direction);
   if (!(sums.tt > 0.0)) return std::nullopt;
   const double b = sums.tx / sums.tt;
   drift.over_test = Deviation::native(b);
-  if (sums.readings < sums.cells + 2) return drift;
-  drift.degrees_of_freedom = sums.readings - sums.cells - 1;
-  const double residuals = std::fmax(0.0, sums.xx - b * sums.tx);
-  drift.u = Deviation::native(std::sqrt(residuals / static_cast<double>(drift.degrees_of_freedom) / sums.tt));
+  if (const auto scatter = scatter_of_runs(sums.runs)) {
+    drift.u = Deviation::native(scatter->u);
+    drift.degrees_of_freedom = scatter->degrees_of_freedom;
+  }
   return drift;
 }
 

@@ -13,8 +13,8 @@ namespace axiometry {
 /// from run to run. Derivation: docs/theory/reading-corrections.md.
 struct Drift {
   Deviation over_test;                 ///< from the first reading to the last, b
-  std::optional<Deviation> u;          ///< standard uncertainty of it; absent without a degree of freedom
-  std::size_t degrees_of_freedom = 0;  ///< readings less cells less one
+  std::optional<Deviation> u;          ///< standard uncertainty of it; absent with fewer than three runs
+  std::size_t degrees_of_freedom = 0;  ///< runs less two
   TestCourse course;
 
   /// In native units; per hour where times are known.
@@ -23,7 +23,8 @@ struct Drift {
 };
 
 /// Least squares of x_ij = c_i + b τ_ij with a constant c_i per target and direction and the share τ of the course of
-/// the test: b = Σ (τ − τ̄_i)(x − x̄_i)/Σ (τ − τ̄_i)², u²(b) = s²/Σ (τ − τ̄_i)² with the variance s² of the residuals.
+/// the test: b = Σ (τ − τ̄_i)(x − x̄_i)/Σ (τ − τ̄_i)², and u(b) from the scatter of the runs' means about their line,
+/// since a run that lies elsewhere as a whole moves all its readings.
 /// The constants keep what the machine does at its targets out of b; a machine that warms up is not told from an
 /// instrument that drifts. Absent where no target has two readings from one direction (n = 1), and where nobody knows
 /// their order (TestCourse::order_known).

@@ -38,7 +38,7 @@ TEST(Drift, IsFoundUnderTheErrorsOfTheMachine) {
   ASSERT_TRUE(drift);
   EXPECT_NEAR(drift->over_test.in_native(), 6.0, 1e-12);
   EXPECT_NEAR(drift->u->in_native(), 0.0, 1e-6);
-  EXPECT_EQ(drift->degrees_of_freedom, 17u - 6u - 1u);
+  EXPECT_EQ(drift->degrees_of_freedom, 3u - 2u);
   EXPECT_NEAR(drift->per_reading(drift->over_test), 6.0 / 17.0, 1e-12);
   EXPECT_FALSE(drift->per_hour(drift->over_test));
 }
@@ -59,13 +59,27 @@ TEST(Drift, IsUnknownWhereNobodyKnowsTheOrder) {
   EXPECT_TRUE(drift_of(test)) << "times tell it";
 }
 
-// Golden: numpy.linalg.lstsq of ISO 230-2, Table 2 with 22 constants.
+// Golden: numpy.linalg.lstsq of ISO 230-2, Table 2 with 22 constants; u from the means of its runs about their line,
+// whose shifts the test has.
 TEST(Drift, HasTheLeastSquaresEstimateAndItsUncertainty) {
   const auto drift = drift_of({{}, testing_support::table2::series(), {}});
   ASSERT_TRUE(drift);
   EXPECT_NEAR(drift->over_test.in_native(), -0.2815082644628112, 1e-9);
-  EXPECT_NEAR(drift->u->in_native(), 0.1619168805129893, 1e-9);
-  EXPECT_EQ(drift->degrees_of_freedom, 87u);
+  EXPECT_NEAR(drift->u->in_native(), 0.8099583258843761, 1e-9);
+  EXPECT_EQ(drift->degrees_of_freedom, 3u);
+}
+
+TEST(Drift, IsNoMoreCertainForTenTargetsOfRunsThatShiftAsAWhole) {
+  const double shifts[] = {0.0, 1.0, -1.0, 0.5, 0.25};
+  const auto u_on = [&](std::size_t targets) {
+    std::vector<double> places;
+    std::vector<testing_support::RunDeviations> runs;
+    for (std::size_t i = 0; i < targets; ++i) places.push_back(10.0 * static_cast<double>(i));
+    for (const double shift : shifts) runs.emplace_back(targets, shift);
+    return drift_of({{}, testing_support::make_series(places, runs, {}), {}})->u->in_native();
+  };
+  EXPECT_GT(u_on(20), 0.8);
+  EXPECT_NEAR(u_on(20), u_on(10), 0.1 * u_on(10));
 }
 
 TEST(Drift, CannotBeToldFromASingleApproach) {

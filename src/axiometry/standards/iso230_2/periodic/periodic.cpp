@@ -301,6 +301,9 @@ void add_spectrum(PeriodicDirection& result, const Means& means, PeriodBand band
                            ? 1.0
                            : numeric::false_alarm_probability(means.data(), band, highest.reduction);
   result.significant = result.false_alarm < significance;
+  // At a period searched as the highest peak the F test of a period stated beforehand tells nothing.
+  result.harmonics.front().chance = result.false_alarm;
+  result.harmonics.front().significant = result.significant;
   result.further = further_period(means, fit, band, rounding);
   result.noise_level = Deviation::native(noise_level(means, fit, band));
   result.peak_at_end = !known && spectrum.at_end;

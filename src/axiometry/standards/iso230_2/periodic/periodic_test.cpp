@@ -254,6 +254,14 @@ TEST(PeriodicFindings, KeepTheLabelOfTheStepCycle) {
   EXPECT_EQ(periodic_error(test)->label, "step cycle (Annex B), not for acceptance");
 }
 
+TEST(Periodic, HasOneChanceOfAPeakThatWasSearched) {
+  const auto noise = test_of(
+      uneven(41, 1.0, 3), [](double) { return 0.0; }, 1.0, 5);
+  const PeriodicDirection d = only(noise);
+  EXPECT_EQ(d.harmonics.front().chance, d.false_alarm);
+  EXPECT_EQ(d.harmonics.front().significant, d.significant);
+}
+
 TEST(Periodic, RefusesWhatCannotBeDone) {
   const auto truth = [](double p) { return std::sin(two_pi * p / 10.0); };
   const auto message = [](const axiometry::Test& test, const PeriodicOptions& options) {

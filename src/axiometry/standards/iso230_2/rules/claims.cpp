@@ -145,6 +145,27 @@ void add_impossible(Against& against, const Metadata& m) {
                                      "a warm-up is stated not to have been made; whether that was agreed is not"));
 }
 
+std::optional<Finding> progression_of(const Case& c) {
+  for (Finding& finding : rules::scatter_findings(c))
+    if (finding.clause == rules::progression_clause) return std::move(finding);
+  return rules::ordered_progression(c);
+}
+
+/// Readings that a test in accordance with the standard can have, though hardly has: whether the machine was warm, and
+/// the readings those of several runs, only who tested can tell.
+void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
+  const auto ask = [&](std::optional<Finding> finding) {
+    if (!finding) return;
+    finding->severity = Severity::missing;
+    against.push_back(*std::move(finding));
+  };
+  ask(rules::part_of_axis_travel(c));
+  ask(rules::readings_repeat_exactly(c));
+  ask(progression_of(c));
+  if (!assessment.temperatures_recorded) ask(rules::temperature_change(c));  // a log has findings of its own
+  ask(rules::impossible_date(c));
+}
+
 /// Values that hold what is known to be wrong with them, or lack what the machine did.
 void add_known_errors(Against& against, const Test& test, const Assessment& assessment) {
   if (text::equal_ignoring_case(test.metadata.conditions.purpose, simulation_purpose))
@@ -171,6 +192,7 @@ Against against_tested(const Case& c, const Test& test, const Assessment& assess
   add_temperatures(against, c, assessment);
   for (const auto& [clause, key] : items_of_the_test) add_unless_given(against, clause, key, c.metadata);
   add_impossible(against, c.metadata);
+  add_doubts(against, c, assessment);
   add_known_errors(against, test, assessment);
   const std::string& artefact = c.metadata.artefact.type;
   const bool by_artefact = !text::says_nothing(artefact) && !text::says_none(artefact);

@@ -129,6 +129,40 @@ TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
   }
 }
 
+/// Each keeps the letter of the standard; only who tested knows whether it was a test.
+TEST(Claims, OfTheTestFallWithReadingsAndDaysThatAskForAWord) {
+  const auto on_runs = [](axiometry::Test& t, double rise) {
+    std::vector<RunDeviations> runs;
+    for (int j = 0; j < 5; ++j) runs.push_back({1 + j * rise, 2 + j * rise, 3 + j * rise, 2 + j * rise, 1 + j * rise});
+    t.metadata.axis.travel_begin = Position::native(-10), t.metadata.axis.travel_end = Position::native(510);
+    t.metadata.axis.compensation_points = {-5};
+    t.series = make_series({0, 110, 240, 390, 500}, runs, runs);
+  };
+  const std::pair<const char*, Change> changes[] = {
+      {"readings-repeat-exactly", [&](axiometry::Test& t) { on_runs(t, 0.0); }},
+      {"ordered-progression", [&](axiometry::Test& t) { on_runs(t, 30.0); }},
+      {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-01-01"; }},
+      {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "0001-01-01"; }},
+      {"temperature-change",
+       [](axiometry::Test& t) { t.metadata.environment.sensors.front().end = Temperature::celsius(35); }},
+      {"part-of-axis-travel",
+       [](axiometry::Test& t) {
+         t.metadata.axis.travel_begin = Position::native(0), t.metadata.axis.travel_end = Position::native(2900);
+       }},
+  };
+  for (const auto& [id, change] : changes) {
+    axiometry::Test test = whole();
+    change(test);
+    if (id == std::string("part-of-axis-travel"))
+      test.series = make_series({100, 210, 340, 490, 600}, {{1, 2, 3, 2, 1}, {2, 2, 1, 2, 2}},
+                                {{1, 2, 3, 2, 1}, {2, 2, 1, 2, 2}});
+    EXPECT_EQ(std::ranges::count(ids_against(test, ClaimKind::tested), std::string(id)), 1)
+        << id << '\n'
+        << points(test, ClaimKind::tested);
+    EXPECT_TRUE(holds(test, ClaimKind::computed)) << id;
+  }
+}
+
 std::vector<std::string> ids_against_tested(const axiometry::Test& test, const Assessment& assessment) {
   std::vector<std::string> ids;
   const Claims all = claims_of(test, assessment);
@@ -203,6 +237,8 @@ axiometry::Test on(const std::vector<double>& targets, std::size_t n = 5) {
   }
   axiometry::Test test = whole();
   test.metadata.axis.compensation_points = {-5};
+  test.metadata.axis.travel_begin = Position::native(targets.front() - 10);
+  test.metadata.axis.travel_end = Position::native(targets.back() + 10);
   test.series = make_series(targets, runs, runs);
   return test;
 }

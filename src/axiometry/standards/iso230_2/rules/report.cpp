@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string_view>
 #include <utility>
 
@@ -112,6 +113,16 @@ bool names_nothing(std::string_view words) { return text::says_nothing(words) ||
 /// Whether a date is written as ISO 8601 has it, day or no day.
 bool written_as_iso(std::string_view date) { return date.size() >= 10 && date[4] == '-' && date[7] == '-'; }
 
+constexpr std::string_view no_test_before = "1950-01-01";  // and no numerical control
+
+/// The last day that it can be anywhere: east of Greenwich it may be the next one.
+std::string tomorrow() {
+  using namespace std::chrono;
+  const year_month_day day{floor<days>(system_clock::now()) + days(1)};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                     static_cast<unsigned>(day.day()));
+}
+
 /// A component by its role, else by what identifies it.
 std::string name_of(const Equipment& e) {
   for (const std::string* name : {&e.role, &e.type, &e.manufacturer, &e.serial_number})
@@ -192,7 +203,11 @@ std::optional<Finding> equipment_identified(const Case& c) {
 
 std::optional<Finding> impossible_date(const Case& c) {
   const std::string& date = c.metadata.conditions.date;
-  if (!written_as_iso(date) || !iso_date(date).empty()) return std::nullopt;
+  const std::string day = iso_date(date);
+  if (!day.empty() && (day < no_test_before || day > tomorrow()))
+    return missing("impossible-date", "8.1",
+                   fmt::format("the date of the test is given as {}, expected a day from 1950 to now", date));
+  if (!written_as_iso(date) || !day.empty()) return std::nullopt;
   return missing("impossible-date", "8.1", fmt::format("the date of the test is given as {}, which is no day", date));
 }
 
