@@ -151,10 +151,12 @@ def pmac(text, count_um, per_position=1e3):
         assert len(values) == int(entries)
         curves[kind] = values
         step = int(length) * count_um / per_position / int(entries)
+    at_home = int(constant[1]) / 16 * count_um if (constant := re.search(r"^I\d+86=(\d+)$", text, re.M)) else 0.0
+    assert curves.get("BLCOMP", [0])[-1] == 0  # at home it is 0 by definition
     table = {}
     for k in range(round(low / step), round(high / step) + 1):
         up, less = (curves.get(kind, [0] * 10 ** 5)[k % len(curves["COMP"]) - 1] / 16 * count_um for kind in ("COMP", "BLCOMP"))
-        table[round(k * step, 6)] = (up, up - less)
+        table[round(k * step, 6)] = (up, up - less - at_home)
     return table
 
 

@@ -148,9 +148,11 @@ TEST_F(CompensationRoutes, read_the_table_that_they_made) {
   EXPECT_EQ(json::dump(*read.find("table")), json::dump(*made.find("result")->find("table")));
   const std::string of_y =
       value_of(
-          send_form(fmt::format("/tests/{}/compensation", test),
-                    {{"options",
-                      R"({"control": "pmac", "axis": "Y", "resolution": 0.1, "start": 50, "end": 400, "step": 50})"}}))
+          send_form(
+              fmt::format("/tests/{}/compensation", test),
+              {{"options",
+                R"({"control": "pmac", "axis": "Y", "curves": "both-ways", "resolution": 0.1, "start": 50, "end": 400,
+                       "step": 50})"}}))
           .find("table")
           ->text();
   EXPECT_EQ(value_of(send_form("/controls/pmac/table", {}, {{"table", of_y}})).find("control")->text(), "pmac");
@@ -284,7 +286,9 @@ TEST_F(CompensationRoutes, write_reports_of_what_was_kept) {
 TEST_F(CompensationRoutes, report_a_table_with_the_comments_of_an_earlier_program) {
   receive(test_of_axis(1.0, 1), "x.csv");
   std::string table =
-      keep(1, R"({"control": "pmac", "resolution": 0.1, "start": 50, "end": 400, "step": 50})").find("table")->text();
+      keep(1, R"({"control": "pmac", "curves": "both-ways", "resolution": 0.1, "start": 50, "end": 400, "step": 50})")
+          .find("table")
+          ->text();
   const auto keep_with = [&](const std::string& bytes) {
     return archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::Compensation>> {
       AXIOMETRY_TRY(auto kept, t.get<store::Compensation>(1));

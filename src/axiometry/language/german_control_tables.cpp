@@ -12,6 +12,10 @@ constexpr Phrase control_tables_rows[] = {
     {"found 3605#0 = 0, expected 1: a table of each direction", "3605#0 = 0; erwartet: 1: eine Tabelle je Richtung"},
     {"found 3605#0 = 1, expected 0: a table of both directions alike",
      "3605#0 = 1; erwartet: 0: eine Tabelle für beide Richtungen gleich"},
+    {"found BLCOMP without Ix86 or with a last entry that is not 0, expected the reversal at home in Ix86 and 0 as "
+     "last entry",
+     "BLCOMP ohne Ix86 oder mit einem letzten Eintrag, der nicht 0 ist; erwartet: die Umkehrspanne am Referenzpunkt "
+     "in Ix86 und 0 als letzter Eintrag"},
     {"found IS_MODULO, expected it on a rotary axis whose table is a whole turn",
      "IS_MODULO; erwartet: nur bei einer Rundachse, deren Tabelle eine ganze Umdrehung ist"},
     {"found UTF-16 text, expected a table of single bytes; save the file as UTF-8 without BOM",
@@ -44,6 +48,9 @@ constexpr Phrase control_tables_rows[] = {
      "the first line; save the file as UTF-8 without BOM",
      "eine Byte-Reihenfolge-Marke (BOM) am Anfang der Tabelle; erwartet: keine, denn eine Steuerung hält sie für einen "
      "Teil der ersten Zeile; die Datei als UTF-8 ohne BOM speichern"},
+    {"found a negative reversal at the reference point, expected one of 0 or more, which Ix86 can hold (--curves "
+     "both-ways)",
+     "eine negative Umkehrspanne am Referenzpunkt; erwartet: 0 oder mehr, was Ix86 fasst (--curves both-ways)"},
     {"found a nominal position that is not above the one before, which LinuxCNC refuses",
      "eine Sollposition, die nicht über der vorigen liegt, was LinuxCNC ablehnt"},
     {"found a position of {0#}, expected them 0.0001 apart at least and at most {1#} counts",
@@ -229,6 +236,8 @@ constexpr Phrase control_tables_rows[] = {
     {"found {0=}, expected CONNECT RPOS(AXIS)=APOS(AXIS)+MAP(APOS(AXIS),NAME,START,STEP) of this axis",
      "{0}; erwartet: CONNECT RPOS(ACHSE)=APOS(ACHSE)+MAP(APOS(ACHSE),NAME,ANFANG,SCHRITT) dieser Achse"},
     {"found {0=}, expected GLOBAL REAL NAME(SIZE), once", "{0}; erwartet: GLOBAL REAL NAME(GRÖSSE), einmal"},
+    {"found {0=}, expected Ix86 of this motor once, behind BLCOMP, 0 or more",
+     "{0}; erwartet: Ix86 dieses Motors einmal, nach BLCOMP, 0 oder mehr"},
     {"found {0=}, expected M852 {1=}NUMBER once, then M500", "{0}; erwartet: einmal M852 {1}ZAHL, dann M500"},
     {"found {0=}, expected Map = Positive, then Map = Negative", "{0}; erwartet: Map = Positive, dann Map = Negative"},
     {"found {0=}, expected N10000+POINT P NUMBER, a number of -127 to 127",

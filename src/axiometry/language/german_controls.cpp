@@ -95,15 +95,16 @@ constexpr Phrase controls_rows[] = {
      "Vierundsechzigstel des Abstands."},
     {"Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, motors "
      "with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is homed. "
-     "--number is the motor, --resolution one count. With one BLCOMP the reversal is in it: Ix86 adds to it, set that "
-     "to 0. A cross table moves the motor of --output-axis by the position of --number, both of one --resolution; it "
-     "belongs to the motor that it moves, and where that has a table already to one without.",
-     "Die Puffer löschen, die im Weg sind (TBUF, ROTARY, GATHER, Tabellen niedrigerer Motoren), die Zeilen senden, die "
-     "Motoren mit der höchsten Nummer zuerst, SAVE. I51=1 schaltet alle Tabellen ein; sie wirken, sobald der Motor "
-     "referenziert ist. --number ist der Motor, --resolution ein Inkrement. Mit einer BLCOMP ist die Umkehrspanne in "
-     "ihr: Ix86 kommt hinzu und ist auf 0 zu setzen. Eine Kreuztabelle bewegt den Motor von --output-axis nach der "
-     "Position von --number, beide mit derselben --resolution; sie gehört dem Motor, den sie bewegt, und wo der schon "
-     "eine Tabelle hat, einem ohne."},
+     "--number is the motor, --resolution one count. With BLCOMP, Ix86 holds the reversal at home and is among the "
+     "lines; with Ix85 at 0 none of it acts. A cross table moves the motor of --output-axis by the position of "
+     "--number, both of one --resolution; it belongs to the motor that it moves, and where that has a table already "
+     "to one without.",
+     "Die Puffer löschen, die im Weg sind (TBUF, ROTARY, GATHER, Tabellen niedrigerer Motoren), die Zeilen senden, "
+     "die Motoren mit der höchsten Nummer zuerst, SAVE. I51=1 schaltet alle Tabellen ein; sie wirken, sobald der "
+     "Motor referenziert ist. --number ist der Motor, --resolution ein Inkrement. Mit BLCOMP enthält Ix86 die "
+     "Umkehrspanne am Referenzpunkt und steht unter den Zeilen; ist Ix85 0, wirkt nichts davon. Eine Kreuztabelle "
+     "bewegt den Motor von --output-axis nach der Position von --number, beide mit derselben --resolution; sie gehört "
+     "dem Motor, den sie bewegt, und wo der schon eine Tabelle hat, einem ohne."},
     {"Delta Tau PMAC, COMP and BLCOMP", "Delta Tau PMAC, COMP und BLCOMP"},
     {"Enter start, length, number of points and the numbers in the dialog of screw mapping, for each direction (since "
      "build 4780; before it there is one map: ask for --curves both-ways), in the motor's units, and enable the map.",
@@ -314,10 +315,12 @@ constexpr Phrase controls_rows[] = {
      "Die Spalten AXISPOS, BACKLASH (Werte der negativen Richtung) und eine mit dem Namen der Achse, config.cma, dass "
      "eine Rundachse 0 bis 360 hat: Seiten technischer Handbücher."},
     {"The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
-     "directions and BLCOMP taken off in the negative one, source and target of a table: reference and user's manuals.",
+     "directions and BLCOMP and Ix86 taken off in the negative one, that BLCOMP is 0 at home, source and target of a "
+     "table: reference and user's manuals. Not tried on a control.",
      "Die Befehle, 1/16 Inkrement, der erste Eintrag einen Abstand vom Referenzpunkt, der Überlauf am Tabellenende, "
-     "dass COMP in beiden Richtungen addiert und BLCOMP in der negativen abgezogen wird, Quelle und Ziel einer "
-     "Tabelle: Referenz- und Benutzerhandbuch."},
+     "dass COMP in beiden Richtungen addiert und BLCOMP und Ix86 in der negativen abgezogen werden, dass BLCOMP am "
+     "Referenzpunkt 0 ist, Quelle und Ziel einer Tabelle: Referenz- und Benutzerhandbuch. An keiner Steuerung "
+     "erprobt."},
     {"The commands, and that the table is added to the command of the motor: a script in use that writes them.",
      "Die Befehle, und dass die Tabelle zum Sollwert des Motors addiert wird: ein verwendetes Skript, das sie "
      "schreibt."},

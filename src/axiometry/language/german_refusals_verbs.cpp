@@ -32,6 +32,9 @@ constexpr Phrase refusals_verbs_rows[] = {
      "Drehachse; erwartet: eine Achse, für die die Toleranztabelle {0} in {1} Grenzwerte hat"},
     {"found a row without a limit, expected at least one", "Zeile ohne Grenzwert; erwartet: mindestens einer"},
     {"found a second member {0=}, expected each name once", "zweiter Eintrag {0}; erwartet: jeder Name einmal"},
+    {"found a stop before each line asked for, expected none: this is no tracking plan, which has lines",
+     "ein Halt vor jeder Linie verlangt; erwartet: keiner, denn dies ist kein Plan für ein Trackinginterferometer, der "
+     "Linien hat"},
     {"found a test of which {0=} does not keep a text that can be read again ({1}), expected another format such as "
      "json",
      "Prüfung, von der {0} keinen Text bewahrt, der sich wieder lesen lässt ({1}); erwartet: ein anderes Format, etwa "

@@ -234,13 +234,33 @@ TEST(Compensations, DirectionsAreNotExchanged) {
            {"axeserr", "10.0000, -0.0080, 0.0000\n"},
            {"fagor", "P002 10.0000 -0.0080 0.0000\n"},
            {"heidenhain", "2 20.000000 0.004000 -0.012000\n"},
-           {"pmac", "#1 DEFINE BLCOMP 3,30000\n128\n256\n0\n"},
+           {"pmac", "#1 DEFINE BLCOMP 3,30000\n128\n256\n0\nI186=0\n"},
            {"siemens-cec", "$AN_CEC[1,2]=0.004000\n"},
            {"twincat-cnc", "kw.ssfk.table[2].neg 40\n"},
        }) {
     const std::string text = table_text_of(*axis_table_named(id).value(), up_alone, {});
     EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
   }
+}
+
+/// By the manuals BLCOMP is 0 at home, and its last entry stands for home: both agree where Ix86 has the reversal.
+TEST(Compensations, TheReversalAtHomeOfPmacIsItsConstant) {
+  const AxisTable& pmac = *axis_table_named("pmac").value();
+  const AxisCorrection loose = correction_of(AxisKind::linear, {0.0, 10.0, 20.0}, {0.0, 0.0, 0.0}, {-5.0, -6.0, -3.5});
+  const std::string text = table_text_of(pmac, loose, {});
+  const std::string blcomp = "#1 DEFINE BLCOMP 3,30000\n16\n-24\n0\nI186=80\nI51=1\n";
+  ASSERT_TRUE(text.ends_with(blcomp)) << text;
+  const auto back = pmac.read(text, {});
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_NEAR(back->at(0.0, Direction::down), -5.0, 1e-9);
+  EXPECT_NEAR(back->at(20.0, Direction::down), -3.5, 1e-9);
+  const std::string comp = text.substr(0, text.size() - blcomp.size());
+  for (const char* end :
+       {"#1 DEFINE BLCOMP 3,30000\n96\n56\n80\nI51=1\n", "#1 DEFINE BLCOMP 3,30000\n16\n-24\n0\nI51=1\n",
+        "#1 DEFINE BLCOMP 3,30000\n16\n-24\n1\nI186=80\nI51=1\n",
+        "#1 DEFINE BLCOMP 3,30000\n16\n-24\n0\nI186=-80\nI51=1\n"})
+    EXPECT_FALSE(pmac.read(comp + end, {})) << end;
+  EXPECT_FALSE(pmac.write(correction_of(AxisKind::linear, {0.0, 10.0}, {0.0, 0.0}, {1.0, 1.0}), {})) << "negative";
 }
 
 void expect_refused(std::string_view id, const AxisCorrection& correction, const AxisTableOptions& options,

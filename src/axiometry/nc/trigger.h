@@ -7,8 +7,8 @@
 
 #include "axiometry/base/result.h"
 
-/// The M code that is put out at each target: only such as are known to steer nothing that could harm the test or who
-/// stands beside it.
+/// The M code that is put out at each target: only the coolant, an output of its own, or what neither RS-274-D nor its
+/// maker has given away; the builder of the machine may have.
 namespace axiometry::nc {
 
 /// From `first` to `last`; none when `last` is less.

@@ -38,6 +38,8 @@ Result<Programme> programme_of_part(const Plan& plan, const NcRequest& request) 
   if (!request.line.empty())
     return fail(fmt::format("found the line {} asked for, expected none: this is no tracking plan, which has lines",
                             text::quoted(request.line)));
+  if (request.options.stop_at_lines)
+    return fail("found a stop before each line asked for, expected none: this is no tracking plan, which has lines");
   if (request.part < 1 || request.part > plan.further.size() + 1)
     return fail(fmt::format("found part {} asked for, expected {}", request.part,
                             plan.further.empty() ? "1" : fmt::format("1 to {}", plan.further.size() + 1)));

@@ -41,6 +41,12 @@ Result<void> write_report(const Evaluated& evaluated, const std::string& file, c
   return write_file(file, *bytes);
 }
 
+/// The first "{name}" of a file's name gives way.
+std::string with_test_name(std::string report, std::string_view name) {
+  if (const auto at = report.find(name_mark); at != std::string::npos) report.replace(at, name_mark.size(), name);
+  return report;
+}
+
 }  // namespace
 
 Result<void> write_document(const report::Document& document, std::span<const std::string> files,
@@ -104,7 +110,11 @@ Result<void> check_outputs(const OutputNames& names) {
 }
 
 Result<void> write_outputs(const Evaluated& evaluated, const OutputNames& names, const report::Options& options) {
-  for (const std::string& report : names.reports) AXIOMETRY_TRY_VOID(write_report(evaluated, report, options));
+  for (const std::string& report : names.reports) {
+    const std::string file = with_test_name(report, report_name(evaluated));
+    AXIOMETRY_TRY_VOID(names.inputs.check_spared(file));
+    AXIOMETRY_TRY_VOID(write_report(evaluated, file, options));
+  }
   if (!names.json.empty()) AXIOMETRY_TRY_VOID(write_file(names.json, json::dump(to_json(evaluated)) + "\n"));
   return {};
 }
@@ -155,8 +165,8 @@ Result<void> ManyOutputs::add(const Evaluated& evaluated, const std::string& jso
   if (!is_new)
     return fail(fmt::format("found the tests {} and {} with the same report name {}, expected different ones",
                             taken->second, who, text::quoted(name)));
-  for (std::string report : templates_) {
-    report.replace(report.find(name_mark), name_mark.size(), name);
+  for (const std::string& name_of_all : templates_) {
+    const std::string report = with_test_name(name_of_all, name);
     AXIOMETRY_TRY_VOID(inputs_.check_spared(report));
     AXIOMETRY_TRY_VOID(write_report(evaluated, report, options_));
   }

@@ -2,7 +2,8 @@
 //
 // Leadscrew compensation of Delta Tau PMAC: entries of 1/16 count at one spacing from home upward, which roll over at
 // the length of the table; positions below home are at its end. The table is added to the command; a second one
-// (BLCOMP) is taken off it while the motor moves in the negative direction.
+// (BLCOMP) and the constant Ix86 are taken off it while the motor moves in the negative direction. At home BLCOMP is 0
+// by definition: the reversal there is Ix86, and the table holds what differs from it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,15 +79,23 @@ Result<Span> span_of(const AxisCorrection& correction, const AxisTableOptions& o
   return span;
 }
 
-Result<void> write_entries(std::string& text, const Span& span, const AxisTableOptions& options, auto&& value_at) {
+/// In 1/16 count.
+Result<long long> whole_entry(double correction_native, const AxisTableOptions& options) {
+  const double value = correction_native * per_count / options.resolution;
+  if (!(std::abs(value) <= static_cast<double>(entry_most)))
+    return fail(fmt::format("found a correction of {:.0f} counts / 16, expected at most {}", value, entry_most));
+  return std::llround(value);
+}
+
+/// Each entry less that at home, which stands elsewhere.
+Result<void> write_entries(std::string& text, const Span& span, const AxisTableOptions& options, long long at_home,
+                           auto&& value_at) {
   for (long long k = 1; k <= span.entries; ++k) {
     double position = options.reference + span.step * static_cast<double>(k);
     if (position > span.high + 0.5 * span.step || k == span.entries)
       position -= span.step * static_cast<double>(span.entries);
-    const double value = value_at(position) * per_count / options.resolution;
-    if (std::abs(value) > static_cast<double>(entry_most))
-      return fail(fmt::format("found a correction of {:.0f} counts / 16, expected at most {}", value, entry_most));
-    fmt::format_to(std::back_inserter(text), "{}\n", std::llround(value));
+    AXIOMETRY_TRY(const long long value, whole_entry(value_at(position), options));
+    fmt::format_to(std::back_inserter(text), "{}\n", value - at_home);
   }
   return {};
 }
@@ -105,13 +114,18 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   fmt::format_to(std::back_inserter(text), "{}{} to {}\n{}{}\n#{} DEFINE COMP {},{}{}\n", range_mark,
                  trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), count_mark, count_text(options),
                  motors.target, span.entries, motors.of_table(), span.length_counts);
-  AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) { return correction.at(x, Direction::up); }));
+  AXIOMETRY_TRY_VOID(write_entries(text, span, options, 0, [&](double x) { return correction.at(x, Direction::up); }));
   if (!correction.same_both_ways()) {
     fmt::format_to(std::back_inserter(text), "#{} DEFINE BLCOMP {},{}\n", motors.target, span.entries,
                    span.length_counts);
-    AXIOMETRY_TRY_VOID(write_entries(text, span, options, [&](double x) {
-      return correction.at(x, Direction::up) - correction.at(x, Direction::down);
-    }));
+    const auto less_at = [&](double x) { return correction.at(x, Direction::up) - correction.at(x, Direction::down); };
+    AXIOMETRY_TRY(const long long at_home, whole_entry(less_at(options.reference), options));
+    if (at_home < 0)
+      return fail(
+          "found a negative reversal at the reference point, expected one of 0 or more, which Ix86 can hold (--curves "
+          "both-ways)");
+    AXIOMETRY_TRY_VOID(write_entries(text, span, options, at_home, less_at));
+    fmt::format_to(std::back_inserter(text), "I{}86={}\n", motors.target, at_home);
   }
   return text + "I51=1\n";
 }
@@ -143,6 +157,7 @@ std::optional<Buffer> buffer_of(std::string_view line, const Motors& motors) {
 struct Program {
   std::vector<Buffer> buffers;
   std::optional<std::pair<double, double>> range;
+  std::optional<long long> at_home;  // Ix86
   bool is_on = false;
 };
 
@@ -161,6 +176,13 @@ Result<void> take(TableLine line, AxisTableOptions& options, const Motors& motor
   if (program.is_on) return refused(line, "nothing behind I51=1");
   if (line.text == "I51=1") {
     program.is_on = true;
+    return {};
+  }
+  if (const std::string name = fmt::format("I{}86=", motors.target); line.text.starts_with(name)) {
+    const auto value = whole_number(line.text.substr(name.size()));
+    if (!value || *value < 0 || *value > entry_most || program.at_home || program.buffers.size() != 2)
+      return refused(line, "Ix86 of this motor once, behind BLCOMP, 0 or more");
+    program.at_home = *value;
     return {};
   }
   if (line.text.starts_with('#')) {
@@ -210,6 +232,11 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& told)
         buffer.length_counts != comp.length_counts)
       return fail(fmt::format("found {} entries, expected {}, as many as are defined, in both tables",
                               buffer.values.size(), comp.entries));
+  // What the control has at home is not told otherwise: the entry there is none by one rule of the manuals.
+  if (program.buffers.size() == 2 && (!program.at_home || program.buffers.back().values.back() != 0))
+    return fail(
+        "found BLCOMP without Ix86 or with a last entry that is not 0, expected the reversal at home in Ix86 and 0 as "
+        "last entry");
   const double length =
       static_cast<double>(comp.length_counts) * options.resolution / deviation_per_position(options.kind);
   const double step = length / static_cast<double>(comp.entries);
@@ -224,8 +251,9 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& told)
                   last = std::llround((high - options.reference) / step);
   for (long long k = first; k <= last; ++k) {
     up.push_back(rolled(comp, k) / per_count * options.resolution);
-    const double less =
-        program.buffers.size() > 1 ? rolled(program.buffers[1], k) / per_count * options.resolution : 0.0;
+    const double less = program.at_home ? (rolled(program.buffers[1], k) + static_cast<double>(*program.at_home)) /
+                                              per_count * options.resolution
+                                        : 0.0;
     down.push_back(up.back() - less);
   }
   return even_correction(options.kind, options.reference + step * static_cast<double>(first), step, std::move(up),
@@ -248,13 +276,14 @@ const AxisTable pmac_axis_table = {
     .loading =
         "Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, "
         "motors with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is "
-        "homed. --number is the motor, --resolution one count. With one BLCOMP the reversal is in it: Ix86 adds to "
-        "it, set that to 0. A cross table moves the motor of --output-axis by the position of --number, both of one "
-        "--resolution; it belongs to the motor that it moves, and where that has a table already to one without.",
+        "homed. --number is the motor, --resolution one count. With BLCOMP, Ix86 holds the reversal at home and is "
+        "among the lines; with Ix85 at 0 none of it acts. A cross table moves the motor of --output-axis by the "
+        "position of --number, both of one --resolution; it belongs to the motor that it moves, and where that has a "
+        "table already to one without.",
     .verified =
         "The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
-        "directions and BLCOMP taken off in the negative one, source and target of a table: reference and user's "
-        "manuals.",
+        "directions and BLCOMP and Ix86 taken off in the negative one, that BLCOMP is 0 at home, source and target of "
+        "a table: reference and user's manuals. Not tried on a control.",
     .inferred = "24 bits of an entry.",
     .write = pmac::write,
     .read = pmac::read,

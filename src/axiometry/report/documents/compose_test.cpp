@@ -309,6 +309,15 @@ TEST(IdentificationSection, ShowsTheReadingsOfASensorToTheSameDecimals) {
   EXPECT_THAT(row_text(all.back().rows[0]), ElementsAre("machine", "table", "20.40", "21.0"));
 }
 
+TEST(IdentificationSection, PutsTheRolesOfSensorsThatItKnowsIntoTheReadersLanguage) {
+  Reported table2 = reported_table2();
+  table2.test.metadata.environment.sensors = {{.role = "machine", .location = "air"}, {.role = "bed", .location = "x"}};
+  const auto all = tables(section(composed(table2), "identification"));
+  EXPECT_FALSE(all.back().rows[0][0].text.front().verbatim);
+  EXPECT_TRUE(all.back().rows[0][1].text.front().verbatim) << "where it stands is the user's text";
+  EXPECT_TRUE(all.back().rows[1][0].text.front().verbatim);
+}
+
 TEST(IdentificationSection, SetsLongTextsApartFromTheColumns) {
   Reported table2 = reported_table2();
   table2.test.metadata.conditions.comment = std::string(500, 'x');

@@ -74,6 +74,13 @@ TableCell paired_cell(const Field& first, const Field& second, const Pair& pair,
                   plain(fmt::format("{} ", pair.second.substr(1))), b.text})};
 }
 
+/// Words that the program knows, and puts into the reader's language; every other role is the user's own.
+bool is_known_sensor_role(const Field& field, const RecordColumn& column, const Cell& cell) {
+  const auto* role = std::get_if<std::string>(&cell);
+  return role && column.key == "role" && prefix(field) == "sensors" &&
+         (*role == "machine" || *role == "equipment" || *role == "air");
+}
+
 TableCell record_cell(const Cell& cell, std::size_t decimals, const Options& options) {
   if (const auto* text = std::get_if<std::string>(&cell)) return text->empty() ? quiet_cell("–") : verbatim_cell(*text);
   const auto* x = std::get_if<double>(&cell);
@@ -104,7 +111,10 @@ Table record_table(const Field& field, const Records& records, const Options& op
   }
   for (const auto& record : records) {
     std::vector<TableCell> row;
-    for (const std::size_t c : shown) row.push_back(record_cell(record[c], decimals_of(records, c, options), options));
+    for (const std::size_t c : shown)
+      row.push_back(is_known_sensor_role(field, field.columns[c], record[c])
+                        ? text_cell(std::get<std::string>(record[c]))
+                        : record_cell(record[c], decimals_of(records, c, options), options));
     table.rows.push_back(std::move(row));
   }
   return table;
