@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "axiometry/base/contract.h"
 
@@ -15,24 +14,18 @@ constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr int passes_at_most = 60;
 
 /// What a sum takes of it: adding 0 changes no sum that began with 0.
-template <bool complete = false>
-double present(double x) {
-  if constexpr (complete) return x;
-  return std::isnan(x) ? 0.0 : x;
-}
+double present(double x) { return std::isnan(x) ? 0.0 : x; }
 
-/// Takes the mean of every row out of the residuals; the largest of these means. `columns` may be known to the
-/// compiler.
-template <bool complete, typename Columns>
-double sweep_rows_of(AdditiveFit& fit, Columns columns) {
+/// Takes the mean of every row out of the residuals; the largest of these means.
+double sweep_rows(AdditiveFit& fit) {
   double largest = 0.0;
-  double* row = fit.residuals.data();
-  for (std::size_t i = 0; i < fit.levels.size(); ++i, row += columns) {
+  for (std::size_t i = 0; i < fit.levels.size(); ++i) {
     if (fit.row_counts[i] == 0) continue;
+    double* row = fit.residuals.data() + i * fit.columns;
     double sum = 0.0;
-    for (std::size_t j = 0; j < columns; ++j) sum += present<complete>(row[j]);
+    for (std::size_t j = 0; j < fit.columns; ++j) sum += present(row[j]);
     const double mean = sum / static_cast<double>(fit.row_counts[i]);
-    for (std::size_t j = 0; j < columns; ++j) row[j] -= mean;
+    for (std::size_t j = 0; j < fit.columns; ++j) row[j] -= mean;
     fit.levels[i] += mean;
     largest = std::max(largest, std::abs(mean));
   }
@@ -40,37 +33,24 @@ double sweep_rows_of(AdditiveFit& fit, Columns columns) {
 }
 
 /// `means`: one of each column, for the sums.
-template <bool complete, typename Columns>
-double sweep_columns_of(AdditiveFit& fit, Columns columns, double* means) {
-  std::fill_n(means, static_cast<std::size_t>(columns), 0.0);
-  const double* values = fit.residuals.data();
-  for (std::size_t i = 0; i < fit.levels.size(); ++i, values += columns)
-    for (std::size_t j = 0; j < columns; ++j) means[j] += present<complete>(values[j]);
+double sweep_columns(AdditiveFit& fit, std::vector<double>& means) {
+  means.assign(fit.columns, 0.0);
+  for (std::size_t i = 0; i < fit.levels.size(); ++i) {
+    const double* row = fit.residuals.data() + i * fit.columns;
+    for (std::size_t j = 0; j < fit.columns; ++j) means[j] += present(row[j]);
+  }
   double largest = 0.0;
-  for (std::size_t j = 0; j < columns; ++j) {
+  for (std::size_t j = 0; j < fit.columns; ++j) {
     if (fit.column_counts[j] == 0) continue;
     means[j] /= static_cast<double>(fit.column_counts[j]);
     fit.shifts[j] += means[j];
     largest = std::max(largest, std::abs(means[j]));
   }
-  double* row = fit.residuals.data();
-  for (std::size_t i = 0; i < fit.levels.size(); ++i, row += columns)
-    for (std::size_t j = 0; j < columns; ++j) row[j] -= means[j];
-  return largest;
-}
-
-/// Sweeps until nothing moves.
-template <bool complete, typename Columns>
-void sweep(AdditiveFit& fit, Columns columns) {
-  sweep_rows_of<complete>(fit, columns);
-  double spread = 0.0;
-  for (double x : fit.residuals) spread = std::max(spread, std::abs(present<complete>(x)));
-  std::vector<double> means(columns);
-  for (int pass = 0; pass < passes_at_most; ++pass) {
-    const double moved = sweep_columns_of<complete>(fit, columns, means.data());
-    const double back = sweep_rows_of<complete>(fit, columns);
-    if (std::max(pass == 0 ? 0.0 : moved, back) <= 1e-12 * spread) break;
+  for (std::size_t i = 0; i < fit.levels.size(); ++i) {
+    double* row = fit.residuals.data() + i * fit.columns;
+    for (std::size_t j = 0; j < fit.columns; ++j) row[j] -= means[j];
   }
+  return largest;
 }
 
 void count_values(AdditiveFit& fit) {
@@ -113,12 +93,15 @@ AdditiveFit fit_additive(std::span<const double> table, std::size_t columns) {
                   std::vector<std::size_t>(rows, 0),
                   std::vector<std::size_t>(columns, 0)};
   count_values(fit);
-  using Standard = std::integral_constant<std::size_t, 5>;  // the runs of the standard programme
-  const bool complete = fit.count == table.size(), standard = columns == Standard::value;
-  if (complete)
-    standard ? sweep<true>(fit, Standard{}) : sweep<true>(fit, columns);
-  else
-    standard ? sweep<false>(fit, Standard{}) : sweep<false>(fit, columns);
+  sweep_rows(fit);
+  double spread = 0.0;
+  for (double x : fit.residuals) spread = std::max(spread, std::abs(present(x)));
+  std::vector<double> means;
+  for (int pass = 0; pass < passes_at_most; ++pass) {
+    const double moved = sweep_columns(fit, means);
+    const double back = sweep_rows(fit);
+    if (std::max(pass == 0 ? 0.0 : moved, back) <= 1e-12 * spread) break;
+  }
   centre(fit);
   for (double x : fit.residuals) fit.squares += present(x) * present(x);
   const auto used_rows = rows - static_cast<std::size_t>(std::ranges::count(fit.row_counts, std::size_t{0}));

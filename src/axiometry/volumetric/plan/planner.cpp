@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/volumetric/field/point_spread.h"
@@ -36,9 +35,7 @@ std::vector<Vector3> offsets_of(const MachineModel& machine) {
   return offsets;
 }
 
-std::string offset_text(Vector3 t) {
-  return fmt::format("[{}, {}, {}]", format_fixed(t.x, 0), format_fixed(t.y, 0), format_fixed(t.z, 0));
-}
+std::string offset_text(Vector3 t) { return fmt::format("[{:.0f}, {:.0f}, {:.0f}]", t.x, t.y, t.z); }
 
 void add_unseen(const Expectation& expected, std::vector<VolumetricFinding>& findings) {
   if (expected.unseen.empty()) return;
