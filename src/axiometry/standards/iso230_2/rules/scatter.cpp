@@ -18,6 +18,7 @@ namespace axiometry::iso230_2::rules {
 namespace {
 
 constexpr double least_change = 0.01;  // of a parameter, relative, that is worth a word
+constexpr double of_rounding = 1e-9;   // µm or ″: no reading tells it, but sums of equal ones may be off by as much
 
 /// "p = 0.003", "p < 0.0001".
 std::string chance_text(double p) { return p < 1e-4 ? std::string("p < 0.0001") : fmt::format("p = {:.4f}", p); }
@@ -91,13 +92,14 @@ std::string place_text(const Case& c, const UnevenScatter& uneven) {
   return uneven.direction ? fmt::format("{} {}", where, arrow(*uneven.direction)) : where;
 }
 
-/// "s_i go from 1.0 µm to 51 µm".
+/// "; s_i go from 1.0 µm to 51 µm", "" where an evaluation of means alone has none.
 std::string range_text(const Case& c) {
   double least = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (const PositionResult& p : c.evaluation.positions)
     for (const auto& s : {p.s_up, p.s_down})
       if (s) least = std::min(least, s->in_native()), largest = std::max(largest, s->in_native());
-  return fmt::format("s_i go from {} to {}", deviation_text(c, least), deviation_text(c, largest));
+  if (least > largest) return "";
+  return fmt::format("; s_i go from {} to {}", deviation_text(c, least), deviation_text(c, largest));
 }
 
 Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
@@ -108,7 +110,7 @@ Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
     const AxisParameters& p = c.evaluation.parameters;
     return note(
         "uneven-scatter", "3.18",
-        fmt::format("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}; {}",
+        fmt::format("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}{}",
                     deviation_text(c, within), arrow(*uneven.direction), deviation_text(c, elsewhere),
                     uneven.direction == Direction::up ? "↓" : "↑", chance, deviation_text(c, p.R_up->in_native()),
                     deviation_text(c, p.R_down->in_native()), range_text(c)));
@@ -118,7 +120,7 @@ Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
                                             : std::string("where they do not scatter elsewhere");
   const std::string_view of = uneven.first == uneven.last ? "this target" : "these targets";
   return note("uneven-scatter", "3.18",
-              fmt::format("found readings that scatter by {} at {}, {} ({}); {}; {}", deviation_text(c, within),
+              fmt::format("found readings that scatter by {} at {}, {} ({}){}; {}", deviation_text(c, within),
                           place_text(c, uneven), times, chance, range_text(c), consequence(c, rest_of(c, uneven), of)));
 }
 
@@ -155,8 +157,10 @@ std::vector<Finding> scatter_findings(const Case& c) {
     for (const OutlyingReading& outlier : study.outliers)
       findings.push_back(outlier_finding(c, outlier, axis.with(outlier.target, position_without(c.series, outlier))));
   }
-  if (study.uneven) findings.push_back(uneven_finding(c, *study.uneven));
-  if (study.shifts) findings.push_back(shifts_finding(c, *study.shifts));
+  if (study.uneven && study.uneven->within.in_native() > of_rounding)
+    findings.push_back(uneven_finding(c, *study.uneven));
+  if (study.shifts && study.shifts->between.in_native() > of_rounding)
+    findings.push_back(shifts_finding(c, *study.shifts));
   return findings;
 }
 
