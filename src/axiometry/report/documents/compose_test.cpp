@@ -370,7 +370,7 @@ TEST(Corrections, LeaveTheReadingsAsMeasuredInTheReport) {
 TEST(InformationSection, StatesTheDriftOfTheReadings) {
   EXPECT_THAT(
       facts(section(composed(reported_table2()), "information")),
-      Contains("Drift: −0.00258\u00a0µm per reading, standard uncertainty 0.00149\u00a0µm per reading, that is "
+      Contains("Drift: −0.00258\u00a0µm per reading, standard uncertainty 0.00743\u00a0µm per reading, that is "
                "−0.3\u00a0µm over the test (least-squares line in time with a constant per target and direction; "
                "readings equally far apart in the order of the standard cycle). Information only: nothing was "
                "removed."));
