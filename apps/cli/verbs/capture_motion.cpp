@@ -39,6 +39,7 @@ class MotionDisplay {
         fmt::format("{}  {}", left(capture::approach_name(value.approach), kind_width), app::value_text(value, motion));
     for (const std::string& remark : value.remarks) line += terminal_.yellow("; " + remark);
     fmt::print("{}\n", line);
+    tell_due(motion.values());
     std::fflush(stdout);
   }
 
@@ -55,18 +56,12 @@ class MotionDisplay {
     fmt::print(stderr, "axiometry: {}\n", report::printable(text));
   }
 
-  /// With keys the target that is due is told once, also where no line can be written over.
   void now(const app::CaptureSession& session) {
     if (quiet_) return;
     const capture::ValueListener& values = session.motion()->values();
+    tell_due(values);
     const auto due = values.due();
     const bool by_keys = values.options().sign == StopSign::keys;
-    if (due && by_keys && due_told_ != due) {
-      due_told_ = due;
-      clear();
-      fmt::print("{}  {}\n", left("next", kind_width), place(*due, values.plan()));
-      std::fflush(stdout);
-    }
     if (!shows_now_) return;
     std::string line = fmt::format("{} of {}", session.taken(), session.expected());
     line += values.now()
@@ -91,6 +86,16 @@ class MotionDisplay {
   static std::string place(const Approach& due, const Plan& plan) {
     return fmt::format("{} at {} mm", capture::approach_name(due),
                        format_fixed(plan.targets[due.target].in_native(), 4));
+  }
+
+  /// With keys the target that is due is told once, also where no line can be written over.
+  void tell_due(const capture::ValueListener& values) {
+    const auto due = values.due();
+    if (!due || values.options().sign != StopSign::keys || due_told_ == due) return;
+    due_told_ = due;
+    clear();
+    fmt::print("{}  {}\n", left("next", kind_width), place(*due, values.plan()));
+    std::fflush(stdout);
   }
 
   bool quiet_;
