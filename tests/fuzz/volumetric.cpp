@@ -39,9 +39,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     AXIOMETRY_CONTRACT(again && formats::write_volumetric_plan(*again) == written);
     walk(*plan);
   }
-  volumetric::MachineModel of_errors;
-  of_errors.travel = TravelBox{{0.0, 0.0, -500.0}, {1000.0, 600.0, 0.0}};
-  is_sound(formats::read_true_errors(bytes, of_errors));
+  static const volumetric::MachineModel erring = {.chain = *volumetric::KinematicChain::make("XFYZ"),
+                                                  .travel = {{0.0, 0.0, -500.0}, {1000.0, 600.0, 0.0}}};
+  is_sound(formats::read_true_errors(bytes, erring));
   if (const auto machine = formats::read_machine(bytes); is_sound(machine)) {
     const std::string written = json::dump(formats::machine_value(machine->machine));
     const auto again = formats::read_machine(written);
