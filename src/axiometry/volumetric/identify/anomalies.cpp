@@ -41,9 +41,6 @@ double line_statistic(std::span<const std::size_t> readings, const Normalised& z
   return sum * sum / (n * (n * n - 1.0) / 12.0);
 }
 
-/// By chance of n normalised residuals less than once in 10⁵ stretches.
-double break_limit(std::size_t readings) { return 30.0 + 4.0 * std::log(static_cast<double>(readings)); }
-
 double mean_residual(std::span<const std::size_t> readings, std::span<const double> residuals) {
   double sum = 0.0;
   for (const std::size_t i : readings) sum += residuals[i];
@@ -85,6 +82,9 @@ double share_of_clear(const Problem& problem, const State& state, std::size_t be
 }
 
 }  // namespace
+
+/// By chance of n normalised residuals less than once in 10⁵ stretches.
+double break_limit(std::size_t readings) { return 30.0 + 4.0 * std::log(static_cast<double>(readings)); }
 
 std::size_t stretch_before(const Unknowns& unknowns, std::size_t reading) {
   const Stretch& own = unknowns.stretches[unknowns.stretch_of[reading]];

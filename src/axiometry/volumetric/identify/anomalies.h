@@ -25,6 +25,9 @@ struct BreakSuspected {
 /// 10⁵ stretches.
 std::optional<BreakSuspected> clearest_break(const Problem& problem, std::span<const double> residuals_um);
 
+/// What a break must take of χ² among so many readings.
+double break_limit(std::size_t readings);
+
 /// That which the beam ended before a reading at whose place a stretch begins: of the same station, tool and segment.
 std::size_t stretch_before(const Unknowns& unknowns, std::size_t reading);
 

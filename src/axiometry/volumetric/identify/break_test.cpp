@@ -165,6 +165,24 @@ TEST(Identify, PlacesBreaksToTheReadingOrSaysBetweenWhich) {
 /// None in 40 such sets.
 TEST(Identify, TellsNoBreakInSetsWithoutOne) { EXPECT_EQ(placed(500, 4, {.outliers = 6}).elsewhere, 0u); }
 
+/// Curves take up a part of the jump, so that all stretches seem to drift.
+TEST(Identify, TellsABreakForNoDrift) {
+  for (const unsigned seed : {61u, 62u, 63u, 64u}) {
+    SCOPED_TRACE(seed);
+    test::TrueMachine machine("XFYZ", seed);
+    VolumetricLengths lengths = test::measured(machine, test::four_stations(), {.points = 100});
+    const std::size_t broken = 100 + 10 * (seed - 60);
+    for (std::size_t i = broken; i < 200; ++i)
+      lengths.readings[i].length_mm += 6e-3 * machine.model.sigma_um(lengths.readings[i].length_mm);
+    const auto result = identify(machine.model, lengths, {});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_FALSE(result->drift);
+    ASSERT_EQ(result->breaks.size(), 1u);
+    EXPECT_LE(result->breaks[0].earliest_reading, broken);
+    EXPECT_GE(result->breaks[0].latest_reading, broken);
+  }
+}
+
 /// Half way between both levels: on neither side is it an outlier.
 TEST(Identify, LeavesOutAReadingOfWhichNothingTellsOnWhichSideOfABreakItWasMeasured) {
   test::TrueMachine machine("XFYZ", 47);

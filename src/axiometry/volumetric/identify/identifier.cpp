@@ -295,13 +295,14 @@ Result<void> Identifier::fit_with_drift(bool drift) {
 }
 
 /// Drift first: in the order of a tour curves take up a part of it, and what is left looks like breaks. But a break
-/// looks like drift too: where breaks were found, it must show once more.
+/// looks like drift too: where breaks were found, it must show once more, and where none was, must explain more.
 Result<void> Identifier::find_drift_and_breaks() {
   const std::size_t before = breaks_.size();
   const bool drifted = drift_;
   AXIOMETRY_TRY_VOID(find_drift());
   AXIOMETRY_TRY_VOID(find_breaks());
-  if (options_.drift != DriftModel::automatic || drifted || !drift_ || breaks_.size() == before) return {};
+  if (options_.drift != DriftModel::automatic || drifted || !drift_) return {};
+  if (breaks_.size() == before) return take_breaks_for_drift();
   AXIOMETRY_TRY_VOID(fit_with_drift(false));
   AXIOMETRY_TRY_VOID(find_drift());
   return find_breaks();

@@ -70,6 +70,8 @@ class Identifier {
   Result<void> fit_first();
   Result<void> refit();
   Result<void> find_breaks();
+  Result<void> take_breaks_for_drift();
+  double cost_of_dead_paths(double scale) const;
   Result<void> drop_unclear_breaks();
   Result<void> settle_breaks();
   bool take_places(std::vector<BreakPlace> places);
