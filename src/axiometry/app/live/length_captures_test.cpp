@@ -272,7 +272,9 @@ TEST_F(LengthCaptures, ListensToAnInstrumentWhoseConnectionBreaks) {
   const CaptureState end = end_of(*service, service->start(wish(lines_task(2), {{"give-up", "5"}}, "laser")));
   EXPECT_THAT(end.notices, Contains(HasSubstr("connected again")));
   EXPECT_GE(end.lengths->end->found + 1, lines_task(2).stop_count()) << "all but the one that was cut";
-  EXPECT_EQ(service->length_file(end.id, "raw").value_or("").size(), bytes.size());
+  const std::string raw = service->length_file(end.id, "raw").value_or("");
+  EXPECT_TRUE(bytes.starts_with(raw)) << "what it showed behind the last stop need not have come yet";
+  EXPECT_GE(raw.size(), end.stage == Stage::complete ? bytes.size() * 9 / 10 : bytes.size());
   EXPECT_THAT(service->length_file(end.id, "lengths").value_or("Simulated"), testing::Not(HasSubstr("Simulated")));
 }
 

@@ -70,6 +70,7 @@ class Identifier {
   Result<void> fit_first();
   Result<void> refit();
   Result<void> find_breaks();
+  bool heed_stretches_set_aside();
   Result<void> take_breaks_for_drift();
   double cost_of_dead_paths(double scale) const;
   Result<void> drop_unclear_breaks();

@@ -19,11 +19,13 @@ constexpr std::size_t rounds_to_narrow = 4;  // from then on doubt only grows
 Result<void> Identifier::find_breaks() {
   if (!options_.find_breaks) return {};
   while (breaks_.size() < breaks_most) {
+    const bool heeded = heed_stretches_set_aside();
+    if (heeded) AXIOMETRY_TRY_VOID(refit());
     const std::vector<double> stated = stated_weights();
     Problem all = problem();
     all.weights = stated;
     const auto found = clearest_break(all, fit_->residuals_um);
-    if (!found) return {};
+    if (!found) return heeded ? find_outliers() : Result<void>{};
     breaks_.insert(std::ranges::upper_bound(breaks_, found->before), found->before);
     weights_ = stated;
     aside_.assign(aside_.size(), false);
@@ -33,6 +35,26 @@ Result<void> Identifier::find_breaks() {
     AXIOMETRY_TRY_VOID(settle_breaks());
   }
   return {};
+}
+
+/// Of a stretch with a large break a station found elsewhere may fit a few readings alone, with nearly all set aside:
+/// then nothing shows that these are two halves. Whether there was such a stretch.
+bool Identifier::heed_stretches_set_aside() {
+  std::vector<std::size_t> readings(unknowns_->stretches.size()), aside(readings.size());
+  for (std::size_t i = 0; i < aside_.size(); ++i) {
+    ++readings[unknowns_->stretch_of[i]];
+    if (aside_[i]) ++aside[unknowns_->stretch_of[i]];
+  }
+  const std::vector<double> stated = stated_weights();
+  bool heeded = false;
+  for (std::size_t i = 0; i < aside_.size(); ++i) {
+    const std::size_t stretch = unknowns_->stretch_of[i];
+    if (!aside_[i] || 2 * aside[stretch] <= readings[stretch]) continue;
+    heeded = true;
+    aside_[i] = false;
+    weights_[i] = stated[i];
+  }
+  return heeded;
 }
 
 /// Breaks without a drift, where these explain the lengths better than the drift that was found: of one break curves

@@ -171,5 +171,23 @@ TEST(SimulatedLengths, WithoutNoiseGiveBackTheErrorsInTheGauge) {
   EXPECT_NEAR(found->model.squareness(Squareness::A0Z)->value, gauged.squareness_urad[2], 0.02);
 }
 
+/// Jumps of 0.7 and 1.4 mm half way: a station found elsewhere fits four of the readings alone, all others lie beyond.
+TEST(SimulatedLengths, ShowABreakThoughNearlyAllReadingsOfItsStationFitNothing) {
+  MachineModel machine = simulated_machine();
+  machine.repeatability = Length::um(0.3);
+  for (const unsigned seed : {490u, 519u}) {
+    SCOPED_TRACE(seed);
+    const Draw draw{.seed = seed};
+    const auto simulated = simulate_lengths(machine, drawn_errors(machine.travel, {}, draw),
+                                            spread_visits(machine, 100, draw), {.untold_breaks = 1}, draw);
+    ASSERT_TRUE(simulated);
+    const auto found = identify(machine, simulated->lengths, {.sizes = {8, 8, 8}});
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->set_aside.size(), 0u);
+    ASSERT_EQ(found->breaks.size(), 1u);
+    EXPECT_EQ(found->breaks[0].before_reading, simulated->jumps[0].before_reading);
+  }
+}
+
 }  // namespace
 }  // namespace axiometry::volumetric
