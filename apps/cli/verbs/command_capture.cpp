@@ -185,9 +185,10 @@ void tell_of_standard_input(const CaptureArguments& arguments) {
   const app::CaptureRun& run = arguments.run;
   if (run.from != "-" || !run.raw.empty() || arguments.quiet || run.out == "-") return;
   if (!app::standard_input_is_a_stream()) return;
-  fmt::print(stderr,
-             "axiometry: what comes from the standard input is not kept as it came: --raw FILE keeps it, and --out FILE "
-             "does, as FILE.raw\n");
+  fmt::print(
+      stderr,
+      "axiometry: what comes from the standard input is not kept as it came: --raw FILE keeps it, and --out FILE "
+      "does, as FILE.raw\n");
 }
 
 int capture(const CaptureArguments& arguments) {
@@ -229,6 +230,8 @@ void check(CaptureArguments& arguments) {
     throw UsageError("--resume", "found with a file or - as source, expected with tcp:// or serial://");
   if (!*live && run.from != "-" && !run.raw.empty())
     throw UsageError("--raw", "found with a file as source, expected with tcp://, serial:// or -");
+  if (!*live && !give_up.empty())
+    throw UsageError("--give-up", "found with a file or - as source, expected with tcp:// or serial://");
   if (*live && run.raw.empty() && run.resume.empty()) {
     if (run.out.empty() || run.out == "-")
       throw UsageError("--raw", "found neither --raw nor --out FILE, expected a place to keep what arrives");

@@ -246,8 +246,7 @@ class ScriptWriter {
       turn_to(move.to, remark);
     else
       list_.push_back(Move{spelling_->at(move.to, first), spelling_->feed, std::move(remark)});
-    if (!move.approach) return;
-    add_rest(list_, spelling_->dwell, options_, limits_);
+    if (move.approach) add_rest(list_, spelling_->dwell, options_, limits_);
   }
 
   void turn_to(Position position, const std::string& remark) {

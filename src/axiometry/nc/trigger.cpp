@@ -56,8 +56,7 @@ Result<void> check_trigger(std::optional<unsigned> code, const TriggerCodes& all
     if (first <= last)
       ranges.push_back(first == last ? fmt::format("M{}", first) : fmt::format("M{}…M{}", first, last));
   }
-  return fail(
-      fmt::format("found M{} as trigger, which {}, expected one of {}", *code, does, fmt::join(ranges, ", ")));
+  return fail(fmt::format("found M{} as trigger, which {}, expected one of {}", *code, does, fmt::join(ranges, ", ")));
 }
 
 std::optional<unsigned> off_code(unsigned trigger, const TriggerCodes& allowed) {

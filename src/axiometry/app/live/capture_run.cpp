@@ -132,8 +132,8 @@ class Run {
     return log_ != nullptr ? log_->sync() : Result<void>{};
   }
 
-  /// What a pipe brings is nowhere else, so it goes to the disk first; where nothing comes no file bars the next. Without
-  /// arrivals, so that it reads the same played again: as a file.
+  /// What a pipe brings is nowhere else, so it goes to the disk first; where nothing comes no file bars the next.
+  /// Without arrivals, so that it reads the same played again: as a file.
   Result<void> keep_piped(std::string_view bytes) {
     if (run_.raw.empty()) return {};
     if (!piped_) {

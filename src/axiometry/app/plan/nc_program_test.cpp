@@ -43,6 +43,10 @@ TEST_F(NcProgram, SaysWhatThereIsInsteadOfWhatIsNot) {
   EXPECT_EQ(
       reason({.dialect = "grbl", .options = {.stop_at_lines = true}}),
       plan_ + ": found a stop before each line asked for, expected none: this is no tracking plan, which has lines");
+  const auto tour =
+      nc_program_of(volumetric::CalibrationPlan{}, {.dialect = "grbl", .options = {.stop_at_lines = true}});
+  ASSERT_FALSE(tour);
+  EXPECT_TRUE(tour.error().message.starts_with("found a stop before each line asked for, expected none: this is the"));
 }
 
 TEST_F(NcProgram, IsInTheFrameThatIsAskedFor) {

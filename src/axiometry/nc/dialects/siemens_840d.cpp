@@ -19,7 +19,8 @@ For 840D, 840D sl, 828D and SINUMERIK ONE in Siemens language (not in ISO dialec
 - Dwell: `G4 F3.0`, seconds
 - Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M27, M28, M57 to M59 or M150 to M189, between two halves of
   the dwell: numbers that neither RS-274-D nor the control gives to spindle, gears, punching or program. What the
-  machine's builder made of one stands in the machine's list of M codes: look there first, also whether it ends by itself
+  machine's builder made of one stands in the machine's list of M codes: look there first, also whether it ends by
+  itself
 - Lines in space: X, Y and Z in one block, which must be the geometry axes of the channel. F is the speed along the
   path as long as they are the axes of FGROUP, as they are by default; G60 G601 brings all of them to rest
 - Message: with `--stop-at-start`, `MSG("…")` shows what to do, and `M0` waits
