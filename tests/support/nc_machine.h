@@ -25,10 +25,10 @@ struct Visit {
   double resolution = 0.0;                ///< one unit of its last decimal, mm or degrees
   double feed = 0.0;                      ///< mm/min or degrees/min
   double dwell_s = 0.0;                   ///< all there
-  double dwell_before_m_code_s = 0.0;
-  std::size_t dwells = 0;  ///< blocks
+  std::size_t dwells = 0;                 ///< blocks
   std::vector<unsigned> m_codes = {};
-  std::size_t stops = 0;   ///< M0
+  std::vector<double> dwell_before_m_code_s = {};  ///< each of them
+  std::size_t stops = 0;                           ///< M0
   std::string frame = {};  ///< word by which the position is that of the machine, or the work offset's; "" as it is
 };
 
@@ -102,7 +102,7 @@ class NcMachine {
     } else if (code == 0) {
       ++at().stops;
     } else {
-      at().dwell_before_m_code_s = at().dwell_s;
+      at().dwell_before_m_code_s.push_back(at().dwell_s);
       at().m_codes.push_back(code);
     }
   }

@@ -9,6 +9,7 @@
 #include <vector>
 #include "cli/flags/verb.h"
 
+#include "axiometry/app/files/source.h"
 #include "axiometry/app/live/length_run.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/tracking/tracking_plan.h"
@@ -179,12 +180,15 @@ int capture_part(const CaptureArguments& arguments) {
   return capture_exit_code(lengths.lengths.readings.size(), lengths.planned);
 }
 
-/// A pipe is read as a file is, which is there still when the program was killed.
+/// What a pipe brings is there once only. With the test on the standard output another program uses it at once.
 void tell_of_standard_input(const CaptureArguments& arguments) {
-  if (arguments.run.from != "-" || arguments.quiet || arguments.run.out == "-") return;
-  fmt::print(stderr,
-             "axiometry: what comes from the standard input is not kept as it came: tee keeps it, as in "
-             "... | tee run.csv | axiometry capture --from - ...\n");
+  const app::CaptureRun& run = arguments.run;
+  if (run.from != "-" || !run.raw.empty() || arguments.quiet || run.out == "-") return;
+  if (!app::standard_input_is_a_stream()) return;
+  fmt::print(
+      stderr,
+      "axiometry: what comes from the standard input is not kept as it came: --raw FILE keeps it, and --out FILE "
+      "does, as FILE.raw\n");
 }
 
 int capture(const CaptureArguments& arguments) {
@@ -222,15 +226,20 @@ void check(CaptureArguments& arguments) {
   check_stop_flags(stops, options);
   auto live = app::parse_live(run.from);
   if (!live) throw UsageError("--from", live.error().message);
-  if (!*live && (!run.raw.empty() || !run.resume.empty()))
-    throw UsageError(run.raw.empty() ? "--resume" : "--raw",
-                     "found with a file as source, expected with tcp:// or serial://");
+  if (!*live && !run.resume.empty())
+    throw UsageError("--resume", "found with a file or - as source, expected with tcp:// or serial://");
+  if (!*live && run.from != "-" && !run.raw.empty())
+    throw UsageError("--raw", "found with a file as source, expected with tcp://, serial:// or -");
+  if (!*live && !give_up.empty())
+    throw UsageError("--give-up", "found with a file or - as source, expected with tcp:// or serial://");
   if (*live && run.raw.empty() && run.resume.empty()) {
     if (run.out.empty() || run.out == "-")
       throw UsageError("--raw", "found neither --raw nor --out FILE, expected a place to keep what arrives");
     run.raw = run.out + ".raw";
   }
-  if (*live || app::is_raw(run.from)) options.recording.skip_damaged = true;
+  const bool piped = run.from == "-" && app::standard_input_is_a_stream();
+  if (piped && run.raw.empty() && !run.out.empty() && run.out != "-") run.raw = run.out + ".raw";
+  if (*live || app::is_raw(run.from) || !run.raw.empty()) options.recording.skip_damaged = true;
   if (give_up.empty()) return;
   const auto seconds = parse_number(give_up);
   if (!seconds || *seconds < 0.0 || *seconds > 1e6)
@@ -245,7 +254,7 @@ void add_capture(const Verb& program, int& exit_code) {
   auto arguments = std::make_shared<CaptureArguments>();
   app::CaptureRun& run = arguments->run;
   verb->add_option("--from", run.from,
-                   "Where positions come from: a file, - for the standard input (no --raw is kept of it), "
+                   "Where positions come from: a file, - for the standard input, "
                    "tcp://host:port or serial:///dev/ttyACM0?baud=2000000")
       ->type_name("SOURCE")
       ->required();
@@ -254,8 +263,8 @@ void add_capture(const Verb& program, int& exit_code) {
                    "tracking plan, or a part of a volumetric plan, the table of lengths, at the end")
       ->type_name("FILE");
   Flag raw = verb->add_option("--raw", run.raw,
-                              "File for every byte of a live stream as it came (the name of --out and .raw); "
-                              "never overwritten")
+                              "File for every byte of a live stream, or of a pipe at -, as it came (the name of "
+                              "--out and .raw); never overwritten")
                  ->type_name("FILE");
   verb->add_option("--resume", run.resume, "Play such a file first, then go on with the stream and the file")
       ->type_name("FILE")

@@ -12,6 +12,7 @@
 #include "axiometry/app/evaluate/evaluate_many.h"
 #include "axiometry/app/results/second_opinion.h"
 #include "axiometry/report/drawing/utf8.h"
+#include "axiometry/report/shown_number.h"
 #include "cli/text/progress.h"
 #include "cli/text/summary.h"
 #include "cli/verbs/commands.h"
@@ -158,8 +159,18 @@ class Run {
     return error;
   }
 
+  /// Of a folder of axes of both kinds each takes the unit that it can; of one axis a unit that it has not is a
+  /// mistake.
+  void tell_of_unit(AxisKind kind) const {
+    if (report::is_unit_of(kind, arguments_.report.unit)) return;
+    fmt::print(stderr,
+               "axiometry: --unit: found the unit of another kind of axis, the figures of a {} axis are in {}\n",
+               axis_kind_name(kind), deviation_unit(kind));
+  }
+
   int finish() {
     if (single_) {
+      tell_of_unit(single_->test.metadata.axis.kind);
       if (stdout_is_free_) fmt::print("{}", summary(*single_, arguments_.report, terminal_, arguments_.detail));
       auto written = app::write_outputs(*single_, arguments_.outputs, arguments_.report);
       if (!written) return gave_up(written.error(), exit_bad_input);

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "axiometry/base/text.h"
+#include "axiometry/formats/text/streamed_text.h"
 
 namespace axiometry::formats {
 
@@ -17,19 +19,21 @@ const Recording* find_recording(std::string_view id) {
 
 Result<const Recording*> recognise_recording(std::string_view head) {
   if (head.empty()) return fail("found an empty recording, expected samples");
+  StreamedText text;
+  const std::string_view decoded = text.decoded(head);
   const Recording* best = nullptr;
   int best_score = 0;
   std::string titles;
   for (const Recording* recording : recording_table()) {
     titles += fmt::format("{}{} ({})", titles.empty() ? "" : "; ", recording->id, recording->title);
-    const int score = recording->recognise(head);
+    const int score = std::max(recording->recognise(head), text.is_utf16() ? recording->recognise(decoded) : 0);
     if (score <= best_score) continue;
     best = recording;
     best_score = score;
   }
   if (best != nullptr) return best;
   return fail(fmt::format("found a recording that begins with {}, expected one of: {}",
-                          text::quoted(text::trim(head.substr(0, head.find('\n')))), titles),
+                          text::quoted(text::trim(decoded.substr(0, decoded.find('\n')))), titles),
               {1, 1});
 }
 

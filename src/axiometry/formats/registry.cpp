@@ -55,7 +55,7 @@ Result<const Format*> recognise(std::string_view head) {
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())
     AXIOMETRY_TRY_VOID(check_utf8(text));
-  if (const std::string question = open_question(text); !question.empty()) return fail(question, {1, 1});
+  AXIOMETRY_TRY_VOID(check_table(text));
   return fail(fmt::format("found text that begins with {}, expected one of the {} formats that can be read; a CSV file "
                           "begins with a header such as target_mm,direction,run,deviation_um",
                           text::quoted(first_line(text)), format_table().size()),

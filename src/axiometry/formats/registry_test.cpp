@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
@@ -40,6 +41,23 @@ TEST(Registry, ReadsTheExampleOfEveryManualThatIsWhole) {
     const auto test = format->read(example);
     EXPECT_TRUE(test) << format->id << ": " << test.error().to_string();
   }
+}
+
+TEST(Registry, SaysWhatStandsInTheWayOfATableThatIsNotRecognised) {
+  const std::string table =
+      "Consigne [mm];Sens;Écart [µm]\n0;aller;0.5\n100;aller;0.6\n200;aller;0.4\n200;retour;0.7\n"
+      "100;retour;0.8\n0;retour;0.9\n";
+  const auto answer = [](const std::string& text) {
+    const auto found = recognise(text);
+    return found ? std::string((*found)->id) : found.error().to_string();
+  };
+  EXPECT_EQ(answer(table), "generic");
+  EXPECT_EQ(answer(table + "\nMoyenne\n0;0.6\n100;0.6\n"),
+            "line 10:1: found 2 fields, expected 3 as in the rest of the table");
+  std::string longer = table;
+  longer.replace(longer.find("0.6\n"), 4, "0.6;9\n");
+  EXPECT_EQ(answer(longer), "line 3:15: found 4 fields, expected 3 as in the rest of the table");
+  EXPECT_TRUE(answer("Dear Sir,\nours of 4 5\nwith 1 2 3\n").contains("found text that begins with \"Dear Sir,\""));
 }
 
 TEST(Registry, KnowsNoOtherFormat) { EXPECT_EQ(find_format("xlsx"), nullptr); }

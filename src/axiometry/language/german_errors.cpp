@@ -276,6 +276,7 @@ constexpr Phrase errors_rows[] = {
     {"may steer anything on this control", "an dieser Steuerung alles Mögliche steuern kann"},
     {"moves the machine", "die Maschine bewegt"},
     {"one of its words", "eines seiner Wörter"},
+    {"only switches an output off", "einen Ausgang nur ausschaltet"},
     {"steers clamps", "Klemmungen steuert"},
     {"steers feed, spindle or gears", "Vorschub, Spindel oder Getriebe steuert"},
     {"steers the overrides", "die Overrides steuert"},

@@ -176,6 +176,7 @@ constexpr Phrase files_rows[] = {
     {"found the format {0=}, expected {1=}", "Format {0}; erwartet: {1}"},
     {"found the kind {0=}, expected an object with a member {1=}",
      "Art {0}; erwartet: ein Objekt mit einem Eintrag {1}"},
+    {"found the numbers {0} in {1}; do they part axes?", "Zahlen {0} in {1}; trennen sie Achsen?"},
     {"found the row {0=} among rows of runs; is it a run too, or a limit or a mean?",
      "Zeile {0} zwischen Zeilen von Durchläufen; ist sie auch ein Durchlauf, oder eine Grenze oder ein "
      "Mittelwert?"},

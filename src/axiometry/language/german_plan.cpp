@@ -71,6 +71,9 @@ constexpr Phrase plan_rows[] = {
      "Positionen sind nicht angewendet"},
     {"found a sampling point that is not finite, expected positions",
      "ein Stützpunkt ist nicht endlich; erwartet: Positionen"},
+    {"found a step of targets beside their positions, expected one of them: positions are taken as they are",
+     "eine Schrittweite der Zielpositionen neben ihren Positionen; erwartet: eins von beiden, denn Positionen werden "
+     "genommen, wie sie sind"},
     {"found a stretch of {0#} of the normal working area, expected at most {1#}",
      "ein Teilstück von {0} des normalen Arbeitsbereichs; erwartet: höchstens {1}"},
     {"found a way from {0#} to {1#}, beyond one turn from 0°: where the control counts to 360° only, its program is to "
@@ -99,6 +102,15 @@ constexpr Phrase plan_rows[] = {
      "Raum für {0} um {1}; erwartet: mindestens zwei Perioden von {2}"},
     {"found room for {0#} targets every {1#}, expected an interval of at least {2#} (eight steps)",
      "Raum für {0} Zielpositionen alle {1}; erwartet: ein Abstand von mindestens {2} (acht Schritte)"},
+    {"found segments of a scale beside positions of targets, expected them where targets are drawn",
+     "Segmente eines Maßstabs neben Positionen der Ziele; erwartet: nur, wo Zielpositionen gezogen werden"},
+    {"found segments of a scale in the test for a periodic error, expected them in one over the travel",
+     "Segmente eines Maßstabs in der Prüfung auf eine periodische Abweichung; erwartet: nur in einer über den "
+     "Verfahrweg"},
+    {"found segments of a scale of an axis that turns without end, expected an axis with soft limits",
+     "Segmente eines Maßstabs einer Achse, die endlos dreht; erwartet: eine Achse mit Software-Endlagen"},
+    {"found segments of {0#}, of which one holds the measurement travel {1}, expected shorter ones",
+     "Segmente von {0}, von denen eines den Messweg {1} enthält; erwartet: kürzere"},
     {"found targets from {0}, expected them within the measurement travel {1}",
      "Zielpositionen von {0}; erwartet: innerhalb des Messwegs {1}"},
     {"found targets in {0#} % only of the period of {1#}, expected them spread over all of it; take another seed or "
@@ -115,6 +127,8 @@ constexpr Phrase plan_rows[] = {
      "{0} {1}, reicht mit Überläufen von {2} von {3}; erwartet: Raum innerhalb {4}"},
     {"found the {0} {1}, expected its lower end and then its higher one, within ±{2#}",
      "{0} {1}; erwartet: das untere Ende und dann das obere, innerhalb ±{2}"},
+    {"found {0#} as number of runs beside a sequence of {1#}, expected the sequence alone, which says it",
+     "{0} als Zahl der Läufe neben einer Reihenfolge mit {1}; erwartet: die Reihenfolge allein, die sie nennt"},
     {"found {0#} target, expected 2 to {1#}", "{0} Zielposition; erwartet: 2 bis {1}"},
     {"found {0#} targets over {1#}, expected at most {2#}", "{0} Zielpositionen über {1}; erwartet: höchstens {2}"},
     {"found {0#} targets, expected 2 to {1#}", "{0} Zielpositionen; erwartet: 2 bis {1}"},

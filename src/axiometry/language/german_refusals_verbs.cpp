@@ -35,6 +35,10 @@ constexpr Phrase refusals_verbs_rows[] = {
     {"found a stop before each line asked for, expected none: this is no tracking plan, which has lines",
      "ein Halt vor jeder Linie verlangt; erwartet: keiner, denn dies ist kein Plan für ein Trackinginterferometer, der "
      "Linien hat"},
+    {"found a stop before each line asked for, expected none: this is the plan of a volumetric calibration, whose "
+     "programs stop wherever the beam is to be found again",
+     "ein Halt vor jeder Linie verlangt; erwartet: keiner, denn dies ist der Plan einer volumetrischen Kalibrierung, "
+     "deren Programme überall halten, wo der Strahl wiederzufinden ist"},
     {"found a test of which {0=} does not keep a text that can be read again ({1}), expected another format such as "
      "json",
      "Prüfung, von der {0} keinen Text bewahrt, der sich wieder lesen lässt ({1}); erwartet: ein anderes Format, etwa "

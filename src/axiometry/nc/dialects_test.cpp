@@ -102,8 +102,9 @@ void expect_walked(const Trace& trace, const Plan& plan, const ProgramOptions& o
     ASSERT_GE(visit.dwell_s, plan.dwell.in_s() - 1e-9);
     ASSERT_LE(visit.dwell_s, plan.dwell.in_s() + dwell_step_s);
     if (options.trigger_m_code) {
-      ASSERT_EQ(visit.m_codes, std::vector<unsigned>{*options.trigger_m_code});
-      ASSERT_NEAR(visit.dwell_before_m_code_s, visit.dwell_s / 2, dwell_step_s);
+      ASSERT_EQ(visit.m_codes, (std::vector<unsigned>{*options.trigger_m_code, 9}));  // coolant: it must fall again
+      ASSERT_NEAR(visit.dwell_before_m_code_s[0], visit.dwell_s / 2, dwell_step_s);
+      ASSERT_EQ(visit.dwell_before_m_code_s[1], visit.dwell_s);
     } else {
       ASSERT_TRUE(visit.m_codes.empty());
     }
@@ -249,9 +250,9 @@ TEST(Dialects, RefuseOptionsThatTheirControlsDoNotHave) {
   EXPECT_EQ(refusal("fanuc", plan, {.number = 10'000}), "found program number 10000, expected 1 to 9999");
   EXPECT_EQ(refusal("haas", plan, {.number = 10'000}), "");
   EXPECT_EQ(refusal("fanuc", plan, {.trigger_m_code = 30}),
-            "found M30 as trigger, which ends the program, expected one of M7…M9, M24…M28, M57…M59, M150…M189");
+            "found M30 as trigger, which ends the program, expected one of M7…M8, M24…M28, M57…M59, M150…M189");
   EXPECT_EQ(refusal("linuxcnc", plan, {.trigger_m_code = 62}),
-            "found M62 as trigger, which may steer anything on this control, expected one of M7…M9, M100…M199");
+            "found M62 as trigger, which may steer anything on this control, expected one of M7…M8, M100…M199");
   EXPECT_EQ(refusal("fanuc", plan, {.decimals = 7}), "found 7 decimals, expected 0 to 6");
   EXPECT_NE(refusal("heidenhain", plan, {.block_numbers = false}), "");
 }

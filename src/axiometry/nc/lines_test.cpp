@@ -127,9 +127,10 @@ void expect_driven(const Trace& trace, std::span<const Plan> plans, const Progra
     ASSERT_GT(dot(way, here.way), 0.0) << "move " << k << " comes from the wrong side";
     ASSERT_GE(visit.dwell_s, here.plan->dwell.in_s() - 1e-9);
     ASSERT_LE(visit.dwell_s, here.plan->dwell.in_s() + step_s);
-    ASSERT_EQ(visit.m_codes.size(), options.trigger_m_code ? 1u : 0u);
+    ASSERT_EQ(visit.m_codes.size(), options.trigger_m_code ? 2u : 0u);  // on and off
     if (options.trigger_m_code) {
-      ASSERT_NEAR(visit.dwell_before_m_code_s, visit.dwell_s / 2, step_s);
+      ASSERT_NEAR(visit.dwell_before_m_code_s[0], visit.dwell_s / 2, step_s);
+      ASSERT_EQ(visit.dwell_before_m_code_s[1], visit.dwell_s);
     }
   }
 }

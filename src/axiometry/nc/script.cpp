@@ -158,13 +158,14 @@ std::string stop_message(const Move& last) {
   return fmt::format("SET THE INSTRUMENT, {} IS AT {}", last.axes[0].axis, last.axes[0].coordinate);
 }
 
-/// What follows on a move to a reading: dwell, trigger.
+/// What follows on a move to a reading: dwell, trigger, and its end where it would stay on.
 void add_rest(std::vector<Instruction>& list, long dwell, const ProgramOptions& options, const ControlLimits& limits) {
   const long before = options.trigger_m_code ? dwell / 2 : dwell;
   if (before > 0 || (dwell == 0 && limits.dwell_stops)) list.push_back(Dwell{before});
   if (!options.trigger_m_code) return;
   list.push_back(Trigger{*options.trigger_m_code});
   if (dwell > before) list.push_back(Dwell{dwell - before});
+  if (const auto off = off_code(*options.trigger_m_code, limits.m_codes)) list.push_back(Trigger{*off});
 }
 
 class ScriptWriter {
@@ -245,8 +246,7 @@ class ScriptWriter {
       turn_to(move.to, remark);
     else
       list_.push_back(Move{spelling_->at(move.to, first), spelling_->feed, std::move(remark)});
-    if (!move.approach) return;
-    add_rest(list_, spelling_->dwell, options_, limits_);
+    if (move.approach) add_rest(list_, spelling_->dwell, options_, limits_);
   }
 
   void turn_to(Position position, const std::string& remark) {

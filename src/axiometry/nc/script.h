@@ -32,7 +32,7 @@ struct ControlLimits {
   Duration dwell_longest = Duration::s(9'999.0);
   bool dwell_stops = false;  ///< whether only a dwell, be it of 0 s, makes the axis come to rest
   std::size_t loops = 0;     ///< how many a program may have
-  TriggerCodes m_codes = {{{7, 9}}};
+  TriggerCodes m_codes = {{coolant}};
   FrameWords frames = {};
   RolloverWords rollover = RolloverWords::increments;
 };
@@ -95,9 +95,9 @@ struct Script {
 /// rotary or of a control that needs no words for it. Needs sound plans.
 Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& options, const ControlLimits& limits);
 
-/// A tour: its heading, then its stops in order, at each reading a dwell and the trigger. With stop_at_start the
-/// operator sets the instrument at the first reading; where the beam was lost he finds it again. Coordinates are right
-/// within 0.05 µm in mm and inches. Fails on no reading and as above.
+/// A tour: its heading, then its stops in order, at each reading a dwell and the trigger, which ends with the dwell.
+/// With stop_at_start the operator sets the instrument at the first reading; where the beam was lost he finds it again.
+/// Coordinates are right within 0.05 µm in mm and inches. Fails on no reading and as above.
 Result<Script> make_script(const PointTour& tour, const ProgramOptions& options, const ControlLimits& limits);
 
 /// Of a program of one plan. "DWELL 3 S" and the like: what stands at its top, one comment each.

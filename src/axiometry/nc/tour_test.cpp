@@ -52,7 +52,7 @@ TEST(PointTour, PutsTheTriggerInTheMiddleOfTheDwell) {
   ASSERT_TRUE(program);
   const Trace trace = run_program("fanuc", *program);
   EXPECT_EQ(trace.visits[1].m_codes, std::vector<unsigned>{27});
-  EXPECT_NEAR(trace.visits[1].dwell_before_m_code_s, 1.5, 1e-9);
+  EXPECT_NEAR(trace.visits[1].dwell_before_m_code_s.at(0), 1.5, 1e-9);
   EXPECT_TRUE(trace.visits[2].m_codes.empty());
 }
 

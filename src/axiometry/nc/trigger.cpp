@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -48,13 +49,20 @@ std::string_view meaning_of(unsigned code) {
 Result<void> check_trigger(std::optional<unsigned> code, const TriggerCodes& allowed) {
   if (!code) return {};
   std::vector<std::string> ranges;
-  for (const auto& [first, last] : allowed) {
+  std::string_view does = meaning_of(*code);
+  for (const auto& [first, last, off, last_off] : allowed) {
     if (*code >= first && *code <= last) return {};
+    if (off > 0 && *code >= off && *code <= last_off) does = "only switches an output off";
     if (first <= last)
       ranges.push_back(first == last ? fmt::format("M{}", first) : fmt::format("M{}…M{}", first, last));
   }
-  return fail(fmt::format("found M{} as trigger, which {}, expected one of {}", *code, meaning_of(*code),
-                          fmt::join(ranges, ", ")));
+  return fail(fmt::format("found M{} as trigger, which {}, expected one of {}", *code, does, fmt::join(ranges, ", ")));
+}
+
+std::optional<unsigned> off_code(unsigned trigger, const TriggerCodes& allowed) {
+  for (const auto& [first, last, off, last_off] : allowed)
+    if (off > 0 && trigger >= first && trigger <= last) return std::min(off + (trigger - first), last_off);
+  return std::nullopt;
 }
 
 }  // namespace axiometry::nc

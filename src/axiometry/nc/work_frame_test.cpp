@@ -109,9 +109,9 @@ TEST(Triggers, AreOnlyTheMCodesThatSteerNothing) {
     return program ? std::string() : program.error().message;
   };
   EXPECT_EQ(refusal_of("fanuc", 19),
-            "found M19 as trigger, which steers the spindle, expected one of M7…M9, M24…M28, M57…M59, M150…M189");
+            "found M19 as trigger, which steers the spindle, expected one of M7…M8, M24…M28, M57…M59, M150…M189");
   EXPECT_EQ(refusal_of("heidenhain", 128),
-            "found M128 as trigger, which may steer anything on this control, expected one of M8…M9, M24…M28, M57…M59");
+            "found M128 as trigger, which may steer anything on this control, expected one of M8, M24…M28, M57…M59");
   for (const Dialect* dialect : dialect_table())
     for (unsigned code : {0u,  1u,  2u,  3u,  4u,  5u,  6u,  10u, 13u, 17u, 19u, 20u, 29u,  30u,        40u,
                           41u, 42u, 45u, 48u, 60u, 70u, 89u, 91u, 94u, 96u, 98u, 99u, 203u, 99'999'999u})
@@ -121,8 +121,30 @@ TEST(Triggers, AreOnlyTheMCodesThatSteerNothing) {
     EXPECT_NE(refusal_of("heidenhain", code), "") << "M" << code;
   for (unsigned code : {20u, 22u, 23u, 25u, 26u}) EXPECT_NE(refusal_of("siemens-840d", code), "") << "punching";
   EXPECT_EQ(refusal_of("siemens-840d", 27), "");
-  EXPECT_EQ(refusal_of("haas", 61), "");
   EXPECT_EQ(refusal_of("linuxcnc", 199), "");
+}
+
+/// An instrument waits for a rise, and an output that is on already does not rise.
+TEST(Triggers, OfOutputsThatStayOnAreSwitchedOffBehindTheDwell) {
+  const Plan plan = framed_plan();
+  const auto codes_of = [&](std::string_view dialect, unsigned code) {
+    const auto program = find_dialect(dialect)->write({&plan, 1}, {.trigger_m_code = code});
+    EXPECT_TRUE(program) << dialect << " M" << code;
+    for (const testing_support::Visit& visit : testing_support::run_program(dialect, program ? *program : "").visits)
+      if (!visit.m_codes.empty()) return visit.m_codes;
+    return std::vector<unsigned>();
+  };
+  using Codes = std::vector<unsigned>;
+  for (const Dialect* dialect : dialect_table()) EXPECT_EQ(codes_of(dialect->id, 8), (Codes{8, 9})) << dialect->id;
+  EXPECT_EQ(codes_of("haas", 51), (Codes{51, 61}));
+  EXPECT_EQ(codes_of("haas", 52), (Codes{52, 62}));
+  EXPECT_EQ(codes_of("haas", 21), (Codes{21}));
+  EXPECT_EQ(codes_of("fanuc", 57), (Codes{57})) << "the builder's";
+  for (const Dialect* dialect : dialect_table()) {
+    const auto off = find_dialect(dialect->id)->write({&plan, 1}, {.trigger_m_code = 9});
+    ASSERT_FALSE(off) << dialect->id;
+    EXPECT_TRUE(off.error().message.starts_with("found M9 as trigger, which only switches an output off, expected"));
+  }
 }
 
 }  // namespace

@@ -27,6 +27,12 @@ ParameterScale parameter_scale(AxisKind kind, DisplayUnit unit) {
   return {deviation_unit(kind), 1.0, 0};
 }
 
+bool is_unit_of(AxisKind kind, DisplayUnit unit) {
+  using enum DisplayUnit;
+  if (unit == native) return true;
+  return (unit == deg || unit == arcsec) == (kind == AxisKind::rotary);
+}
+
 int uncertainty_decimals(Deviation uncertainty, const ParameterScale& scale, const Options& options) {
   constexpr double rounding_noise = 1e-6;  // native
   return uncertainty.in_native() > rounding_noise

@@ -21,6 +21,9 @@ struct ParameterScale {
 };
 ParameterScale parameter_scale(AxisKind kind, DisplayUnit unit);
 
+/// Whether it is one of that kind of axis, as native always is.
+bool is_unit_of(AxisKind kind, DisplayUnit unit);
+
 /// Where an uncertainty of two digits ends, and what stands beside it; below a picometre, which is what rounding leaves
 /// of none, where deviations do. Contract: deviation_decimals are chosen.
 int uncertainty_decimals(Deviation uncertainty, const ParameterScale& scale, const Options& options);

@@ -138,4 +138,9 @@ std::string base_name(const std::string& name) {
   return name == "-" ? "standard input" : name.substr(name.find_last_of("/\\") + 1);  // npos + 1 is 0
 }
 
+bool standard_input_is_a_stream() {
+  struct stat status {};
+  return ::fstat(STDIN_FILENO, &status) == 0 && !S_ISREG(status.st_mode);
+}
+
 }  // namespace axiometry::app

@@ -21,6 +21,9 @@ Result<std::string> file_bytes(const std::string& name, std::size_t limit = read
 /// A file's name without its folders, which are nobody else's business; "standard input" for "-".
 std::string base_name(const std::string& name);
 
+/// Whether "-" brings what is in no file: a pipe, a socket, a terminal. What a shell redirects is a file.
+bool standard_input_is_a_stream();
+
 /// A file, for "-" the standard input, or bytes that are there already, read front to back. The beginning can be
 /// looked at before.
 class Source final : public formats::ByteReader {

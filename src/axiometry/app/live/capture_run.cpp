@@ -125,10 +125,23 @@ class Run {
         end_ = CaptureSession::End::of_file;
         break;
       }
+      AXIOMETRY_TRY_VOID(keep_piped({block.data(), got}));
       AXIOMETRY_TRY(const auto readings, session_.feed({block.data(), got}));
       AXIOMETRY_TRY_VOID(settle(readings, false));
     }
-    return {};
+    return log_ != nullptr ? log_->sync() : Result<void>{};
+  }
+
+  /// What a pipe brings is nowhere else, so it goes to the disk first; where nothing comes no file bars the next.
+  /// Without arrivals, so that it reads the same played again: as a file.
+  Result<void> keep_piped(std::string_view bytes) {
+    if (run_.raw.empty()) return {};
+    if (!piped_) {
+      AXIOMETRY_TRY(RawLog log, RawLog::create(run_.raw));
+      log_ = &piped_.emplace(std::move(log));
+      AXIOMETRY_TRY_VOID(hold(run_.raw));
+    }
+    return piped_->append(bytes, std::nullopt);
   }
 
   /// Of a recording that is to hold some.
@@ -154,10 +167,6 @@ class Run {
   /// A connection behind the one before: first in the log, then for the readings that the break cuts off.
   Result<void> begin_another(RawLog& log) {
     AXIOMETRY_TRY_VOID(sound(log.begin_connection()));
-    return interrupted();
-  }
-
-  Result<void> interrupted() {
     AXIOMETRY_TRY(const auto readings, session_.interrupted());
     return settle(readings, false);
   }
@@ -326,6 +335,7 @@ class Run {
   Clock::time_point connected_, shown_;
   std::optional<Outage> outage_;
   std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
+  std::optional<RawLog> piped_;
   RawLog* log_ = nullptr;
   std::optional<RawHold> hold_;
   std::optional<ArrivalNs> first_arrival_;

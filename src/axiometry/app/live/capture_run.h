@@ -18,7 +18,7 @@ namespace axiometry::app {
 /// Where a recording comes from and where it goes.
 struct CaptureRun {
   std::string from;    ///< file, "-", "tcp://…" or "serial://…"
-  std::string raw;     ///< of a live source: file of all bytes that came; must not exist
+  std::string raw;     ///< of a live source or a pipe: file of all bytes that came; must not exist
   std::string resume;  ///< instead: such a file, which is played first and goes on
   std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
   Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
@@ -47,11 +47,11 @@ struct CaptureOutcome {
   std::size_t lost = 0;
 };
 
-/// Reads until the plan is complete, the stream ends or the observer stops it. Every byte of a live source goes to the
-/// raw file before it is used; the test file is whole at every moment. Fails as CaptureSession does, on a MiB without a
-/// line break from a live source, on a source that cannot be opened and on files that cannot be written; the files hold
-/// then what has come so far. Of a raw recording what is sound is played (play_into()). Fails at once when
-/// the test file would take the place of the recording or the plan.
+/// Reads until the plan is complete, the stream ends or the observer stops it. Every byte of a live source, or of a
+/// pipe for which a raw file is named, goes to that file before it is used; the test file is whole at every moment.
+/// Fails as CaptureSession does, on a MiB without a line break from a live source, on a source that cannot be opened
+/// and on files that cannot be written; the files hold then what has come so far. Of a raw recording what is sound is
+/// played (play_into()). Fails at once when the test file would take the place of the recording or the plan.
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
 

@@ -119,6 +119,10 @@ Result<nc::PointTour> tour_of(const volumetric::CalibrationPlan& plan, const NcR
         fmt::format("found the line {} asked for, expected none: this is the plan of a volumetric calibration, "
                     "which has runs (--part)",
                     text::quoted(request.line)));
+  if (request.options.stop_at_lines)
+    return fail(
+        "found a stop before each line asked for, expected none: this is the plan of a volumetric calibration, whose "
+        "programs stop wherever the beam is to be found again");
   if (request.part < 1 || request.part > plan.runs.size())
     return fail(fmt::format("found part {} asked for, expected 1 to {}: a run for each station and tool", request.part,
                             plan.runs.size()));

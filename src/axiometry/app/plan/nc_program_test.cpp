@@ -39,10 +39,14 @@ TEST_F(NcProgram, SaysWhatThereIsInsteadOfWhatIsNot) {
   EXPECT_EQ(reason({.dialect = "grbl", .part = 0}), plan_ + ": found part 0 asked for, expected 1 to 2");
   EXPECT_EQ(reason({.dialect = "linuxnc"}), "found the unknown dialect \"linuxnc\", expected perhaps linuxcnc");
   EXPECT_EQ(reason({.dialect = "grbl", .options = {.trigger_m_code = 3}}),
-            plan_ + ": found M3 as trigger, which steers the spindle, expected one of M7…M9");
+            plan_ + ": found M3 as trigger, which steers the spindle, expected one of M7…M8");
   EXPECT_EQ(
       reason({.dialect = "grbl", .options = {.stop_at_lines = true}}),
       plan_ + ": found a stop before each line asked for, expected none: this is no tracking plan, which has lines");
+  const auto tour =
+      nc_program_of(volumetric::CalibrationPlan{}, {.dialect = "grbl", .options = {.stop_at_lines = true}});
+  ASSERT_FALSE(tour);
+  EXPECT_TRUE(tour.error().message.starts_with("found a stop before each line asked for, expected none: this is the"));
 }
 
 TEST_F(NcProgram, IsInTheFrameThatIsAskedFor) {

@@ -148,7 +148,7 @@ ArrivalNs RawLog::stamp() {
 
 Result<void> RawLog::put(int descriptor, std::string_view bytes) const { return put_all(descriptor, bytes, name_); }
 
-Result<void> RawLog::append(std::string_view bytes, ArrivalNs arrival) {
+Result<void> RawLog::append(std::string_view bytes, std::optional<ArrivalNs> arrival) {
   if (bytes.empty()) return {};
   AXIOMETRY_TRY_VOID(put(bytes_, bytes));
   const RawStamp stamp{size_ + bytes.size(), arrival, std::exchange(connection_begins_, false)};

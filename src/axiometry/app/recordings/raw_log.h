@@ -32,8 +32,9 @@ class RawLog {
   /// Arrival of what comes next: now, but never before the piece before.
   ArrivalNs stamp();
   /// The bytes first, then their time, both by write(2): a process that is killed in between leaves bytes whose arrival
-  /// is not known, never a time that points beyond the bytes. Calls sync_when_due().
-  Result<void> append(std::string_view bytes, ArrivalNs arrival);
+  /// is not known, never a time that points beyond the bytes. Without an arrival it stays unknown, as of a pipe whose
+  /// readings do not depend on it. Calls sync_when_due().
+  Result<void> append(std::string_view bytes, std::optional<ArrivalNs> arrival);
   /// The next piece begins a new connection. That stands in the times before it comes, so that a reading which the
   /// break has cut off stays as it was told whatever becomes of that piece.
   Result<void> begin_connection();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/formats/text/decoded_text.h"
 
 namespace axiometry::formats {
 namespace {
@@ -25,12 +26,13 @@ std::unexpected<Error> fail_long_line(TextPosition at) {
 
 std::vector<std::string> LineReader::remarks() const {
   std::vector<std::string> all = judge_.remarks();
+  if (text_.is_utf16()) all.push_back(encoding_remarks({{}, "UTF-16"}).front().message);
   if (kind_ == StampJudge::Kind::times && options_.rate_hz) all.emplace_back(unused_rate);
   return all;
 }
 
 Result<void> LineReader::feed(std::string_view bytes, const SampleSink& sink) {
-  auto taken = take_lines(bytes, sink);
+  auto taken = take_lines(text_.decoded(bytes), sink);
   auto flushed = flush(sink);  // also what stood before a refused line
   return taken ? flushed : taken;
 }
@@ -69,6 +71,7 @@ Result<void> LineReader::finish(const SampleSink& sink) {
 
 Result<void> LineReader::interrupted(const SampleSink& sink) {
   auto settled = settle_all(judge_.flush());
+  text_.interrupted();
   forget_line();
   if (settled) settled = cut_off();
   damaged_in_a_row_ = 0;  // those of a connection that is over

@@ -9,17 +9,18 @@
 
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/stamp_judge.h"
+#include "axiometry/formats/text/streamed_text.h"
 
 namespace axiometry::formats {
 
-/// What readers of lines share: bytes cut anywhere become lines, samples go on in batches, damaged lines are refused
-/// or counted. A reader of one layout says what a line is.
+/// What readers of lines share: bytes cut anywhere become lines of UTF-8, samples go on in batches, damaged lines are
+/// refused or counted. A reader of one layout says what a line is.
 class LineReader : public RecordingReader {
  public:
   Result<void> feed(std::string_view bytes, const SampleSink& sink) final;
   Result<void> finish(const SampleSink& sink) final;
   Result<void> interrupted(const SampleSink& sink) final;
-  std::size_t unfinished() const final { return begun_.size(); }
+  std::size_t unfinished() const final { return begun_.size() + text_.unfinished(); }
   std::uint64_t without_break() const final { return without_break_; }
   std::size_t lost() const final { return damaged_ + lost_ + judge_.rejected(); }
   std::vector<std::string> remarks() const final;
@@ -62,6 +63,7 @@ class LineReader : public RecordingReader {
   RecordingOptions options_;
   StampJudge::Kind kind_;
   StampJudge judge_;
+  StreamedText text_;
   bool skip_to_break_ = false;
   std::string begun_;  // a line whose break has not come yet
   std::uint64_t without_break_ = 0;

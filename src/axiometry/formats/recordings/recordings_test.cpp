@@ -51,6 +51,28 @@ TEST(TimePosition, ReadsEveryDelimiterAndDecimalMark) {
   EXPECT_EQ(from_text("# comment\n\n0;1.5;\n% more\n0.1;1.25;\n"), "0:1.5 0.1:1.25");
 }
 
+/// As programs of Windows write it: with a byte order mark, low bytes first.
+std::string windows_utf16(std::u16string_view text) {
+  std::string bytes = "\xFF\xFE";
+  for (const char16_t unit : text) (bytes += static_cast<char>(unit & 0xFF)) += static_cast<char>(unit >> 8);
+  return bytes;
+}
+
+TEST(TimePosition, ReadsUtf16AsUtf8) {
+  const std::string bytes = windows_utf16(u"t [ms];x [\u00B5m]\r\n250;1500\r\n500;1250\r\n");
+  EXPECT_EQ(from_text(bytes), "0.25:1.5 0.5:1.25");
+  const auto known = recognise_recording(bytes);
+  ASSERT_TRUE(known) << known.error().message;
+  EXPECT_EQ((*known)->id, "time-position");
+  const auto reader = (*known)->open({});
+  ASSERT_TRUE(reader);
+  ASSERT_TRUE((*reader)->feed(bytes, [](auto) { return Result<void>{}; }));
+  EXPECT_THAT((*reader)->remarks(), testing::ElementsAre("found text that is not UTF-8; it was read as UTF-16"));
+  const std::string log = windows_utf16(u"IOC:X 2026-11-21 12:00:00.0 -5.0001\nIOC:X 2026-11-21 12:00:00.1 -5\n");
+  EXPECT_EQ((*recognise_recording(log))->id, "camonitor-stream");
+  EXPECT_EQ(text_of(read_samples("camonitor-stream", log, {})), "0:-5.0001 0.1:-5");
+}
+
 TEST(TimePosition, TakesUnitsFromTheHeader) {
   EXPECT_EQ(from_text("time_s,position_mm\n1,2\n"), "1:2");
   EXPECT_EQ(from_text("\xEF\xBB\xBFt [ms];x [µm]\n250;1500\n"), "0.25:1.5");

@@ -129,6 +129,7 @@ time_s,position_mm
 0.020,-4.9999
 ```
 
+- UTF-8, or UTF-16 with a byte order mark, as programs of Windows write it.
 - Columns are separated by comma, semicolon, tab or blanks. Numbers have a decimal point, or a decimal comma where the
   comma parts no columns.
 - Without a header there are two columns: time in s, position in mm (° on a rotary axis). A header names the columns

@@ -245,9 +245,14 @@ Result<Test> read_guessed(const Guess& found, std::string_view bytes) {
   return test;
 }
 
-std::string open_question(std::string_view head) {
-  const auto found = guess(whole_lines(head));
-  return found && !found->questions.empty() ? told(found->questions.front()) : std::string();
+Result<void> check_table(std::string_view head) {
+  const std::string_view text = whole_lines(head);
+  const auto found = guess(text);
+  if (found && found->questions.empty()) return {};
+  if (found) return fail(told(found->questions.front()), {1, 1});
+  const auto decoded = decode(text, TextEncoding::automatic);
+  if (found.error().at.line == 0 || !decoded || rows_of_table(lines_of(decoded->text)) < fewest_rows) return {};
+  return std::unexpected(found.error());
 }
 
 extern const Format generic_delimited_format;

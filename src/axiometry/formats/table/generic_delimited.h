@@ -52,7 +52,8 @@ Result<Test> read_with(const ImportProfile& profile, std::string_view bytes);
 /// guess(), then read_with(), and every decision in the remarks. Fails with the first question where there is one.
 Result<Test> read_guessed(std::string_view bytes);
 
-/// The first question of the guess about a file that no format recognises, as a message; empty where there is no table.
-std::string open_question(std::string_view head);
+/// Why a file that no format recognises is not read as a table: with the first question of the guess, or with what in
+/// it is no row of the rest. Passes where there is no table of five rows, which says nothing.
+Result<void> check_table(std::string_view head);
 
 }  // namespace axiometry::formats

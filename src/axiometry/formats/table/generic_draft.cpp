@@ -75,6 +75,7 @@ class Roles {
   explicit Roles(Draft& draft) : draft_(draft), taken_(draft.shape.columns, false) {}
 
   void decide() {
+    set_axes_aside();
     find_directions();
     find_target();
     if (!find_wide()) find_readings();
@@ -100,6 +101,24 @@ class Roles {
     if (clock_seconds(f.spellings.front(), draft_.shape.decimal_mark)) return false;
     const std::size_t kinds = f.spellings.size() + (f.missing > 0 ? 1 : 0);
     return kinds >= 2 && kinds <= few;
+  }
+
+  /// Before anything takes them for runs; but targets are below "Axis" too, where no other column holds any.
+  void set_axes_aside() {
+    if (draft_.shape.names.empty()) return;
+    const Columns found = columns_where(draft_, [&](std::size_t c) {
+      const Head& head = draft_.heads[c];
+      return (head.role == HeadRole::unknown || head.role == HeadRole::index) && head.unit == nullptr &&
+             may_number_axes(draft_.shape.names[c], draft_.facts[c]);
+    });
+    if (found.empty()) return;
+    for (const std::size_t c : found) taken_[c] = true;
+    const bool targets_elsewhere =
+        !free_with(HeadRole::target).empty() || !free_with(HeadRole::position).empty() || !target_by_numbers().empty();
+    for (const std::size_t c : found) {
+      taken_[c] = targets_elsewhere;
+      if (targets_elsewhere) ask_about_axes(draft_, c, draft_.facts[c]);
+    }
   }
 
   void take(std::size_t c, ImportRole role, double confidence, std::string reason) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/formats/table/generic_columns.h"
@@ -29,6 +30,10 @@ struct Draft {
   void ask(std::string key, std::string question);
   void give_role(std::size_t c, ImportRole role, double confidence, std::string reason);
 };
+
+/// "Axis" above a few whole numbers that come back: each may be another axis, whose rows are none of this one.
+bool may_number_axes(std::string_view name, const ColumnFacts& facts);
+void ask_about_axes(Draft& draft, std::size_t c, const ColumnFacts& facts);
 
 /// Whether the targets stand across; then everything is decided here.
 bool decide_transposed(Draft& draft);

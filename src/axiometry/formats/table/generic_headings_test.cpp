@@ -112,5 +112,41 @@ TEST(GenericHeadings, WordsThatMayPartTheRowsAreAskedFor) {
   expect_headed(with("Axe", "X", "X"));
 }
 
+/// Two axes of one file, one run each, are not two runs of one axis.
+TEST(GenericHeadings, NumbersOfAxesAreAskedForAndAreNoRuns) {
+  const auto with = [](const std::string& head, const std::string& first, const std::string& other) {
+    return headed(head + ";Soll [mm];Abweichung [µm]\n", [&](const HeadedRow& r) {
+      return fmt::format("{};{};{}\n", r.run == 0 ? first : other, r.target, r.deviation);
+    });
+  };
+  for (const std::string head : {"Achse", "Axe", "Axis no", "Asse"})
+    for (const auto& [first, other] : {std::pair("1", "2"), std::pair("3", "5"), std::pair("0", "1")}) {
+      const std::string answer = answer_under(with(head, first, other));
+      EXPECT_TRUE(answer.contains(fmt::format("found the numbers {}, {} in column 1", first, other))) << answer;
+    }
+  expect_headed(with("Achse", "2", "2"));
+  expect_headed(with("Lauf", "1", "2"));
+  const std::string wide = answer_under(
+      "Axe;Consigne [mm];Passage 1 aller [µm];Passage 1 retour [µm]\n1;0;0.1;0.6\n1;100;0.2;0.5\n1;200;0.3;0.4\n"
+      "2;0;0.1;0.6\n2;100;0.2;0.5\n2;200;0.3;0.4\n");
+  EXPECT_TRUE(wide.contains("found the numbers 1, 2 in column 1")) << wide;
+  const auto across = [](const std::string& name, const std::string& first, const std::string& other) {
+    return name + ";Soll [mm];0;100;200\n" + first + ";Lauf 1 auf [µm];0.1;0.2;0.3\n" + first +
+           ";Lauf 1 ab [µm];0.6;0.5;0.4\n" + other + ";Lauf 2 auf [µm];0.7;0.8;0.9\n" + other +
+           ";Lauf 2 ab [µm];1.2;1.1;1.0\n";
+  };
+  const std::string numbers = answer_under(across("Achse", "1", "2")), words = answer_under(across("Achse", "X", "Y"));
+  EXPECT_TRUE(numbers.contains("found the numbers 1, 2")) << numbers;
+  EXPECT_TRUE(words.contains("found the words \"X\", \"Y\"")) << words;
+}
+
+/// Where nothing else is a target, numbers below "Axis" are its positions.
+TEST(GenericHeadings, TargetsBelowAnAxisAreTargets) {
+  const std::string answer = answer_under(headed("Axe;Abweichung [µm]\n", [](const HeadedRow& r) {
+    return fmt::format("{};{}\n", r.target / 10.0, r.deviation);
+  }));
+  EXPECT_TRUE(answer.contains("in which unit are the targets (column 1 \"Axe\")")) << answer;
+}
+
 }  // namespace
 }  // namespace axiometry::formats

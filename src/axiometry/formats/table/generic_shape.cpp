@@ -44,6 +44,7 @@ struct Split {
   Delimiter delimiter = Delimiter::comma;
   std::size_t columns = 0;
   double score = 0.0;  ///< rows times the share of their cells that are numbers or missing
+  std::size_t rows = 0;
 };
 
 Split split_at(std::span<const PlainLine> lines, Delimiter delimiter, std::string_view comment) {
@@ -70,7 +71,16 @@ Split split_at(std::span<const PlainLine> lines, Delimiter delimiter, std::strin
   for (const auto& [width, count] : by_width) {
     const double score =
         static_cast<double>(count.rows) * static_cast<double>(count.numeric) / static_cast<double>(count.cells);
-    if (score > best.score) best = {delimiter, width, score};
+    if (score > best.score) best = {delimiter, width, score, count.rows};
+  }
+  return best;
+}
+
+Split best_split(std::span<const PlainLine> lines, std::string_view comment) {
+  Split best;
+  for (const Delimiter delimiter : {Delimiter::tab, Delimiter::semicolon, Delimiter::comma, Delimiter::blanks}) {
+    const Split trial = split_at(lines, delimiter, comment);
+    if (trial.score > best.score) best = trial;
   }
   return best;
 }
@@ -273,14 +283,12 @@ std::string end_of_table(const PlainLine& line, const TableShape& shape) {
 
 }  // namespace
 
+std::size_t rows_of_table(std::span<const PlainLine> lines) { return best_split(lines, comment_mark_of(lines)).rows; }
+
 Result<TableShape> find_shape(std::span<const PlainLine> lines) {
   TableShape shape;
   shape.comment = comment_mark_of(lines);
-  Split split;
-  for (const Delimiter delimiter : {Delimiter::tab, Delimiter::semicolon, Delimiter::comma, Delimiter::blanks}) {
-    const Split trial = split_at(lines, delimiter, shape.comment);
-    if (trial.score > split.score) split = trial;
-  }
+  const Split split = best_split(lines, shape.comment);
   const auto block = split.score > 0.0 ? block_of(lines, split, shape.comment) : std::nullopt;
   if (!block) {
     for (const PlainLine& line : lines)

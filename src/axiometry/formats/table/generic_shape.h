@@ -36,4 +36,7 @@ inline constexpr std::size_t rows_looked_at = 5000;
 /// when rows of numbers stand below it that have another number of cells.
 Result<TableShape> find_shape(std::span<const PlainLine> lines);
 
+/// How many rows with the same number of cells it would look at, whatever stands between and below them.
+std::size_t rows_of_table(std::span<const PlainLine> lines);
+
 }  // namespace axiometry::formats::generic

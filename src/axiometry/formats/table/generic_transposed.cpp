@@ -70,6 +70,17 @@ void ask_about_computed_row(Draft& draft, std::size_t c) {
   }
 }
 
+/// A few words that come back: "X" and "Y".
+void ask_about_words(Draft& draft, std::size_t c, const ColumnFacts& facts) {
+  constexpr std::size_t few = 4;
+  const std::size_t kinds = facts.spellings.size();
+  if (facts.numeric() || kinds < 2 || kinds > few || kinds * 2 > facts.words) return;
+  std::string words;
+  for (const std::string& word : facts.spellings) words += (words.empty() ? "" : ", ") + text::quoted(word);
+  draft.ask("columns", fmt::format("found the words {} in {}; do they part axes, or tell readings left out?", words,
+                                   draft.called(c)));
+}
+
 void decide_label(Draft& draft, std::size_t c) {
   const ColumnFacts facts = facts_of(draft.shape, 1)[c];
   const std::string& name = draft.shape.rows.front()[c];
@@ -77,6 +88,7 @@ void decide_label(Draft& draft, std::size_t c) {
   const auto all = [&](auto predicate) {
     return !facts.spellings.empty() && std::ranges::all_of(facts.spellings, predicate);
   };
+  if (may_number_axes(name, facts)) return ask_about_axes(draft, c, facts);
   if (facts.numeric() && facts.whole && facts.missing == 0) {
     draft.give_role(c, ImportRole::run, 0.85, "its whole numbers before the readings");
     draft.guess.profile.first_run = facts.least == 0.0 ? 0 : 1;
@@ -89,6 +101,7 @@ void decide_label(Draft& draft, std::size_t c) {
     ask_about_computed_row(draft, c);
   } else {
     draft.give_role(c, ImportRole::ignore, 0.75, "nothing of it is needed");
+    ask_about_words(draft, c, facts);
   }
 }
 

@@ -15,7 +15,8 @@ constexpr std::string_view manual = R"manual(# grbl 1.1 and grblHAL
   can reach their angles or feeds
 - Dwell: `G4 P3.0`, seconds. It also empties the planner, which is what makes the axis stop; a dwell of 0 s is
   therefore written too
-- Trigger: M7 (if it was compiled in), M8, M9: coolant outputs, which stay as they are put. grbl has no pulse
+- Trigger: M7 (if it was compiled in) or M8: coolant outputs, which stay on until M9 ends them with the dwell. grbl
+  has no pulse
 - Stop: `M0`; cycle start goes on
 
 - Lines in space: X, Y and Z in one block, F is the speed along the path. G49 cancels the tool length (G43.1)

@@ -15,8 +15,8 @@ For mills (NGC and classic).
   `--unrolled` without it
 - Start: `G21` or `G20`, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop)
 - Dwell: `G4 P3.0`. With the decimal point P is in seconds, without it in milliseconds
-- Trigger: M21 to M28 or, newer, M121 to M128, which wait for an answer; M51 to M58 switch on and M61 to M68 off;
-  M7 to M9 are coolant. Between two halves of the dwell
+- Trigger: M21 to M28 or, newer, M121 to M128, which wait for an answer; M51 to M58, switched off by M61 to M68 at the
+  end of the dwell; M7 or M8 (coolant), by M9. Between two halves of the dwell
 - Lines end with CR LF
 - Work offset: the one that is active, or `--frame G54` to `G59`, `G154 P1` to `P99`. Coordinates of the machine are
   not offered: whether G53 drives at feed is not certain
@@ -39,7 +39,7 @@ first move of a rotary axis beyond 0° and 360°.)manual";
 constexpr WordControl control = [] {
   WordControl c = fanuc_like;
   c.number->highest = 99'999;
-  c.limits.m_codes = {{{7, 9}, {21, 28}, {51, 58}, {61, 68}, {121, 128}}};
+  c.limits.m_codes = {{coolant, {21, 28}, {51, 58, 61, 68}, {121, 128}}};
   c.limits.frames.offsets = {{{"G{}", 54, 59}, {"G154 P{}", 1, 99}}};
   c.crlf = true;
   c.head = {"%", "O{number:0>5}"};

@@ -14,8 +14,8 @@ For version 2.4 and later. Programs of this dialect are run through LinuxCNC's o
 - Loops: O-words, `o101 repeat [5]` … `o101 endrepeat`; no variables are used
 - Start: `G21` or `G20`, `G17 G40 G49 G80 G90 G94`, `G61.1` (exact stop; `G61` alone only keeps the path)
 - Dwell: `G4 P3.0`, seconds
-- Trigger: M7, M8 or M9 (coolant), or M100 to M199: a program of that name in the M code folder, which can pulse
-  an output. The interpreter refuses one that does not exist
+- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), or M100 to M199: a program of that name in the M code
+  folder, which can pulse an output. The interpreter refuses one that does not exist
 - Message: with `--stop-at-start`, `(MSG, …)` shows what to do, and `M0` waits
 
 - Lines in space: X, Y and Z in one block. With G94 F is the speed along the path; G61.1 brings all of them to rest;
@@ -35,7 +35,7 @@ Try in single block first: the start blocks and the first target with its dwell.
 
 constexpr WordControl control = {
     .limits = {.loops = 10'000,
-               .m_codes = {{{7, 9}, {100, 199}}},
+               .m_codes = {{coolant, {100, 199}}},
                .frames = {.offsets = {{{"G{}", 54, 59}, {"G59.{}", 1, 3}}}, .machine_move = "G53"}},
     .comment_characters = ".,+-/=[]:",
     .start_mm = {"G21", "G17 G40 G49 G80 G90 G94", "G61.1"},

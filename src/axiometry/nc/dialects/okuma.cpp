@@ -16,8 +16,8 @@ For OSP controls of machining centres (OSP-E100M, P200M, P300M and relatives).
 - Start: `G21` or `G20` (they only confirm the unit: the control stops with an alarm when it is set to the other
   one [inferred]), `G17 G40 G80 G90 G94`, `G61` (exact stop)
 - Dwell: `G4 F3.0`, seconds
-- Trigger: M7 to M9 (coolant), between two halves of the dwell. Which other numbers of a machine are free is not
-  known
+- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), between two halves of the dwell. Which other numbers of a
+  machine are free is not known
 - Lines end with CR LF [inferred]
 
 - Lines in space: X, Y and Z in one block. F is the speed along the path, G61 brings all of them to rest. The tool

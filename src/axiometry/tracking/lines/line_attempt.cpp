@@ -48,9 +48,8 @@ std::string outside_text(const TrackingSetup& setup, std::size_t k) {
         "are missing; a tool longer or an instrument higher by that would help",
         format_fixed(low, 1), format_fixed(at, 1), missing);
   return fmt::format(
-      "the station at {0} {1:.1f} mm is {2:.1f} mm outside the travel of {0}: the reflector reaches {3:.1f} to {4:.1f} "
-      "mm",
-      axis_names[k], at, missing, low, high);
+      "the station at {0} {1} mm is {2:.1f} mm outside the travel of {0}: the reflector reaches {3} to {4} mm",
+      axis_names[k], format_fixed(at, 1), missing, format_fixed(low, 1), format_fixed(high, 1));
 }
 
 std::optional<std::string> off_travels(const TrackingSetup& setup, Vector3 direction) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/base/number_text.h"
 #include "axiometry/standards/iso230_2/programme.h"
 #include "axiometry/standards/iso230_6.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
@@ -42,9 +43,9 @@ iso230_2::Stretch within_travels(const TravelBox& travel, const SpatialLine& lin
   return {Position::native(low), Position::native(high)};
 }
 
-std::string coordinates_text(const TrackingSetup& setup) {
-  const Vector3 s = setup.station.position_mm;
-  return fmt::format("X {:.3f}, Y {:.3f}, Z {:.3f} mm", s.x, s.y, s.z);
+std::string coordinates_text(Vector3 at_mm) {
+  return fmt::format("X {}, Y {}, Z {} mm", format_fixed(at_mm.x, 3), format_fixed(at_mm.y, 3),
+                     format_fixed(at_mm.z, 3));
 }
 
 std::string axis_name(std::string_view id) {
@@ -75,7 +76,7 @@ LineTask task_of(const TrackingSetup& setup, const UsableInterval& interval, dou
   const double sign = interval.direction[first] > 0.0 ? 1.0 : -1.0;
   LineTask task{.id = interval.id,
                 .line = {origin, sign * interval.direction + Vector3{}},
-                .measurement_line = fmt::format("through the station at {}", coordinates_text(setup)),
+                .measurement_line = "through the station at " + coordinates_text(setup.station.position_mm),
                 .octant = interval.octant};
   double from = sign * interval.begin_mm, to = sign * interval.end_mm;
   if (interval.id.size() == 1) {
@@ -97,8 +98,7 @@ LineTask diagonal_task(const TrackingSetup& setup, const std::string& id, Vector
                        double step_mm) {
   LineTask task{.id = id,
                 .line = {rounded(begin_mm, step_mm), unit(end_mm - begin_mm)},
-                .measurement_line = fmt::format("diagonal of the travels from X {:.3f}, Y {:.3f}, Z {:.3f} mm",
-                                                begin_mm.x, begin_mm.y, begin_mm.z),
+                .measurement_line = "diagonal of the travels from " + coordinates_text(begin_mm),
                 .octant = {}};
   task.travel = within_travels(setup.travel, task.line);
   task.usable = task.travel;

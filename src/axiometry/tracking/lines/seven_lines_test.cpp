@@ -67,7 +67,7 @@ TEST(SevenLines, InsideAllSevenCanBeMeasured) {
 TEST(SevenLines, OutsideInYTheLinesThatKeepYAreLost) {
   EXPECT_THAT(names(chosen(machine({400, -12, -600})).lost), ElementsAre("x", "z", "xz"));
   EXPECT_EQ(reason(chosen(machine({400, -12, -600})), "x"),
-            "the station at Y -12.0 mm is 12.0 mm outside the travel of Y: the reflector reaches 0.0 to 600.0 mm");
+            "the station at Y −12.0 mm is 12.0 mm outside the travel of Y: the reflector reaches 0.0 to 600.0 mm");
 }
 TEST(SevenLines, OutsideInXTheLinesThatKeepXAreLost) {
   EXPECT_THAT(names(chosen(machine({-30, 300, -600})).lost), ElementsAre("y", "z", "yz"));
@@ -255,6 +255,7 @@ TEST(SevenLines, PositionsHaveTheirMeaning) {
   for (const TrackingLine& one : plan->lines) {
     const SpatialLine way = *spatial_line(one.plan.axis);
     EXPECT_GT(way.direction.x, 0.0);
+    EXPECT_EQ(one.plan.axis.measurement_line, "through the station at X 700.000, Y 80.000, Z −600.000 mm");
     if (one.id == "x") {
       EXPECT_EQ(way.origin_mm, (Vector3{0, 80, -480}));
       EXPECT_LT(one.plan.targets.back().in_native(), 500.0);

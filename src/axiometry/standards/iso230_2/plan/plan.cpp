@@ -330,6 +330,22 @@ Result<Plan> plan_for_period(const Frame& frame, const PlanRequest& request) {
   return plan;
 }
 
+/// Segments of a scale ask for a target each where targets are drawn and there is more than one of them.
+Result<void> check_segment(const Frame& frame, const PlanRequest& request) {
+  if (!request.segment) return {};
+  if (request.periodic)
+    return fail("found segments of a scale in the test for a periodic error, expected them in one over the travel");
+  if (!request.targets.empty())
+    return fail("found segments of a scale beside positions of targets, expected them where targets are drawn");
+  if (frame.without_end)
+    return fail("found segments of a scale of an axis that turns without end, expected an axis with soft limits");
+  const double segment = request.segment->in_native(), begin = request.axis.travel_begin->in_native();
+  const double first = frame.measurement.from.in_native(), last = frame.measurement.to.in_native();
+  if (begin + (std::floor((first - begin) / segment) + 1.0) * segment < last) return {};
+  return fail(fmt::format("found segments of {}, of which one holds the measurement travel {}, expected shorter ones",
+                          frame.text(segment), span_text(frame, first, last)));
+}
+
 Result<Plan> plan_without_sequence(const Frame& frame, const PlanRequest& request) {
   if (request.periodic) return plan_for_period(frame, request);
   if (!request.targets.empty()) return plan_of_given_targets(frame, request);
@@ -342,10 +358,15 @@ Result<Plan> plan_without_sequence(const Frame& frame, const PlanRequest& reques
 
 Result<Plan> make_plan(const PlanRequest& request) {
   AXIOMETRY_TRY(const Frame frame, make_frame(request));
+  AXIOMETRY_TRY_VOID(check_segment(frame, request));
   AXIOMETRY_TRY(Plan plan, plan_without_sequence(frame, request));
   plan.sequence = request.sequence;
-  if (plan.cycle == TestCycle::user_defined) plan.runs = last_run(plan.sequence);
   if (request.runs) plan.runs = *request.runs;
+  if (plan.cycle == TestCycle::user_defined) plan.runs = last_run(plan.sequence);
+  if (request.runs && plan.runs != *request.runs && !plan.sequence.empty())
+    return fail(
+        fmt::format("found {} as number of runs beside a sequence of {}, expected the sequence alone, which says it",
+                    *request.runs, plan.runs));
   if (plan.targets.size() > most_targets)
     return fail(fmt::format("found {} targets, expected at most {}", plan.targets.size(), most_targets));
   AXIOMETRY_TRY_VOID(check_sound(plan));
@@ -357,6 +378,9 @@ Result<Plan> make_plan(const PlanRequest& request) {
   }
   const bool needs_further = !request.periodic && plan.cycle != TestCycle::user_defined &&
                              required_approaches(programme_of(frame.kind(), Position::native(measured))) == 1;
+  if (request.step && !request.targets.empty() && !needs_further)
+    return fail(
+        "found a step of targets beside their positions, expected one of them: positions are taken as they are");
   if (needs_further) AXIOMETRY_TRY_VOID(add_further(plan, frame, request));
   if (!needs_further && !request.areas.empty())
     return fail(fmt::format("found a normal working area for a test over {}, expected one above {} only",

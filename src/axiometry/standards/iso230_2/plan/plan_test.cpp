@@ -235,6 +235,39 @@ TEST(Plan230, EverySegmentOfAScaleHasATarget) {
     }
 }
 
+TEST(Plan230, WhatWouldHaveNoEffectIsRefused) {
+  PlanRequest r = request(0, 500);
+  r.segment = at(1000);
+  EXPECT_EQ(reason(r),
+            "found segments of 1000 mm, of which one holds the measurement travel 5 to 495 mm, expected shorter ones");
+  r.segment = at(495);
+  EXPECT_NE(reason(r), "");
+  r.segment = at(494);
+  EXPECT_EQ(reason(r), "");
+  r.targets = {at(100), at(300)};
+  EXPECT_EQ(reason(r), "found segments of a scale beside positions of targets, expected them where targets are drawn");
+  r.segment.reset();
+  EXPECT_EQ(reason(r), "");
+  r.step = at(0.01);
+  EXPECT_THAT(reason(r), HasSubstr("found a step of targets beside their positions"));
+  r = request(0, 500);
+  r.axis.expected_period = at(10);
+  r.periodic.emplace();
+  r.segment = at(5);
+  EXPECT_THAT(reason(r), HasSubstr("in the test for a periodic error"));
+  r = rotary(0, 360);
+  r.segment = at(20);
+  EXPECT_EQ(reason(r),
+            "found segments of a scale of an axis that turns without end, expected an axis with soft limits");
+  r = request(0, 500);
+  r.cycle = TestCycle::user_defined;
+  r.sequence = {{0, Direction::up, 0}, {4, Direction::down, 0}};
+  r.runs = 4;
+  EXPECT_EQ(reason(r), "found 4 as number of runs beside a sequence of 1, expected the sequence alone, which says it");
+  r.runs = 1;
+  EXPECT_EQ(reason(r), "");
+}
+
 TEST(Plan230, RotaryAxisFollowsTable1) {
   EXPECT_EQ(make_plan(rotary(0, 90))->targets.size(), 3u);
   EXPECT_EQ(make_plan(rotary(0, 180))->targets.size(), 5u);
