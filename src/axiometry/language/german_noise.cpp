@@ -198,6 +198,10 @@ constexpr Phrase noise_rows[] = {
      "ein Bootstrap-Intervall aus Durchläufen, die aus den gemessenen neu gezogen wurden"},
     {"a trend that shifts of the runs hide", "ein Trend, den Verschiebungen der Durchläufe verbergen"},
     {"agreed limit", "vereinbarter Grenzwert"},
+    {"an interval of --type-a {0=} held the true value less often in simulated tests than it states; --type-a {1=} "
+     "mends that",
+     "ein Intervall mit --type-a {0} enthielt den wahren Wert in simulierten Prüfungen seltener, als es angibt; "
+     "Abhilfe: --type-a {1}"},
     {"as the recording at standstill", "wie die Aufzeichnung im Stillstand"},
     {"at least {0#} {1}", "mindestens {0} {1}"},
     {"at most {0#} {1}", "höchstens {0} {1}"},
