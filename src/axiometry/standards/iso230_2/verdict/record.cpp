@@ -41,8 +41,8 @@ std::optional<ParameterUncertainty> of_gum(const GumUncertainty& gum, const Para
 }
 
 /// Measured in docs/studies/coverage.md: each of these held the true value in fewer tests than it states, at some size
-/// of the scatter. Cells taken for themselves and runs drawn again do not see that extremes grow with noise; a mean over
-/// the targets does not grow.
+/// of the scatter. Cells taken for themselves and runs drawn again do not see that extremes grow with noise; a mean
+/// over the targets does not grow.
 std::string doubt_of(const MonteCarlo& run, const ParameterInfo& parameter) {
   if (run.measurand != Measurand::this_machine || run.type_a == TypeA::pooled) return "";
   if (run.type_a == TypeA::t_scaled && parameter.member == &AxisParameters::B_mean) return "";
