@@ -22,5 +22,12 @@ TEST(RoundedText, KeepsNumbersWithoutSuchDecimals) {
   EXPECT_EQ(format_rounded(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
 }
 
+TEST(RoundedText, StatesAProbabilityNoSmallerThanAnybodyKnows) {
+  EXPECT_EQ(format_chance(0.003), "p = 0.0030");
+  EXPECT_EQ(format_chance(1e-4), "p = 0.0001");
+  EXPECT_EQ(format_chance(1e-22), "p < 0.0001");
+  EXPECT_EQ(format_chance(0.0), "p < 0.0001");
+}
+
 }  // namespace
 }  // namespace axiometry
