@@ -133,6 +133,14 @@ std::string target_text(const Case& c, std::size_t target) {
 
 }  // namespace rules
 
+std::optional<Finding> find_progression(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+                                        const std::optional<AnnexA>& uncertainty) {
+  const rules::Case c = rules::make_case(metadata, series, evaluation, uncertainty);
+  for (Finding& finding : rules::scatter_findings(c))
+    if (finding.clause == rules::progression_clause) return std::move(finding);
+  return rules::ordered_progression(c);
+}
+
 std::vector<Finding> find_departures(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                                      const std::optional<AnnexA>& uncertainty, Depth depth) {
   const rules::Case c = rules::make_case(metadata, series, evaluation, uncertainty);
