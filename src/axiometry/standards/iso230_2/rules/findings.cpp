@@ -7,6 +7,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::iso230_2 {
@@ -83,10 +84,7 @@ Case make_case(const Metadata& metadata, const Series& series, const Evaluation&
 
 std::string figure(double x) { return format_shortest(std::round(x * 1000.0) / 1000.0); }
 
-std::string size_text(double x) {
-  const double power = std::pow(10.0, std::max(0, decimals_for(std::abs(x), 3)));
-  return format_shortest(std::round(x * power) / power);
-}
+std::string size_text(double x) { return format_significant(x, 3); }
 
 namespace {
 
