@@ -46,9 +46,10 @@ std::optional<ParameterUncertainty> of_gum(const GumUncertainty& gum, const Para
 std::string doubt_of(const MonteCarlo& run, const ParameterInfo& parameter) {
   if (run.measurand != Measurand::this_machine || run.type_a == TypeA::pooled) return "";
   if (run.type_a == TypeA::t_scaled && parameter.member == &AxisParameters::B_mean) return "";
-  return fmt::format("an interval of --type-a {} held the true value less often in simulated tests than it states; "
-                     "--type-a {} mends that",
-                     type_a_key(run.type_a), type_a_key(TypeA::pooled));
+  return fmt::format(
+      "an interval of --type-a {} held the true value less often in simulated tests than it states; "
+      "--type-a {} mends that",
+      type_a_key(run.type_a), type_a_key(TypeA::pooled));
 }
 
 std::optional<ParameterUncertainty> of_monte_carlo(const MonteCarlo& run, const ParameterInfo& parameter,
