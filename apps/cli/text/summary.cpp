@@ -197,7 +197,7 @@ std::string smaller_repeatability_text(const app::Evaluated& e, const report::Op
                                        const Terminal& terminal) {
   const auto smaller = iso230_2::smaller_repeatability(e.test.metadata, e.assessment.evaluation.parameters);
   if (!smaller) return "";
-  const auto shown = report::show(*smaller->parameter, e.assessment, e.test.metadata.axis.kind, options);
+  const auto shown = shown_with_limit(*smaller->parameter, e, options);
   const std::string text =
       fmt::format("min(R↑, R↓) = {} {} ({}): {}", shown.value, shown.unit, smaller->parameter->symbol,
                   report::translated(std::string(iso230_2::smaller_repeatability_remark), options));
@@ -280,12 +280,11 @@ std::string line_header(const report::Options& options, const Terminal& terminal
 }
 
 std::string line(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
-  const AxisKind kind = e.test.metadata.axis.kind;
   std::string text;
   std::string unit;
   for (std::string_view key : line_parameters) {
     const auto& parameter = *iso230_2::find_parameter(key);
-    const auto shown = report::show(parameter, e.assessment, kind, options);
+    const auto shown = shown_with_limit(parameter, e, options);
     text += right(exists(e, parameter) ? shown.value : "–", line_value_width);
     unit = shown.unit;
   }

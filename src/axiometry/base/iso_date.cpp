@@ -68,6 +68,21 @@ std::string iso_date(std::string_view raw) {
   return date;
 }
 
+bool is_no_day(std::string_view raw) {
+  const std::string_view text = text::trim(raw);
+  const std::string_view day = text.substr(0, text.find_first_of("T ,;"));
+  const auto written = [](const DateParts& parts) {
+    return parts.year.size() == 4 && parts.month.size() <= 2 && parts.day.size() <= 2 && parse_count(parts.year) &&
+           parse_count(parts.month) && parse_count(parts.day);
+  };
+  bool is_written = false;
+  for (const char mark : {'-', '/', '.'})
+    if (const auto parts = text::split(day, mark); parts.size() == 3)
+      is_written =
+          written(mark == '.' ? DateParts{parts[2], parts[1], parts[0]} : DateParts{parts[0], parts[1], parts[2]});
+  return is_written && iso_date(text).empty();
+}
+
 NamedDays named_days(std::string_view raw) {
   if (const std::string day = iso_date(raw); !day.empty()) return {day, day};
   const auto month = named_month(text::trim(raw));

@@ -12,6 +12,9 @@ namespace axiometry {
 /// "05/06/2014", is other text.
 std::string iso_date(std::string_view text);
 
+/// Whether a text is written as a day, with a year of four digits, that does not exist: "2026-02-30", "30.02.2026".
+bool is_no_day(std::string_view text);
+
 /// The first and the last day that a text names: both iso_date() of a day, and of a month, "2014-05", "2014/5",
 /// "05/2014", "05.2014" or "May 2014", its ends. Both empty where it names neither.
 struct NamedDays {

@@ -24,6 +24,14 @@ TEST(IsoDate, ReadsWhatIsCertainAndNothingElse) {
   EXPECT_EQ(iso_date(""), "");
 }
 
+TEST(IsNoDay, OfWhatIsWrittenAsOneAndDoesNotExist) {
+  for (const char* none : {"2026-02-30", "2026-13-45", " 2026-02-30T09:00", "30.02.2026", "2026/2/30", "2026-00-10"})
+    EXPECT_TRUE(is_no_day(none)) << none;
+  for (const char* other : {"2026-02-28", "28.02.2026", "05/06/2014", "30/02/2026", "2026-02", "spring 2026",
+                            "12-NOV-26", "None: simulated", "abcd-ef-gh", "15.5.14", ""})
+    EXPECT_FALSE(is_no_day(other)) << other;
+}
+
 TEST(NamedDays, OfAMonthAreItsEnds) {
   const auto days = [](std::string_view text) {
     const NamedDays named = named_days(text);

@@ -22,5 +22,21 @@ TEST(RoundedText, KeepsNumbersWithoutSuchDecimals) {
   EXPECT_EQ(format_rounded(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
 }
 
+TEST(RoundedText, KeepsSignificantDigits) {
+  EXPECT_EQ(format_significant(-0.123456, 3), "\u22120.123");
+  EXPECT_EQ(format_significant(1234.5678, 3), "1235");
+  EXPECT_EQ(format_significant(1234.5678, 6), "1234.57");
+  EXPECT_EQ(format_significant(100.0, 6), "100");
+  EXPECT_EQ(format_significant(0.0, 3), "0");
+  EXPECT_EQ(format_significant(-1e-15, 3), "0");
+}
+
+TEST(RoundedText, StatesAProbabilityNoSmallerThanAnybodyKnows) {
+  EXPECT_EQ(format_chance(0.003), "p = 0.0030");
+  EXPECT_EQ(format_chance(1e-4), "p = 0.0001");
+  EXPECT_EQ(format_chance(1e-22), "p < 0.0001");
+  EXPECT_EQ(format_chance(0.0), "p < 0.0001");
+}
+
 }  // namespace
 }  // namespace axiometry

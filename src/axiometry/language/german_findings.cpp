@@ -133,14 +133,6 @@ constexpr Phrase findings_rows[] = {
     {"found no calibrated positions of the artefact, expected artefact.calibrated_positions, one per target",
      "keine kalibrierten Positionen des Prüfkörpers; erwartet: artefact.calibrated_positions, eine je Zielposition"},
     {"found no reading at {0}, expected one from every approach", "kein Messwert an {0}; erwartet: einer je Anfahrt"},
-    {"found no significant error of the period {0#}: noise alone gives an amplitude of {1#} or more in {2#} % of such "
-     "tests",
-     "keine signifikante Abweichung der Periode {0}: Rauschen allein ergibt in {2}\u00a0% solcher Prüfungen eine "
-     "Amplitude von {1} oder mehr"},
-    {"found no significant periodic error: noise alone gives a peak as high as that at {0#} in up to {1#} % of such "
-     "tests",
-     "keine signifikante periodische Abweichung: Rauschen allein ergibt in bis zu {1}\u00a0% solcher Prüfungen eine so "
-     "hohe Spitze wie die bei {0}"},
     {"found no target at {0}, expected these principal positions where practical",
      "keine Zielposition bei {0}; erwartet: diese Hauptpositionen, wo es möglich ist"},
     {"found no temperature of the artefact, expected a sensor with role equipment and "

@@ -16,14 +16,14 @@ constexpr Phrase noise_rows[] = {
      "wurde, die Spanne dieses Stücks geteilt durch seine Länge. Messwerte, die mehr als eine halbe Stunde "
      "auseinanderliegen, sagen nichts über die Zeit dazwischen."},
     {"E_VE = {0#} as noise from reading to reading would scatter them by {1#} within runs, where they scatter by {2#} "
-     "(p = {3#}): it cannot be the white noise that it is stated to be, and counts as a slow drift or a random walk",
+     "({3#}): it cannot be the white noise that it is stated to be, and counts as a slow drift or a random walk",
      "E_VE = {0} als Rauschen von Messwert zu Messwert würde sie innerhalb der Durchläufe um {1} streuen lassen, wo "
-     "sie um {2} streuen (p = {3}): sie kann nicht das weiße Rauschen sein, als das sie angegeben ist, und zählt als "
+     "sie um {2} streuen ({3}): sie kann nicht das weiße Rauschen sein, als das sie angegeben ist, und zählt als "
      "langsame Drift oder Irrfahrt"},
     {"E_VE = {0#} as noise from reading to reading would scatter them by {1#} within runs, where they scatter by {2#} "
-     "(p = {3#}): it is a slow variation, or much overstated",
+     "({3#}): it is a slow variation, or much overstated",
      "E_VE = {0} als Rauschen von Messwert zu Messwert würde sie innerhalb der Durchläufe um {1} streuen lassen, wo "
-     "sie um {2} streuen (p = {3}): sie ist eine langsame Schwankung oder viel zu groß angegeben"},
+     "sie um {2} streuen ({3}): sie ist eine langsame Schwankung oder viel zu groß angegeben"},
     {"E_VE = {0#} {1#} is the largest range of the recording at standstill over {2#} s, all of it",
      "E_VE = {0} {1} ist die größte Spanne der Aufzeichnung im Stillstand über {2}\u00a0s, die ganze Aufzeichnung"},
     {"E_VE = {0#} {1#} is the largest range of the recording at standstill over {2#} s, the length of the test",
@@ -33,9 +33,9 @@ constexpr Phrase noise_rows[] = {
     {"E_VE counts as the recording at standstill shows it: how its values go together, and white noise beside it",
      "E_VE zählt so, wie die Aufzeichnung bei Stillstand es zeigt: wie deren Werte zusammenhängen, und weißes Rauschen "
      "daneben"},
-    {"E_VE is stated as white noise, which the readings refute (p = {0#}): {1}; every other kind is considered in its "
+    {"E_VE is stated as white noise, which the readings refute ({0#}): {1}; every other kind is considered in its "
      "place",
-     "E_VE ist als weißes Rauschen angegeben, was die Messwerte widerlegen (p = {0}): {1}; an seiner Stelle wird jede "
+     "E_VE ist als weißes Rauschen angegeben, was die Messwerte widerlegen ({0}): {1}; an seiner Stelle wird jede "
      "andere Art betrachtet"},
     {"E_VE may be a slow drift or a random walk, since the readings refute white noise: the largest u counts",
      "E_VE kann eine langsame Drift oder eine Irrfahrt sein, da die Messwerte weißes Rauschen widerlegen: das größte u "
@@ -71,8 +71,7 @@ constexpr Phrase noise_rows[] = {
      "können."},
     {"Noise of the instrument and of the environment is part of the scatter.",
      "Rauschen des Messgeräts und der Umgebung ist Teil der Streuung."},
-    {"Noise refuted by the readings (p = {0#}): {1}; {2}",
-     "Von den Messwerten widerlegtes Rauschen (p = {0}): {1}; {2}"},
+    {"Noise refuted by the readings ({0#}): {1}; {2}", "Von den Messwerten widerlegtes Rauschen ({0}): {1}; {2}"},
     {"Not known whether every agreed limit was kept",
      "Nicht bekannt, ob jeder vereinbarte Grenzwert eingehalten wurde"},
     {"Of", "Von"},
@@ -163,9 +162,9 @@ constexpr Phrase noise_rows[] = {
      "Die Aufzeichnung bei Stillstand sagt nichts und zählt nicht: erwartet werden mindestens {0} Werte, die nicht "
      "alle gleich sind, und uncertainty.drift_interval_s"},
     {"The stated noise of a reading, u = {0#} {1#}, contradicts the readings: within runs they scatter by s = {2#} "
-     "{3#} alone (p = {4#}); no more than that is taken for noise",
+     "{3#} alone ({4#}); no more than that is taken for noise",
      "Das angegebene Rauschen eines Messwerts, u = {0} {1}, widerspricht den Messwerten: innerhalb der Durchläufe "
-     "streuen sie nur mit s = {2} {3} (p = {4}); nicht mehr als das gilt als Rauschen"},
+     "streuen sie nur mit s = {2} {3} ({4}); nicht mehr als das gilt als Rauschen"},
     {"The uncertainty is that of this machine: by how much the parameters of this test may differ from those that the "
      "axis has in the long run. Besides instruments and temperature it counts that {0#} approach per direction is only "
      "a sample. What the findings tell as not corrected is not in it: without a correction it does not hold.",
@@ -198,6 +197,10 @@ constexpr Phrase noise_rows[] = {
      "ein Bootstrap-Intervall aus Durchläufen, die aus den gemessenen neu gezogen wurden"},
     {"a trend that shifts of the runs hide", "ein Trend, den Verschiebungen der Durchläufe verbergen"},
     {"agreed limit", "vereinbarter Grenzwert"},
+    {"an interval of --type-a {0=} held the true value less often in simulated tests than it states; --type-a {1=} "
+     "mends that",
+     "ein Intervall mit --type-a {0} enthielt den wahren Wert in simulierten Prüfungen seltener, als es angibt; "
+     "Abhilfe: --type-a {1}"},
     {"as the recording at standstill", "wie die Aufzeichnung im Stillstand"},
     {"at least {0#} {1}", "mindestens {0} {1}"},
     {"at most {0#} {1}", "höchstens {0} {1}"},

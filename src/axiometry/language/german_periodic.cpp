@@ -90,6 +90,18 @@ constexpr Phrase periodic_rows[] = {
     {"departs from {0#}, Annex C · {1}", "weicht ab von {0}, Anhang C · {1}"},
     {"exceeded somewhere by noise alone in 1 % of tests",
      "durch Rauschen allein in 1\u00a0% der Prüfungen irgendwo überschritten"},
+    {"found no significant error of the period {0#}: noise alone gives an amplitude of {1#} or more in up to {2#} % of "
+     "such tests",
+     "keine signifikante Abweichung der Periode {0}: Rauschen allein ergibt in bis zu {2}\u00a0% solcher Prüfungen "
+     "eine Amplitude von {1} oder mehr"},
+    {"found no significant periodic error: noise alone gives a peak as high as that at {0#} in up to {1#} % of such "
+     "tests",
+     "keine signifikante periodische Abweichung: Rauschen allein ergibt in bis zu {1}\u00a0% solcher Prüfungen eine so "
+     "hohe Spitze wie die bei {0}"},
+    {"found residuals that go on from target to target (correlation {0#}): U takes them for independent and is too "
+     "small, and so are chances of white noise",
+     "Residuen, die von Zielposition zu Zielposition zusammenhängen (Korrelation {0}): U hält sie für unabhängig und "
+     "ist zu klein, ebenso Wahrscheinlichkeiten durch weißes Rauschen"},
     {"mean of {0#} runs", "Mittelwert aus {0} Durchläufen"},
     {"no, not significant", "nein, nicht signifikant"},
     {"period as given", "vorgegebene Periode"},

@@ -82,6 +82,8 @@ constexpr Phrase refusals_verbs_rows[] = {
     {"found no expectation, expected at least one line 'expect …'",
      "keine Erwartung; erwartet: mindestens eine Zeile „expect …“"},
     {"found no file lengths, expected one", "keine Datei lengths; erwartet: eine"},
+    {"found no folder {0=} for the reports, expected one that is there",
+     "kein Ordner {0} für die Berichte; erwartet: einer, den es gibt"},
     {"found no home folder for captures, expected --captures",
      "kein Benutzerordner für Erfassungen; erwartet: --captures"},
     {"found no home for the store, expected --store, AXIOMETRY_STORE, XDG_DATA_HOME or HOME",

@@ -104,10 +104,7 @@ std::string shown_conformity(const uncertainty::Decision& decision, const Option
   return least == most ? most : fmt::format("{} to {}", least, most);
 }
 
-int limit_decimals(const ShownParameter& shown) {
-  const std::size_t fraction = fraction_length(shown.value);  // with the mark, and so one more than its decimals
-  return fraction > 0 ? static_cast<int>(fraction) : 1;
-}
+int limit_decimals(const ShownParameter& shown) { return shown.decimals + 1; }
 
 std::string rule_title(const DecisionRule& rule, AxisKind kind, const Options& options) {
   switch (rule.kind) {

@@ -59,10 +59,11 @@ struct ShownParameter {
   std::string U;           ///< "4.3" or ""; of Annex A or the GUM
   std::string unit;        ///< "µm"
   std::string interval{};  ///< of the Monte Carlo method, which has no U about the value: "8.0 to 12.3"; else ""
+  int decimals = 0;        ///< of the value; negative for tens, hundreds
 };
 ShownParameter show(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment, AxisKind kind,
                     const Options& options);
-/// Beside its limit: with as many decimals more as tell on which side of it the value lies.
+/// Beside its limit: with as many decimals more as tell on which side of it, of T − g and of T + g the value lies.
 ShownParameter show(const iso230_2::Judgement& judgement, const iso230_2::Assessment& assessment, AxisKind kind,
                     const Options& options);
 

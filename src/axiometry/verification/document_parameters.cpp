@@ -187,7 +187,9 @@ void check_decision_line(const PrintedTable& table, std::size_t row, const Value
     }
     const Interval right = Interval::of(*stated) * scale;
     page.ledger.text([&] { return place(head); }, printed, right, magnitude(right) * Interval::of(1e-14),
-                     head == "u" ? coarse_places(right, page.uncertainty_digits) : 0);
+                     head == "u"   ? coarse_places(right, page.uncertainty_digits)
+                     : head == "g" ? 0
+                                   : std::max(0, coarse - 1));
   }
   const std::string p_c = table.cell(row, "pc");
   const auto least = number_member(&decision, "probability_least");

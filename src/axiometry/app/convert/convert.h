@@ -26,7 +26,8 @@ Result<const formats::Format*> format_to_write(const std::string& to, const std:
 
 /// Reads one test and writes it, whole or not at all, and never over an input. What was written is read again and
 /// compared first: fails where the format could not hold every reading and every item of metadata. Gives what was left
-/// behind all the same, in sentences: times, which only JSON keeps, and what the reader had to remark.
+/// behind all the same, in sentences: times, which only JSON keeps, and what the reader had to remark, which JSON keeps
+/// too.
 Result<std::vector<std::string>> convert(const ConvertOptions& options);
 
 /// What a file that no format describes was taken for. Fails as formats::guess() does.

@@ -92,6 +92,8 @@ Value direction_to_json(const PeriodicDirection& d) {
   object.add("slope", estimate(d.slope_native.value, d.slope_native.u, k));
   object.add("offset", estimate(d.offset, k));
   object.add("false_alarm_probability", d.false_alarm);
+  object.add("false_alarm_probability_correlated", d.false_alarm_correlated);
+  object.add("residual_correlation", d.residual_correlation.lag_one);
   object.add("significant", d.significant);
   object.add("periods_covered", d.periods_covered);
   object.add("targets_per_period", d.targets_per_period);

@@ -68,7 +68,7 @@ std::string today() {
 Result<std::string> plan_date(std::string_view said) {
   if (text::trim(said).empty()) return today();
   if (std::string date = iso_date(said); !date.empty()) return date;
-  return fail(fmt::format("found the date of the plan {}, expected a day such as 2026-11-21", text::quoted(said)));
+  return fail(formats::plan_date_refusal(said));
 }
 
 json::Value plan_to_json(const PlannedTest& planned) {

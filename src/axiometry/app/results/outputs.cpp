@@ -47,6 +47,16 @@ std::string with_test_name(std::string report, std::string_view name) {
   return report;
 }
 
+/// Where a report of each test shall lie, before the first of them is evaluated. A folder that is named after the test
+/// is not known yet.
+Result<void> check_folder(const std::string& report) {
+  const std::string folder = std::filesystem::path(report).parent_path().string();
+  std::error_code error;
+  if (folder.empty() || folder.contains(name_mark) || std::filesystem::is_directory(folder, error)) return {};
+  return std::unexpected(Error{
+      fmt::format("found no folder {} for the reports, expected one that is there", text::quoted(folder)), report, {}});
+}
+
 }  // namespace
 
 Result<void> write_document(const report::Document& document, std::span<const std::string> files,
@@ -132,6 +142,7 @@ Result<ManyOutputs> ManyOutputs::create(const OutputNames& names, const report::
                       ".csv for a table of all",
                       text::quoted(report), name_mark));
     if (each) {
+      AXIOMETRY_TRY_VOID(check_folder(report));
       outputs.templates_.push_back(report);
       continue;
     }

@@ -73,7 +73,7 @@ std::string json_line(const Evaluated& evaluated);
 /// of "{name}". The JSON and the CSV appear when commit() succeeds, and not at all otherwise.
 class ManyOutputs {
  public:
-  /// Fails when a report that is not CSV has no "{name}", or an output cannot be made.
+  /// Fails when a report that is not CSV has no "{name}", the folder of one is not there, or an output cannot be made.
   static Result<ManyOutputs> create(const OutputNames& names, const report::Options& options);
 
   /// `json` is json_line() of it where that is known already.

@@ -85,7 +85,7 @@ Result<Content> content_from(std::string_view text) {
   return content;
 }
 
-Result<void> add(std::vector<Approach>& approaches, const std::vector<Point>& points, Direction direction) {
+Result<void> add(std::vector<ListedReading>& approaches, const std::vector<Point>& points, Direction direction) {
   const ReadingRule rule{Measured::deviation, find_unit("mm")};
   for (const Point& point : points) {
     const Position target = Position::native(point.position_mm);
@@ -99,7 +99,7 @@ Result<void> add(std::vector<Approach>& approaches, const std::vector<Point>& po
 Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
   AXIOMETRY_TRY(const Content content, content_from(decoded.text));
-  std::vector<Approach> approaches;
+  std::vector<ListedReading> approaches;
   AXIOMETRY_TRY_VOID(add(approaches, content.points(Block::forward), Direction::up));
   AXIOMETRY_TRY_VOID(add(approaches, content.points(Block::reverse), Direction::down));
   const bool directed = !approaches.empty();

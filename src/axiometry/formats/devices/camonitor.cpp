@@ -262,14 +262,14 @@ class Reader {
     double mean_target = 0.0;
     double mean_deviation = 0.0;
     const auto n = static_cast<double>(approaches_.size());
-    for (const Approach& a : approaches_) {
+    for (const ListedReading& a : approaches_) {
       mean_target += a.target.in_native() / n;
       mean_deviation += a.deviation.in_native() / n;
     }
     double squares = 0.0;
     double products = 0.0;
     double largest_target = 0.0;
-    for (const Approach& a : approaches_) {
+    for (const ListedReading& a : approaches_) {
       const double t = a.target.in_native() - mean_target;
       squares += t * t;
       products += t * (a.deviation.in_native() - mean_deviation);
@@ -320,7 +320,7 @@ class Reader {
   Directives directives_;
   std::vector<Point> points_;
   Roles roles_;
-  std::vector<Approach> approaches_;
+  std::vector<ListedReading> approaches_;
   std::optional<double> constant_;
 };
 

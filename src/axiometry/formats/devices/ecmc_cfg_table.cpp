@@ -92,7 +92,7 @@ class Rows {
     if (!direction)
       return fail(fmt::format("found {}, expected the direction forward or reverse", text::quoted(direction_cell.text)),
                   {row.line, direction_cell.column});
-    Approach approach{.direction = *direction, .at = {row.line, row.cells[columns_.error].column}};
+    ListedReading approach{.direction = *direction, .at = {row.line, row.cells[columns_.error].column}};
     AXIOMETRY_TRY(const double target, number(row, columns_.target));
     AXIOMETRY_TRY(approach.run,
                   run_number(row.cells[columns_.cycle].text, {row.line, row.cells[columns_.cycle].column}));
@@ -140,7 +140,7 @@ class Rows {
     return column && *column < row.cells.size() ? &row.cells[*column] : nullptr;
   }
 
-  void take_time(const CfgRow& row, Approach& approach) {
+  void take_time(const CfgRow& row, ListedReading& approach) {
     const CsvCell* cell = cell_at(row, columns_.time);
     const auto time_s = cell == nullptr ? std::nullopt : time_stamp_s(cell->text);
     if (!time_s) return;
@@ -177,7 +177,7 @@ class Rows {
   const CfgTable& table_;
   Columns columns_;
   NumberReader numbers_{','};
-  std::vector<Approach> approaches_;
+  std::vector<ListedReading> approaches_;
   std::set<std::string> references_;
   std::string date_;
   double largest_difference_ = 0.0;

@@ -19,7 +19,7 @@ namespace {
 
 Result<NamedTest> named_test(const ErrorCurve& curve) {
   const ReadingRule rule{Measured::deviation, find_unit("mm")};
-  std::vector<Approach> approaches;
+  std::vector<ListedReading> approaches;
   for (const ErrorPoint& point : curve.points) {
     const Position target = Position::native(point.position_mm);
     AXIOMETRY_TRY(const double deviation, placed(native_deviation(rule, target, point.error_mm), point.at));

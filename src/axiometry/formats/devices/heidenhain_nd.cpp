@@ -222,9 +222,9 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
   AXIOMETRY_TRY(const Table table, TableReader().read(decoded.text));
   const ReadingRule rule{Measured::deviation, table.read_out.unit};
-  std::vector<Approach> approaches;
+  std::vector<ListedReading> approaches;
   for (const Value& value : table.values) {
-    Approach approach{.at = value.at};
+    ListedReading approach{.at = value.at};
     AXIOMETRY_TRY(approach.target, position_of(value, table));
     AXIOMETRY_TRY(const double deviation, placed(native_deviation(rule, approach.target, value.value), value.at));
     approach.deviation = Deviation::native(deviation);

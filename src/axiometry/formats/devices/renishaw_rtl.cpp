@@ -200,11 +200,11 @@ Result<Direction> first_direction(const Content& content) {
 
 Direction opposite(Direction direction) { return direction == Direction::up ? Direction::down : Direction::up; }
 
-Result<std::vector<Approach>> approaches_from(const Content& content, const RtlRunRule& rule) {
+Result<std::vector<ListedReading>> approaches_from(const Content& content, const RtlRunRule& rule) {
   const Unit& target_unit = *find_unit(content.rotary ? "deg" : "mm");
   const ReadingRule reading{Measured::deviation, find_unit(content.rotary ? "mrad" : "um")};
   AXIOMETRY_TRY(const Direction first, first_direction(content));
-  std::vector<Approach> approaches;
+  std::vector<ListedReading> approaches;
   for (const RtlReading& row : content.rows) {
     if (rule.absent[row.run - 1]) continue;
     const bool returns = !rule.one_way && row.run % 2 == 0;
@@ -230,7 +230,7 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(const Content content, ContentReader().read(sections));
   AXIOMETRY_TRY_VOID(check_counts(content));
   AXIOMETRY_TRY(RtlRunRule rule, rtl_run_rule(content.rows, content.unidirectional));
-  AXIOMETRY_TRY(const std::vector<Approach> approaches, approaches_from(content, rule));
+  AXIOMETRY_TRY(const std::vector<ListedReading> approaches, approaches_from(content, rule));
   AXIOMETRY_TRY(GatheredSeries gathered_series, gathered(approaches));
   Metadata metadata;
   metadata.axis.kind = content.rotary ? AxisKind::rotary : AxisKind::linear;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <ranges>
 
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
@@ -36,6 +37,12 @@ std::unexpected<Error> wrong_kind(std::string_view name, const Value& value, std
 Result<std::string> text_from(std::string_view name, const Value& value) {
   if (!value.is(Kind::text)) return wrong_kind(name, value, "a string");
   return value.text();
+}
+
+Result<std::string> date_from(std::string_view name, const Value& value) {
+  AXIOMETRY_TRY(std::string date, text_from(name, value));
+  AXIOMETRY_TRY_VOID(placed(check_plan_date(date), value.at()));
+  return date;
 }
 
 /// Under the name of another standard or clause a plan would be judged and walked as one after it.
@@ -268,7 +275,7 @@ constexpr Member members[] = {
     {"clause", take<&Plan::clause, known_text<plan_clauses>>},
     {"title", take<&Plan::title, text_from>},
     {"machine", take<&Plan::machine, text_from>},
-    {"date", take<&Plan::date, text_from>},
+    {"date", take<&Plan::date, date_from>},
     {"axis", put<&Plan::axis, axis_from>},
     {"errors", put<&Plan::errors, errors_from>},
     {"cycle", take<&Plan::cycle, cycle_from>},
@@ -339,6 +346,15 @@ Result<Plan> plan_from(const Value& root, bool further) {
 }  // namespace
 
 Result<Plan> plan_from_value(const Value& value) { return plan_from(value, false); }
+
+std::string plan_date_refusal(std::string_view date) {
+  return fmt::format("found the date of the plan {}, expected a day such as 2026-11-21", text::quoted(date));
+}
+
+Result<void> check_plan_date(std::string_view date) {
+  if (is_no_day(date)) return fail(plan_date_refusal(date));
+  return {};
+}
 
 Result<Plan> read_plan(std::string_view bytes) {
   AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));

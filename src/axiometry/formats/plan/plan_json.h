@@ -32,6 +32,10 @@ Result<Plan> read_plan(std::string_view bytes);
 /// The same of a plan that stands inside another file.
 Result<Plan> plan_from_value(const json::Value& value);
 
+/// Fails on a day that does not exist. A date is for people: other words that name none are read as they stand.
+Result<void> check_plan_date(std::string_view date);
+std::string plan_date_refusal(std::string_view date);  ///< what it says
+
 /// JSON Schema of the above.
 json::Value plan_schema();
 

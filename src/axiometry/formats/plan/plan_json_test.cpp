@@ -274,6 +274,25 @@ TEST(PlanJson, TheSchemaInTheRepositoryIsTheOneTheProgramPrints) {
   EXPECT_EQ(text.str(), json::dump(plan_schema()) + "\n");
 }
 
+TEST(PlanJson, RefusesADateThatIsNoDayAndReadsOtherWords) {
+  const auto dated = [](const std::string& date) {
+    return read_plan(R"({"axis": {"name": "X", "kind": "linear"}, "cycle": "standard", "targets": [0, 10],
+ "runs": 1, "overrun": 1, "feed": 1000, "dwell_s": 1, "date": ")" +
+                     date + "\"}");
+  };
+  for (const char* none : {"2026-02-30", "30.02.2026"}) {
+    const auto refused = dated(none);
+    ASSERT_FALSE(refused) << none;
+    EXPECT_EQ(refused.error().message, plan_date_refusal(none));
+    EXPECT_NE(refused.error().to_string().find("2:"), std::string::npos) << "where it stands";
+  }
+  for (const char* date : {"2026-02-28", "", "spring 2026"}) {
+    const auto plan = dated(date);
+    ASSERT_TRUE(plan) << plan.error().to_string();
+    EXPECT_EQ(plan->date, date);
+  }
+}
+
 TEST(PlanJson, SaysWhatErrorsItIsMadeForAndRefusesOthersWithTheirPlace) {
   const auto plan_with = [](const std::string& errors, const std::string& axis = "X") {
     return R"({"axis": {"name": ")" + axis + R"(", "kind": "linear"}, "cycle": "standard", "targets": [0, 10],

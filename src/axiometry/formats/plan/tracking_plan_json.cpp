@@ -89,6 +89,7 @@ Result<TrackingPlan> tracking_plan_from(const Value& root) {
   for (const auto& [name, member] :
        {std::pair{"title", &plan.title}, std::pair{"machine", &plan.machine}, std::pair{"date", &plan.date}})
     AXIOMETRY_TRY_VOID(members.take(name, *member));
+  if (const Value* date = members.optional("date")) AXIOMETRY_TRY_VOID(placed(check_plan_date(plan.date), date->at()));
   AXIOMETRY_TRY(const Value* setup, members.required("setup"));
   AXIOMETRY_TRY(plan.setup, tracking_setup_from(*setup));
   AXIOMETRY_TRY(const Value* lines, members.required("lines"));

@@ -106,6 +106,8 @@ TEST(TrackingPlanJson, RefusesWhatIsNoneWithItsPlace) {
             std::string::npos);
   EXPECT_NE(tracking_plan_error(whole_with("\"constant_um\": 0.4", "\"constant_um\": -1")).find("-1 µm"),
             std::string::npos);
+  EXPECT_NE(tracking_plan_error(whole_with("\"2026-11-22\"", "\"2026-02-30\"")).find("the date of the plan"),
+            std::string::npos);
   const std::string place = tracking_plan_error(whole_with("\"lost\": [", "\"lost\": [3, "));
   EXPECT_NE(place.find("\"lost\" of the kind number"), std::string::npos) << place;
   EXPECT_GT(read_tracking_plan(whole_with("\"lost\": [", "\"lost\": [3, ")).error().at.line, 10u);

@@ -91,7 +91,7 @@ class TableReader {
 
   Result<Test> test() {
     const TextPosition at{region_.rows.front().number, 0};
-    std::vector<Approach> approaches;
+    std::vector<ListedReading> approaches;
     std::vector<bool> measured(targets_.targets().size(), false);
     for (const Entry& e : entries_) {
       if (std::isnan(e.deviation)) continue;

@@ -187,10 +187,11 @@ Result<std::vector<SourceRemark>> source_from(const Value& source) {
     AXIOMETRY_TRY(const Value* value, member(source, names[k], Kind::text, "a string"));
     texts[k] = value->text();
   }
+  const Value* remarked = source.find("remarks");
   const Value* departures = source.find("departures");
-  const std::size_t most = departures != nullptr ? 4 : 3;
+  const std::size_t most = 3 + std::size_t{remarked != nullptr} + std::size_t{departures != nullptr};
   if (source.members().size() > most)
-    return fail(fmt::format("found {} members of source, expected file, sha256, format and departures",
+    return fail(fmt::format("found {} members of source, expected file, sha256, format, remarks and departures",
                             source.members().size()),
                 source.at());
   if (texts[1].find_first_not_of("0123456789abcdef") != std::string::npos || texts[1].size() > 64)
@@ -199,11 +200,13 @@ Result<std::vector<SourceRemark>> source_from(const Value& source) {
   std::vector<SourceRemark> remarks{
       {false, fmt::format("taken from {}, read as {}{}{}", text::quoted(texts[0]), text::quoted(texts[2]),
                           texts[1].empty() ? "" : ", SHA-256 ", texts[1])}};
-  if (departures == nullptr) return remarks;
-  if (!departures->is(Kind::array)) return fail("found source.departures that are no array", departures->at());
-  for (const Value& departure : departures->items()) {
-    if (!departure.is(Kind::text)) return fail("found a departure that is no string", departure.at());
-    remarks.push_back({true, departure.text()});
+  for (const auto& [list, departs] : {std::pair{remarked, false}, std::pair{departures, true}}) {
+    if (list == nullptr) continue;
+    if (!list->is(Kind::array)) return fail("found remarks or departures of source that are no array", list->at());
+    for (const Value& remark : list->items()) {
+      if (!remark.is(Kind::text)) return fail("found one of source that is no string", remark.at());
+      remarks.push_back({departs, remark.text()});
+    }
   }
   return remarks;
 }
@@ -326,9 +329,9 @@ Value source_to_json(const Provenance& source) {
   result.add("file", source.file);
   result.add("sha256", source.sha256);
   result.add("format", source.format);
-  std::vector<Value> departures;
-  for (const SourceRemark& remark : source.remarks)
-    if (remark.departs) departures.emplace_back(remark.message);
+  std::vector<Value> remarks, departures;
+  for (const SourceRemark& told : source.remarks) (told.departs ? departures : remarks).emplace_back(told.message);
+  if (!remarks.empty()) result.add("remarks", Value::array(std::move(remarks)));
   if (!departures.empty()) result.add("departures", Value::array(std::move(departures)));
   return result;
 }
@@ -373,8 +376,8 @@ constexpr std::string_view manual = R"(One JSON object (RFC 8259, UTF-8). `axiom
   target, **in the order of `targets`**, not in the order of the measurement; `null` where a reading is missing. A
   direction that was not measured is left out.
 - `times_s`: when each reading was taken, s since some beginning, in the shape of `up` and `down`; optional.
-- `source`: the file or stream that this one was taken from (`file`, `sha256`, empty when not known, `format`), and
-  `departures`, for which a test from such a file is no test after ISO 230-2; optional.
+- `source`: the file or stream that this one was taken from (`file`, `sha256`, empty when not known, `format`), what
+  was guessed or left out of it (`remarks`), and `departures`, for which it is no test after ISO 230-2; optional.
 - The other members are the metadata of the test, all optional.
 
 Refused: unknown members, members given twice, numbers that overflow, runs of the wrong length, nesting deeper

@@ -147,12 +147,26 @@ TEST(AxiometryJson, KeepsWhyATestIsNoneOfTheStandard) {
   axiometry::Test test{{}, *Series::make_dense({Position::native(0), Position::native(1)}, 1, {1, 2, 3, 4}), {}};
   test.provenance = {"mill.pos", "ab12", "api-pos", {{false, "a remark"}, {true, "averages only"}}};
   const std::string text = format().write(test);
-  EXPECT_FALSE(text.contains("a remark"));
   const auto again = format().read(text);
   ASSERT_TRUE(again) << again.error().to_string();
+  ASSERT_EQ(again->provenance.remarks.size(), 3u);
+  EXPECT_TRUE(again->provenance.remarks[2].departs);
+  EXPECT_EQ(again->provenance.remarks[2].message, "averages only");
+}
+
+/// What was guessed of a table is as uncertain behind its conversion as before.
+TEST(AxiometryJson, KeepsWhatTheReaderOfItsSourceHadToRemark) {
+  axiometry::Test test{{}, *Series::make_dense({Position::native(0), Position::native(1)}, 1, {1, 2, 3, 4}), {}};
+  test.provenance = {"mill.txt", "ab12", "generic", {{false, "the units were guessed"}}};
+  auto again = format().read(format().write(test));
+  ASSERT_TRUE(again) << again.error().to_string();
   ASSERT_EQ(again->provenance.remarks.size(), 2u);
-  EXPECT_TRUE(again->provenance.remarks[1].departs);
-  EXPECT_EQ(again->provenance.remarks[1].message, "averages only");
+  EXPECT_FALSE(again->provenance.remarks[1].departs);
+  EXPECT_EQ(again->provenance.remarks[1].message, "the units were guessed");
+  again->provenance.file = "mill.json";
+  const auto twice = format().read(format().write(*again));
+  ASSERT_TRUE(twice) << twice.error().to_string();
+  EXPECT_EQ(twice->provenance.remarks.size(), 3u) << "and where that was taken from";
 }
 
 TEST(AxiometryJson, KeepsARunWithoutAnyReading) {

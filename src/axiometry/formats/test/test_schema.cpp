@@ -143,6 +143,9 @@ Value source_schema() {
   Value properties = object({{"file", typed("string", "Its name.")},
                              {"sha256", typed("string", "Of its bytes, hexadecimal.")},
                              {"format", typed("string", "The format it was read as.")},
+                             {"remarks", object({{"type", "array"},
+                                                 {"description", "What was guessed or left out when it was read."},
+                                                 {"items", object({{"type", "string"}})}})},
                              {"departures", object({{"type", "array"},
                                                     {"description", "Why a test from it is no test after ISO 230-2."},
                                                     {"items", object({{"type", "string"}})}})}});

@@ -36,7 +36,7 @@ class ReadingGrid {
         times_s_(timed ? deviations_.size() : 0, missing) {}
 
   /// False where there is a reading already.
-  bool enter(const Approach& a, std::size_t target) {
+  bool enter(const ListedReading& a, std::size_t target) {
     const std::size_t place = (static_cast<std::size_t>(a.direction) * targets_ + target) * runs_ + a.run - 1;
     if (!std::isnan(deviations_[place])) return false;
     deviations_[place] = a.deviation.in_native();
@@ -103,12 +103,12 @@ class ReadingGrid {
 
 }  // namespace
 
-Result<GatheredSeries> gathered(std::span<const Approach> approaches) {
+Result<GatheredSeries> gathered(std::span<const ListedReading> approaches) {
   TargetIndex index;
   std::vector<std::uint32_t> numbers;
   std::size_t runs = 0;
   numbers.reserve(approaches.size());
-  for (const Approach& a : approaches) {
+  for (const ListedReading& a : approaches) {
     numbers.push_back(index.number(a.target.in_native()));
     runs = std::max(runs, a.run);
   }
@@ -117,9 +117,10 @@ Result<GatheredSeries> gathered(std::span<const Approach> approaches) {
   const std::span<const std::uint32_t> ranks = index.ranks();
   std::vector<Position> targets(m);
   for (std::size_t k = 0; k < m; ++k) targets[ranks[k]] = Position::native(index.targets()[k]);
-  ReadingGrid grid(m, runs, std::ranges::any_of(approaches, [](const Approach& a) { return !std::isnan(a.time_s); }));
+  ReadingGrid grid(m, runs,
+                   std::ranges::any_of(approaches, [](const ListedReading& a) { return !std::isnan(a.time_s); }));
   for (std::size_t k = 0; k < approaches.size(); ++k) {
-    const Approach& a = approaches[k];
+    const ListedReading& a = approaches[k];
     if (grid.enter(a, ranks[numbers[k]])) continue;
     std::size_t first = 0;
     while (numbers[first] != numbers[k] || approaches[first].direction != a.direction || approaches[first].run != a.run)

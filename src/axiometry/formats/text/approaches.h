@@ -12,8 +12,8 @@
 
 namespace axiometry::formats {
 
-/// One approach as a file lists it, in any order.
-struct Approach {
+/// One reading as a file lists it, with the approach that it was taken in; in any order.
+struct ListedReading {
   Position target{};
   Direction direction = Direction::up;
   std::size_t run = 1;  ///< from 1
@@ -32,6 +32,6 @@ struct GatheredSeries {
 /// backwards from one run to the next at a target, or to and fro within a run, which none of the cycles makes them do,
 /// are left out: a clock was set, or midnight passed. Fails, with the place, on a reading given twice, on a run number
 /// beyond any test and as Series::make_dense() does.
-Result<GatheredSeries> gathered(std::span<const Approach> approaches);
+Result<GatheredSeries> gathered(std::span<const ListedReading> approaches);
 
 }  // namespace axiometry::formats

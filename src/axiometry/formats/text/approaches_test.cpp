@@ -8,14 +8,15 @@
 namespace axiometry::formats {
 namespace {
 
-Approach approach(double target, Direction direction, std::size_t run, double deviation, double time_s,
-                  std::size_t line) {
+ListedReading approach(double target, Direction direction, std::size_t run, double deviation, double time_s,
+                       std::size_t line) {
   return {Position::native(target), direction, run, Deviation::native(deviation), time_s, {line, 1}};
 }
 
 TEST(Approaches, ComeToTheirPlacesFromAnyOrder) {
-  const std::vector<Approach> list = {approach(10, Direction::down, 2, 4, 7, 1), approach(0, Direction::up, 1, 1, 5, 2),
-                                      approach(10, Direction::up, 1, 2, NAN, 3)};
+  const std::vector<ListedReading> list = {approach(10, Direction::down, 2, 4, 7, 1),
+                                           approach(0, Direction::up, 1, 1, 5, 2),
+                                           approach(10, Direction::up, 1, 2, NAN, 3)};
   const auto result = gathered(list);
   ASSERT_TRUE(result) << result.error().to_string();
   EXPECT_EQ(result->series.targets()[0].in_native(), 0);
@@ -30,15 +31,15 @@ TEST(Approaches, ComeToTheirPlacesFromAnyOrder) {
 }
 
 TEST(Approaches, HaveNoTimesWhenNoneIsKnown) {
-  const std::vector<Approach> list = {approach(0, Direction::up, 1, 1, NAN, 1),
-                                      approach(1, Direction::up, 1, 1, NAN, 2)};
+  const std::vector<ListedReading> list = {approach(0, Direction::up, 1, 1, NAN, 1),
+                                           approach(1, Direction::up, 1, 1, NAN, 2)};
   EXPECT_TRUE(gathered(list)->times_s.empty());
 }
 
 TEST(Approaches, HaveNoTimesWhenTheseRunBackwards) {
-  std::vector<Approach> list = {approach(0, Direction::up, 1, 1, 10, 1), approach(1, Direction::up, 1, 1, 20, 2),
-                                approach(1, Direction::up, 2, 1, NAN, 3), approach(0, Direction::up, 2, 1, 40, 4),
-                                approach(1, Direction::up, 3, 1, 19.5, 5)};
+  std::vector<ListedReading> list = {approach(0, Direction::up, 1, 1, 10, 1), approach(1, Direction::up, 1, 1, 20, 2),
+                                     approach(1, Direction::up, 2, 1, NAN, 3), approach(0, Direction::up, 2, 1, 40, 4),
+                                     approach(1, Direction::up, 3, 1, 19.5, 5)};
   const auto result = gathered(list);
   ASSERT_TRUE(result) << result.error().to_string();
   EXPECT_TRUE(result->times_s.empty());
@@ -51,7 +52,7 @@ TEST(Approaches, HaveNoTimesWhenTheseRunBackwards) {
 }
 
 TEST(Approaches, HaveNoTimesWhenTheseGoToAndFroWithinARun) {
-  const std::vector<Approach> list = {
+  const std::vector<ListedReading> list = {
       approach(0, Direction::down, 2, 1, 30, 1), approach(1, Direction::down, 2, 1, 10, 2),
       approach(2, Direction::down, 2, 1, 15, 3), approach(2, Direction::up, 2, 1, 9, 4)};
   const auto result = gathered(list);
@@ -64,8 +65,9 @@ TEST(Approaches, HaveNoTimesWhenTheseGoToAndFroWithinARun) {
 }
 
 TEST(Approaches, AreRefusedWhenGivenTwice) {
-  const std::vector<Approach> list = {approach(0.3, Direction::up, 1, 1, 0, 4), approach(1, Direction::up, 1, 1, 1, 5),
-                                      approach(0.30000000000000004, Direction::up, 1, 2, 2, 6)};
+  const std::vector<ListedReading> list = {approach(0.3, Direction::up, 1, 1, 0, 4),
+                                           approach(1, Direction::up, 1, 1, 1, 5),
+                                           approach(0.30000000000000004, Direction::up, 1, 2, 2, 6)};
   EXPECT_EQ(gathered(list).error().to_string(),
             "line 6:1: found a second reading of target 0.30000000000000004↑ run 1, expected only that on line 4");
 }

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/text/json_members.h"
@@ -132,6 +133,7 @@ Value stop_value(const PlannedStop& stop) {
 
 Result<void> take_circumstances(JsonMembers& members, CalibrationPlan& plan) {
   AXIOMETRY_TRY_VOID(members.take("date", plan.date));
+  if (const Value* date = members.optional("date")) AXIOMETRY_TRY_VOID(placed(check_plan_date(plan.date), date->at()));
   AXIOMETRY_TRY_VOID(take_surroundings(members, plan));
   AXIOMETRY_TRY(plan.feed_mm_per_min, positive(members, "feed_mm_per_min", plan.feed_mm_per_min, feed_most));
   AXIOMETRY_TRY(const double dwell, positive(members, "dwell_s", plan.dwell.in_s(), dwell_most_s));

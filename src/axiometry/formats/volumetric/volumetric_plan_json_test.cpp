@@ -71,6 +71,7 @@ TEST(VolumetricPlanJson, RefusesWhatIsNoPlanSayingWhere) {
   refused("\"tool\": \"T2\"", "\"tool\": \"T1\"", "a second time");
   refused("\"dwell_s\": 4", "\"dwell_s\": -4", "dwell_s");
   refused("\"date\"", "\"dates\"", "dates");
+  refused("\"date\": \"", "\"date\": \"2026-02-30 ", "the date of the plan");
   EXPECT_FALSE(is_volumetric_plan("{}"));
   EXPECT_FALSE(is_volumetric_plan("no"));
 }

@@ -35,17 +35,38 @@ int parameter_decimals(const iso230_2::ParameterInfo& parameter, const iso230_2:
 
 namespace {
 
-/// As many more as the rounded value needs to lie on the same side of the limit as the exact one. Both are in the unit
-/// shown; closer than a rounding of the calculation they are the same.
-int decimals_beside_limit(double value, double limit, int decimals) {
+double rounded_to(double x, int places) {
+  const double unit = std::pow(10.0, places);
+  return std::round(x * unit) / unit;
+}
+
+/// As many more as the rounded value needs to lie on the same side of a border as the exact one. `printed` is the
+/// border as it stands beside a value of so many places. All are in the unit shown; closer than a rounding of the
+/// calculation they are the same.
+template <typename Printed>
+int decimals_beside(double value, double border, int decimals, const Printed& printed) {
   constexpr int finest = 9;
-  if (std::abs(value - limit) <= 1e-9 * std::max(1.0, std::abs(limit))) return decimals;
+  if (std::abs(value - border) <= 1e-9 * std::max(1.0, std::abs(border))) return decimals;
   const auto lies_as_exact = [&](int places) {
-    const double unit = std::pow(10.0, places);
-    const double rounded = std::round(value * unit) / unit;
-    return value > limit ? rounded > limit : rounded < limit;
+    const double rounded = rounded_to(value, places);
+    return value > border ? rounded > printed(places) : rounded < printed(places);
   };
   while (decimals < finest && !lies_as_exact(decimals)) ++decimals;
+  return decimals;
+}
+
+/// Beside the limit, which is printed with every digit, and beside T − g and T + g, which have one more than the value.
+int decimals_of_decision(const iso230_2::Judgement& judgement, double per_native, int decimals) {
+  if (!judgement.magnitude) return decimals;
+  const double value = judgement.magnitude->in_native() * per_native;
+  const double limit = judgement.tolerance.limit.in_native() * per_native;
+  decimals = decimals_beside(value, limit, decimals, [&](int) { return limit; });
+  if (judgement.rule.kind == uncertainty::DecisionRule::Kind::simple) return decimals;
+  for (const auto& guarded : {judgement.acceptance_limit(), judgement.rejection_limit()}) {
+    if (!guarded) continue;
+    const double border = guarded->in_native() * per_native;
+    decimals = decimals_beside(value, border, decimals, [&](int places) { return rounded_to(border, places + 1); });
+  }
   return decimals;
 }
 
@@ -56,9 +77,7 @@ ShownParameter shown_to(const iso230_2::ParameterInfo& parameter, const iso230_2
   const auto& value = assessment.evaluation.parameters.*parameter.member;
   if (!value) return {"not applicable", "", std::string(scale.unit)};
   int decimals = parameter_decimals(parameter, assessment, kind, options);
-  if (judgement != nullptr && judgement->magnitude)
-    decimals = decimals_beside_limit(judgement->magnitude->in_native() * scale.per_native,
-                                     judgement->tolerance.limit.in_native() * scale.per_native, decimals);
+  if (judgement != nullptr) decimals = decimals_of_decision(*judgement, scale.per_native, decimals);
   const auto number = [&](double native) { return format_fixed(native * scale.per_native, decimals, options.numbers); };
   std::string U;
   std::string interval;
@@ -68,7 +87,7 @@ ShownParameter shown_to(const iso230_2::ParameterInfo& parameter, const iso230_2
     else
       interval = number(known->interval.lower) + " to " + number(known->interval.upper);
   }
-  return {number(value->in_native()), U, std::string(scale.unit), interval};
+  return {number(value->in_native()), U, std::string(scale.unit), interval, decimals};
 }
 
 }  // namespace

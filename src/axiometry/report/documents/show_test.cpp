@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "axiometry/report/conformity_text.h"
 #include "axiometry/report/shown_number.h"
 #include "tests/support/report_subject.h"
 
@@ -77,6 +78,34 @@ TEST(Show, TellsBesideALimitOnWhichSideOfItTheValueLies) {
   EXPECT_EQ(beside(10.0), "9.6");
   EXPECT_EQ(beside(9.6), "9.59") << "less than its limit";
   EXPECT_EQ(beside(9.5), "9.6");
+}
+
+/// A = 9.586…: what T − g and T + g show beside it must not contradict the verdict.
+TEST(Show, TellsOnWhichSideOfTheGuardBandTheValueLies) {
+  Reported bare = testing_support::reported_without_metadata();
+  const auto beside = [&](double limit, double guard_band) {
+    iso230_2::Judgement judgement{};
+    judgement.tolerance = testing_support::tolerance("A", limit);
+    judgement.rule = {uncertainty::DecisionRule::Kind::guard_band, guard_band};
+    judgement.magnitude = bare.assessment.evaluation.parameters.A;
+    judgement.uncertainty = iso230_2::StatedUncertainty{};
+    judgement.decision.guard_band = judgement.decision.rejection_band = guard_band;
+    return show(judgement, bare.assessment, AxisKind::linear, bare.options);
+  };
+  EXPECT_EQ(beside(20.0, 1.0).value, "9.6");
+  EXPECT_EQ(beside(10.0, 0.41).value, "9.586") << "accepted up to 9.59, where 9.59 of 9.590 would seem to be at it";
+  EXPECT_EQ(beside(10.0, 0.45).value, "9.6") << "undecided above 9.55";
+  EXPECT_EQ(beside(9.0, 0.59).value, "9.586") << "rejected above 9.59 only";
+  EXPECT_EQ(limit_decimals(beside(20.0, 1.0)), 2);
+  bare.options.unit = DisplayUnit::nm;
+  EXPECT_EQ(limit_decimals(beside(20.0, 1.0)), 1);
+}
+
+TEST(Show, HasNoMoreDigitsOfTheGuardBandThanOneBeyondThoseOfARoundedValue) {
+  Reported table2 = reported_table2();  // 9600 ± 4300
+  table2.options.unit = DisplayUnit::nm;
+  EXPECT_EQ(limit_decimals(show(*iso230_2::find_parameter("A"), table2.assessment, AxisKind::linear, table2.options)),
+            -1);
 }
 
 TEST(Show, SaysNotApplicableWhereAParameterDoesNotExist) {

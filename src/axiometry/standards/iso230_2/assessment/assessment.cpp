@@ -63,6 +63,11 @@ Assessment assess(const Test& test, Depth depth) {
   result.inputs = resolve_inputs(test.metadata, test.series, test.provenance.stated);
   result.annex_a = annex_a(test.metadata, test.series, result.evaluation, test.provenance.stated);
   result.findings = find_departures(test.metadata, test.series, result.evaluation, result.annex_a, depth);
+  if (depth == Depth::departures_only)
+    result.progression = find_progression(test.metadata, test.series, result.evaluation, result.annex_a);
+  else if (const auto told = std::ranges::find(result.findings, "ordered-progression", &Finding::id);
+           told != result.findings.end())
+    result.progression = *told;
   if (depth == Depth::every_finding)
     for (Finding& finding : artefact_findings(test)) result.findings.push_back(std::move(finding));
   result.method_of_record = test.metadata.gum.method;

@@ -28,6 +28,11 @@ enum class Depth {
 std::vector<Finding> find_departures(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                                      const std::optional<AnnexA>& uncertainty, Depth depth = Depth::every_finding);
 
+/// Whether the deviations progress in order from run to run (4.3): one of find_departures(), which leaves it out of a
+/// table of many tests, where a claim asks for it all the same.
+std::optional<Finding> find_progression(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+                                        const std::optional<AnnexA>& uncertainty);
+
 /// The whole answer to one test: everything a report shows. The findings are those of find_departures() with the
 /// remarks of the test's source among them.
 struct Assessment {
@@ -40,6 +45,7 @@ struct Assessment {
   std::optional<UncertaintyMethod> method_of_record;
   std::vector<UncorrectedEffect> uncorrected;  ///< no verdict may rest on what they act on
   std::vector<Finding> findings;
+  std::optional<Finding> progression;  ///< find_progression(), at every depth: looked for once
   std::string label;  ///< must stand wherever the results do: "step cycle (Annex B), not for acceptance"; else empty
   bool temperatures_recorded = false;  ///< of the air at the start and the end of the test, by a log beside it
 

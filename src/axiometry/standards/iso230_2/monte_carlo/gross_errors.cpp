@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/numeric/leave_one_out.h"
 #include "axiometry/numeric/median.h"
@@ -201,14 +202,6 @@ std::vector<GrossError> gross_errors(const Series& series, const TestCourse& cou
   return found;
 }
 
-namespace {
-
-std::string signed_text(double x, int digits) {
-  return fmt::format("{}{:.{}g}", x < 0.0 ? "\u2212" : "", std::abs(x), digits);
-}
-
-}  // namespace
-
 std::string reason_of(std::span<const GrossError> found, const Test& test) {
   if (found.empty()) return {};
   const GrossError& worst = found.front();
@@ -216,8 +209,8 @@ std::string reason_of(std::span<const GrossError> found, const Test& test) {
   std::string reason = fmt::format(
       "{} of run {} at {} {} departs by {} {} from the other approaches, {:.1f} times the standard deviation "
       "of such a departure",
-      arrow(worst.direction), worst.run + 1, signed_text(test.series.targets()[worst.target].in_native(), 6),
-      position_unit(kind), signed_text(worst.departure.in_native(), 3), deviation_unit(kind), worst.factor);
+      arrow(worst.direction), worst.run + 1, format_significant(test.series.targets()[worst.target].in_native(), 6),
+      position_unit(kind), format_significant(worst.departure.in_native(), 3), deviation_unit(kind), worst.factor);
   if (found.size() > 1) reason += fmt::format("; such readings: {}", found.size());
   return reason;
 }

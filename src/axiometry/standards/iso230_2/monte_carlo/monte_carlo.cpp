@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
 #include "axiometry/standards/iso230_2/monte_carlo/mean_distributions.h"
 #include "axiometry/standards/iso230_2/monte_carlo/settled_trials.h"
@@ -245,7 +246,7 @@ void note_hypotheses(std::vector<std::string>& notes, std::span<const NoiseHypot
   if (hypotheses.size() < 2) return;
   for (const NoiseHypothesis& hypothesis : hypotheses) {
     if (hypothesis.refuted)
-      notes.push_back(fmt::format("Noise refuted by the readings (p = {:.1g}): {}; {}", hypothesis.p.value_or(0.0),
+      notes.push_back(fmt::format("Noise refuted by the readings ({}): {}; {}", format_chance(*hypothesis.p),
                                   hypothesis.title, hypothesis.reason));
     else if (hypothesis.reason.empty())
       notes.push_back(fmt::format("The interval holds for: {}", hypothesis.title));

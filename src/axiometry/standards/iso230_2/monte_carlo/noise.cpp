@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/standards/iso230_2/monte_carlo/environment_modes.h"
 #include "axiometry/standards/iso230_2/monte_carlo/environment_recording.h"
@@ -149,8 +150,8 @@ class NoiseModeller {
     if (p >= refuted_below) return;
     result_.notes.push_back(fmt::format(
         "The stated noise of a reading, u = {:.3g} {}, contradicts the readings: within runs they scatter by "
-        "s = {:.3g} {} alone (p = {}); no more than that is taken for noise",
-        u, unit_, within_.sd(), unit_, shown_chance(p)));
+        "s = {:.3g} {} alone ({}); no more than that is taken for noise",
+        u, unit_, within_.sd(), unit_, format_chance(p)));
   }
 
   double white_size() const { return std::hypot(stated_.environment, stated_.noise.reading); }
@@ -169,9 +170,9 @@ class NoiseModeller {
           within_.sd(), unit_, white_size(), unit_);
     if (hypothesis.refuted && stated_kind() == EnvironmentKind::white && !question_.only_input)
       result_.notes.push_back(
-          fmt::format("E_VE is stated as white noise, which the readings refute (p = {}): {}; every other kind is "
+          fmt::format("E_VE is stated as white noise, which the readings refute ({}): {}; every other kind is "
                       "considered in its place",
-                      shown_chance(p), hypothesis.reason));
+                      format_chance(p), hypothesis.reason));
     add(std::move(hypothesis), {with_environment(largest_white())}, nullptr);
   }
 
@@ -289,8 +290,6 @@ class NoiseModeller {
 };
 
 }  // namespace
-
-std::string shown_chance(double p) { return p < 1e-4 ? fmt::format("{:.0e}", p) : fmt::format("{:.2g}", p); }
 
 double WithinRuns::sd() const { return degrees_of_freedom > 0.0 ? std::sqrt(squares / degrees_of_freedom) : 0.0; }
 

@@ -64,7 +64,6 @@ bool refutes_stated_white(const Test& test);
 
 /// Below this probability of what the readings show noise of a stated size was not there.
 inline constexpr double refuted_below = 0.001;
-std::string shown_chance(double p);  ///< "0.0003", "3e-22"
 
 struct NoiseModels {
   std::vector<NoiseModel> models;           ///< "none" first; those not refuted

@@ -37,7 +37,7 @@ class DirectionFindings {
 
   void add(std::vector<Finding>& all, bool name_direction) const {
     for (auto finding : {few_periods(), coarse_targets(), equal_spacing(), not_significant(), at_end(), expected(),
-                         further(), above_scatter()}) {
+                         further(), above_scatter(), correlated()}) {
       if (!finding) continue;
       if (name_direction) finding->message += fmt::format(" ({})", arrow(d_.direction));
       all.push_back(*std::move(finding));
@@ -90,12 +90,12 @@ class DirectionFindings {
   std::optional<Finding> not_significant() const {
     if (d_.significant) return std::nullopt;
     const double amplitude = d_.harmonics.front().amplitude.value.in_native();
-    const double percent = 100.0 * d_.false_alarm;
+    const double percent = 100.0 * d_.false_alarm_correlated;
     const std::string chance = percent < 10.0 ? figure(percent, 2) : fmt::format("{:.0f}", percent);
     if (d_.period_known)
       return note("periodic-not-significant",
                   fmt::format("found no significant error of the period {}: noise alone gives an amplitude of {} {} or "
-                              "more in {} % of such tests",
+                              "more in up to {} % of such tests",
                               shown(period_), figure(amplitude, 2), deviation_, chance));
     return note("periodic-not-significant",
                 fmt::format("found no significant periodic error: noise alone gives a peak as high as that at {} in up "
@@ -149,6 +149,15 @@ class DirectionFindings {
         fmt::format("found a residual standard deviation of {} {}, where the scatter of the runs lets expect {} "
                     "{}: the deviations hold more than a line and this period",
                     figure(sd, 2), deviation_, figure(scatter, 2), deviation_));
+  }
+
+  /// What U and the chances take for independent of each other is not.
+  std::optional<Finding> correlated() const {
+    if (!d_.residual_correlation.told) return std::nullopt;
+    return note("periodic-correlated-residuals",
+                fmt::format("found residuals that go on from target to target (correlation {:.2f}): U takes them for "
+                            "independent and is too small, and so are chances of white noise",
+                            d_.residual_correlation.lag_one));
   }
 
   const Metadata& metadata_;

@@ -250,10 +250,11 @@ void add_points(PeriodicDirection& result, const Means& means) {
 
 /// The highest peak of what the fit leaves, where it stands out.
 std::optional<FurtherPeriod> further_period(const Means& means, const HarmonicFit& fit, PeriodBand band,
-                                            double rounding) {
+                                            const NoiseCorrelation& noise, double rounding) {
   const HarmonicData rest{means.places, fit.residuals};
   const numeric::SpectralLine highest = numeric::spectrum(rest, band).highest;
-  const double chance = numeric::false_alarm_probability(rest, band, highest.reduction);
+  const double chance = numeric::false_alarm_probability(
+      rest, band, noise.white_reduction(highest.reduction, highest.period / means.spacing()));
   if (chance >= significance || highest.amplitude <= rounding) return std::nullopt;
   return FurtherPeriod{Position::native(highest.period), Deviation::native(highest.amplitude), chance};
 }
@@ -291,22 +292,40 @@ void add_fits(PeriodicDirection& result, const Fits& fits, double rounding) {
   result.coverage_factor = numeric::student_t_quantile(numeric::normal_probability(2.0), nu);
 }
 
+/// By white noise, then by noise that is as correlated as the residuals may be, to which a reduction that white noise
+/// gives is less.
+void add_chances(PeriodicDirection& result, const Means& means, PeriodBand band, const numeric::SpectralLine& highest,
+                 const HarmonicFit& fit, double rounding) {
+  if (std::sqrt(fit.sum_of_squares / static_cast<double>(means.places.size())) > rounding)
+    result.residual_correlation = noise_correlation(fit.residuals, fit.degrees_of_freedom);
+  const NoiseCorrelation& noise = result.residual_correlation;
+  const double targets = fit.period / means.spacing();
+  if (result.period_known) {
+    const double half = 0.5 * static_cast<double>(fit.degrees_of_freedom);
+    const double chance = result.harmonics.front().chance;  // (1 − reduction)^(ν/2)
+    const double reduction = noise.white_reduction(1.0 - std::pow(chance, 1.0 / half), targets);
+    result.false_alarm = chance;
+    result.false_alarm_correlated = std::max(chance, std::pow(1.0 - reduction, half));
+  } else if (highest.amplitude > rounding) {
+    const auto chance_of = [&](double reduction) {
+      return numeric::false_alarm_probability(means.data(), band, reduction);
+    };
+    result.false_alarm = chance_of(highest.reduction);
+    result.false_alarm_correlated = chance_of(noise.white_reduction(highest.reduction, targets));
+  }
+  result.significant = result.false_alarm_correlated < significance;
+}
+
 /// What the spectrum says.
 void add_spectrum(PeriodicDirection& result, const Means& means, PeriodBand band, const numeric::Spectrum& spectrum,
                   const HarmonicFit& fit, double rounding) {
-  const bool known = result.period_known;
-  const auto& highest = spectrum.highest;
-  result.false_alarm = known ? result.harmonics.front().chance
-                       : highest.amplitude <= rounding
-                           ? 1.0
-                           : numeric::false_alarm_probability(means.data(), band, highest.reduction);
-  result.significant = result.false_alarm < significance;
+  add_chances(result, means, band, spectrum.highest, fit, rounding);
   // At a period searched as the highest peak the F test of a period stated beforehand tells nothing.
   result.harmonics.front().chance = result.false_alarm;
   result.harmonics.front().significant = result.significant;
-  result.further = further_period(means, fit, band, rounding);
+  result.further = further_period(means, fit, band, result.residual_correlation, rounding);
   result.noise_level = Deviation::native(noise_level(means, fit, band));
-  result.peak_at_end = !known && spectrum.at_end;
+  result.peak_at_end = !result.period_known && spectrum.at_end;
   for (const numeric::SpectralLine& line : spectrum.lines)
     result.spectrum.push_back({Position::native(line.period), Deviation::native(line.amplitude)});
 }

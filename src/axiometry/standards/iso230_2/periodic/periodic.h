@@ -9,6 +9,7 @@
 #include "axiometry/base/result.h"
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
+#include "axiometry/standards/iso230_2/periodic/correlated_noise.h"
 
 /// Periodic positioning error (ISO 230-2:2014, Annex C). The text of the annex was not at hand: what is done follows
 /// general knowledge of the test and docs/theory/periodic-error.md, where the formulas are derived.
@@ -89,8 +90,12 @@ struct PeriodicDirection {
   std::optional<Deviation> scatter_of_means;  ///< s/√n pooled over the targets: what the runs let expect as residual_sd
   double coverage_factor = 2.0;               ///< k for a probability of 95.45 %
 
-  double false_alarm = 1.0;  ///< that noise alone gives such a peak: in the band, or at the known period
-  bool significant = false;  ///< false_alarm below 1 %
+  double false_alarm = 1.0;  ///< that white noise alone gives such a peak: in the band, or at the known period
+  NoiseCorrelation residual_correlation{};
+  /// The same of noise that is as correlated from target to target as the residuals let be possible; about, and not
+  /// below false_alarm.
+  double false_alarm_correlated = 1.0;
+  bool significant = false;  ///< false_alarm_correlated below 1 %
   double periods_covered = 0.0;
   double targets_per_period = 0.0;
   std::optional<FurtherPeriod> further;
@@ -116,7 +121,7 @@ struct PeriodicError {
 
 /// The periodic error of each direction that was measured. Findings: fewer than two periods, targets further apart than
 /// a quarter period, periods that equal spacing cannot tell apart, both directions measured, no significant error, a
-/// peak at the end of the band, an expected period that is not the one found, a further period.
+/// peak at the end of the band, an expected period that is not the one found, a further period, correlated residuals.
 ///
 /// Fails on a period or band that is not positive, finite and in order, a band without room, more than 10⁷ periods to
 /// search or 10¹¹ steps for it, fewer than 7 targets with readings in a direction (6 with a known period), and targets

@@ -145,12 +145,6 @@ void add_impossible(Against& against, const Metadata& m) {
                                      "a warm-up is stated not to have been made; whether that was agreed is not"));
 }
 
-std::optional<Finding> progression_of(const Case& c) {
-  for (Finding& finding : rules::scatter_findings(c))
-    if (finding.clause == rules::progression_clause) return std::move(finding);
-  return rules::ordered_progression(c);
-}
-
 /// Readings that a test in accordance with the standard can have, though hardly has: whether the machine was warm, and
 /// the readings those of several runs, only who tested can tell.
 void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
@@ -161,7 +155,7 @@ void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
   };
   ask(rules::part_of_axis_travel(c));
   ask(rules::readings_repeat_exactly(c));
-  ask(progression_of(c));
+  ask(assessment.progression);
   if (!assessment.temperatures_recorded) ask(rules::temperature_change(c));  // a log has findings of its own
   ask(rules::impossible_date(c));
 }

@@ -347,7 +347,13 @@ TEST(Claims, OfTheTestAreContradictedWhereAFindingDepartsAndOnlyThere) {
 }
 
 TEST(Claims, AreTheSameAtEitherDepth) {
-  for (const axiometry::Test& test : {whole(), bare(), on({0, 100, 200, 300, 400}), on({0, 160, 300})}) {
+  axiometry::Test drifting = whole();
+  std::vector<RunDeviations> runs;
+  for (int j = 0; j < 5; ++j) runs.push_back({1 + 30.0 * j, 2 + 30.0 * j, 3 + 30.0 * j, 2 + 30.0 * j, 1 + 30.0 * j});
+  drifting.series = make_series({0, 110, 240, 390, 500}, runs, runs);
+  EXPECT_TRUE(assess(drifting, Depth::departures_only).progression);
+  EXPECT_EQ(assess(drifting, Depth::departures_only).progression->message, assess(drifting).progression->message);
+  for (const axiometry::Test& test : {whole(), bare(), on({0, 100, 200, 300, 400}), on({0, 160, 300}), drifting}) {
     const Claims shallow = claims_of(test, assess(test, Depth::departures_only)), deep = claims(test);
     for (std::size_t k = 0; k < deep.size(); ++k) EXPECT_EQ(shallow[k].against.size(), deep[k].against.size()) << k;
   }

@@ -7,6 +7,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::iso230_2 {
@@ -83,10 +84,7 @@ Case make_case(const Metadata& metadata, const Series& series, const Evaluation&
 
 std::string figure(double x) { return format_shortest(std::round(x * 1000.0) / 1000.0); }
 
-std::string size_text(double x) {
-  const double power = std::pow(10.0, std::max(0, decimals_for(std::abs(x), 3)));
-  return format_shortest(std::round(x * power) / power);
-}
+std::string size_text(double x) { return format_significant(x, 3); }
 
 namespace {
 
@@ -132,6 +130,14 @@ std::string target_text(const Case& c, std::size_t target) {
 }
 
 }  // namespace rules
+
+std::optional<Finding> find_progression(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
+                                        const std::optional<AnnexA>& uncertainty) {
+  const rules::Case c = rules::make_case(metadata, series, evaluation, uncertainty);
+  for (Finding& finding : rules::scatter_findings(c))
+    if (finding.clause == rules::progression_clause) return std::move(finding);
+  return rules::ordered_progression(c);
+}
 
 std::vector<Finding> find_departures(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                                      const std::optional<AnnexA>& uncertainty, Depth depth) {

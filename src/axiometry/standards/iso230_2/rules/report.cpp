@@ -111,8 +111,6 @@ bool may_be_initials(const Field& field, std::string_view words) {
 bool names_nothing(std::string_view words) { return text::says_nothing(words) || text::says_none(words); }
 
 /// Whether a date is written as ISO 8601 has it, day or no day.
-bool written_as_iso(std::string_view date) { return date.size() >= 10 && date[4] == '-' && date[7] == '-'; }
-
 constexpr std::string_view no_test_before = "1950-01-01";  // and no numerical control
 
 /// The last day that it can be anywhere: east of Greenwich it may be the next one.
@@ -207,13 +205,13 @@ std::optional<Finding> impossible_date(const Case& c) {
   if (!day.empty() && (day < no_test_before || day > tomorrow()))
     return missing("impossible-date", "8.1",
                    fmt::format("the date of the test is given as {}, expected a day from 1950 to now", date));
-  if (!written_as_iso(date) || !day.empty()) return std::nullopt;
+  if (!is_no_day(date)) return std::nullopt;
   return missing("impossible-date", "8.1", fmt::format("the date of the test is given as {}, which is no day", date));
 }
 
 std::optional<Finding> date_not_read(const Case& c) {
   const std::string& date = c.metadata.conditions.date;
-  if (names_nothing(date) || written_as_iso(date) || !iso_date(date).empty()) return std::nullopt;
+  if (names_nothing(date) || is_no_day(date) || !iso_date(date).empty()) return std::nullopt;
   // "None: simulated" says that there is none, and why; only dates of calibrations would ask for one.
   const bool none = text::says_none(std::string_view(date).substr(0, date.find(':')));
   if (none && std::ranges::none_of(c.metadata.equipment, dates_calibration)) return std::nullopt;

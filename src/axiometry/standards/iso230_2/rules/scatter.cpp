@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 
@@ -19,9 +20,6 @@ namespace {
 
 constexpr double least_change = 0.01;  // of a parameter, relative, that is worth a word
 constexpr double of_rounding = 1e-9;   // µm or ″: no reading tells it, but sums of equal ones may be off by as much
-
-/// "p = 0.003", "p < 0.0001".
-std::string chance_text(double p) { return p < 1e-4 ? std::string("p < 0.0001") : fmt::format("p = {:.4f}", p); }
 
 /// "R↑ would be 2.1 µm instead of 9.7 µm", of the parameter that changes most; "" where none does.
 std::string without_text(const Case& c, const AxisParameters& without) {
@@ -66,7 +64,7 @@ Finding outlier_finding(const Case& c, const OutlyingReading& outlier, const Axi
                   "target and run let expect ({}); {}, and nothing is removed",
                   target_text(c, outlier.target), arrow(outlier.direction), outlier.run + 1,
                   deviation_text(c, outlier.deviation.in_native()), deviation_text(c, std::abs(distance)),
-                  distance > 0.0 ? "above" : "below", chance_text(outlier.p), consequence(c, without, "it")));
+                  distance > 0.0 ? "above" : "below", format_chance(outlier.p), consequence(c, without, "it")));
 }
 
 /// The positions without those of the part that scatters more, for R of the rest.
@@ -104,7 +102,7 @@ std::string range_text(const Case& c) {
 
 Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
   const double within = uneven.within.in_native(), elsewhere = uneven.elsewhere.in_native();
-  const std::string chance = chance_text(uneven.p);
+  const std::string chance = format_chance(uneven.p);
   const bool whole = uneven.first == 0 && uneven.last + 1 == c.evaluation.positions.size();
   if (whole && uneven.direction) {
     const AxisParameters& p = c.evaluation.parameters;
@@ -136,15 +134,15 @@ Finding shifts_finding(const Case& c, const RunShifts& shifts) {
                     "scatter by {} about target and run ({}): a sign that the machine was not thermally stable; "
                     "{}, and nothing is removed",
                     drift > 0.0 ? "rising" : "falling", deviation_text(c, std::abs(drift)), within,
-                    chance_text(shifts.p), effect));
+                    format_chance(shifts.p), effect));
   }
   const double shift = shifts.shift.in_native();
   return note("shifted-runs", "3.18",
               fmt::format("found the readings of a run shifted as a whole, by {} from run to run (standard deviation), "
                           "where they scatter by {} about target and run ({}); run {} lies {} {} the mean; {}, and "
                           "nothing is removed",
-                          deviation_text(c, shifts.between.in_native()), within, chance_text(shifts.p), shifts.run + 1,
-                          deviation_text(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
+                          deviation_text(c, shifts.between.in_native()), within, format_chance(shifts.p),
+                          shifts.run + 1, deviation_text(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
 }
 
 }  // namespace

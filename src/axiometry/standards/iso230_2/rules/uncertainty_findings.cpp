@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/monte_carlo/noise.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/verdict/record.h"
@@ -22,10 +23,10 @@ std::optional<Finding> variation_against_readings(const Test& test) {
   if (p >= refuted_below) return std::nullopt;
   const AxisKind kind = test.metadata.axis.kind;
   const std::string found = fmt::format(
-      "E_VE = {} as noise from reading to reading would scatter them by {} within runs, where they scatter by {} (p = "
-      "{})",
+      "E_VE = {} as noise from reading to reading would scatter them by {} within runs, where they scatter by {} "
+      "({})",
       rules::deviation_text(kind, variation->in_native()), rules::deviation_text(kind, white),
-      rules::deviation_text(kind, within.sd()), shown_chance(p));
+      rules::deviation_text(kind, within.sd()), format_chance(p));
   if (test.metadata.gum.environment_kind == EnvironmentKind::white)
     return rules::missing("variation-against-readings", "A.2.5",
                           fmt::format("{}: it cannot be the white noise that it is stated to be, and counts as "

@@ -38,6 +38,7 @@ struct StatedUncertainty {
 struct ParameterUncertainty {
   StatedUncertainty stated;
   uncertainty::Belief belief;  ///< refers to the assessment, which must outlive it and stay where it is
+  std::string doubt{};         ///< why no verdict may rest on it, though it is stated; empty where one may
 };
 
 /// One per parameter, in the order of `parameters`; absent where the method states none.

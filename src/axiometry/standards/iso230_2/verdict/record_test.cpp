@@ -89,6 +89,27 @@ TEST(UncertaintyOfRecord, OfMonteCarloIsAnIntervalThatHoldsTheMeasuredValue) {
   }
 }
 
+/// For which parameters a verdict by the Monte Carlo method is refused.
+std::string undecided_by(Measurand measurand, TypeA type_a) {
+  Assessment assessment = by_all_methods();
+  assessment.monte_carlo->measurand = measurand;
+  assessment.monte_carlo->type_a = type_a;
+  const auto all = uncertainties_of_record(assessment);
+  std::string keys;
+  for (std::size_t k = 0; k < std::size(parameters); ++k)
+    if (!all[k]->doubt.empty()) keys.append(keys.empty() ? "" : " ").append(parameters[k].key);
+  return keys;
+}
+
+/// docs/studies/coverage.md, "This machine": what held the truth less often than in 95 % of tests at some s/u.
+TEST(UncertaintyOfRecord, IsDoubtedOfParametersThatASamplingOfRunsWasSeenToMiss) {
+  constexpr std::string_view all_but_B_mean = "A A_up A_down E E_up E_down M R R_up R_down B";
+  EXPECT_EQ(undecided_by(Measurand::this_machine, TypeA::t_scaled), all_but_B_mean);
+  EXPECT_EQ(undecided_by(Measurand::this_machine, TypeA::resampled), std::string(all_but_B_mean) + " B_mean");
+  EXPECT_EQ(undecided_by(Measurand::this_machine, TypeA::pooled), "");
+  EXPECT_EQ(undecided_by(Measurand::this_test, TypeA::t_scaled), "") << "nothing is sampled for a test that was made";
+}
+
 TEST(UncertaintyOfRecord, IsAbsentWhereNoneWasEstimated) {
   for (const auto& known : uncertainties_of_record(assess({{}, testing_support::table2::series(), {}})))
     EXPECT_FALSE(known);

@@ -27,7 +27,8 @@ Decision decide_on(const Question& asked, const JudgedWith& with) {
   uncertainty::MeasuredValue measured{.value = asked.value};
   measured.either_sign = is_mean_over_targets(asked.parameter);
   measured.rounding = with.slack.of(asked.parameter, asked.value);
-  if (const auto& known = with.uncertainties[index_of(asked.parameter)]) measured.belief = known->belief;
+  const auto& known = with.uncertainties[index_of(asked.parameter)];
+  if (known && known->doubt.empty()) measured.belief = known->belief;
   return decide(measured, asked.limit, asked.rule);
 }
 
@@ -157,8 +158,8 @@ std::vector<Judgement> judge(const AxisParameters& measured, std::span<const Tol
       if (!judgement.withheld.empty()) {
         judgement.decision = {};
         judgement.decision.verdict = Verdict::undecided;
-      } else if (!known && judgement.decision.verdict == Verdict::undecided) {
-        judgement.withheld = with.refusals[index_of(*tolerance.parameter)];
+      } else if (judgement.decision.verdict == Verdict::undecided) {
+        judgement.withheld = known ? known->doubt : with.refusals[index_of(*tolerance.parameter)];
       }
     }
     judgements.push_back(std::move(judgement));

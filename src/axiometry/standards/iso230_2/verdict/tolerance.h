@@ -58,8 +58,8 @@ struct Judgement {
   std::optional<StatedUncertainty> uncertainty;  ///< absent when none was estimated
   uncertainty::Decision decision;
   /// Why nothing is decided although there is a value: an effect that it holds, or terms that it
-  /// lacks, under every rule; or, where the rule asks for an uncertainty, that the method of record states none. Empty
-  /// mostly; else the verdict is `undecided`, without probability and zones.
+  /// lacks, under every rule; or, where the rule asks for an uncertainty, that the method of record states none or one
+  /// that is doubted. Empty mostly; else the verdict is `undecided`, without probability and zones.
   std::string withheld{};
 
   /// T − g: up to here accepted. Absent when nothing could be: no u, g > T, or withheld.

@@ -125,6 +125,27 @@ TEST(Judge, HasNoLimitsToShowForAGuardBandWithoutUncertainty) {
   EXPECT_FALSE(judgement.acceptance_limit());
 }
 
+TEST(Judge, DecidesNothingByAnUncertaintyThatDoesNotHoldWhatItStates) {
+  JudgedWith with = all_with(0.1);
+  for (auto& known : with.uncertainties) known->doubt = "it holds the truth less often";
+  for (const double um : {5.0, 20.0}) {  // far from 10 on both sides
+    const Tolerance one[] = {limit("A", um)};
+    for (const DecisionRule rule : {DecisionRule{Kind::iso_14253_1}, DecisionRule{Kind::guard_band, 1.0}}) {
+      const Judgement judgement = judge(measured(), one, rule, with).front();
+      EXPECT_EQ(judgement.decision.verdict, Verdict::undecided);
+      EXPECT_EQ(judgement.withheld, "it holds the truth less often");
+      EXPECT_FALSE(judgement.decision.probability_range);
+      EXPECT_FALSE(judgement.rejection_limit());
+      EXPECT_TRUE(judgement.uncertainty) << "stated as before";
+    }
+    // Simple acceptance asks for no uncertainty; the probability beside it does.
+    const Judgement simple = judge(measured(), one, {Kind::simple}, with).front();
+    EXPECT_EQ(simple.decision.verdict, um > 10 ? Verdict::conforms : Verdict::does_not_conform);
+    EXPECT_EQ(simple.withheld, "");
+    EXPECT_FALSE(simple.decision.probability_range);
+  }
+}
+
 TEST(Judge, FindsTheWorstOfAllVerdicts) {
   const auto of = [](std::vector<Tolerance> limits) {
     return overall_verdict(judge(measured(), limits, {Kind::iso_14253_1}, all_with(1)));
