@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <exception>
 
-#include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/recordings/raw_log.h"
 
 namespace axiometry::app {
@@ -144,8 +143,8 @@ void CaptureService::Running::take_lengths(const CaptureSession& session) {
   lengths.broken_before.clear();
   std::vector<CaughtLength> caught;
   for (const capture::StopMatch& match : matcher.matches()) {
-    if (!gives_length(matcher, match)) continue;
     const capture::Standstill& rest = matcher.standstills()[match.standstill];
+    if (!matcher.gives_length(rest)) continue;
     const bool begins = match.begins_segment && !caught.empty();
     if (begins && !matcher.stops()[match.stop].begins_segment) lengths.broken_before.push_back(match.stop);
     caught.push_back({.stop = match.stop,
