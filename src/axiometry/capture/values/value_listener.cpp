@@ -107,7 +107,7 @@ void ValueListener::act_again() {
 void ValueListener::act(const Pressed& pressed) {
   const StopKey key = pressed.key;
   const double time_s = std::isfinite(pressed.time_s) ? pressed.time_s : 0.0;  // before the first reading
-  if (options_.sign == StopSign::position) return;  // says itself which target it is
+  if (options_.sign == StopSign::position) return;                             // says itself which target it is
   if (key == StopKey::take) {
     if (options_.sign == StopSign::keys) return take_key(time_s);
     trusted_ = true;

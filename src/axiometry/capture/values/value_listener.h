@@ -62,7 +62,8 @@ class ValueListener {
   /// The channel beside them: positions, or 0 and another number.
   void push_beside(std::span<const Sample> samples);
 
-  /// Now, behind the last reading and behind the gap that followed it. The time at which press_at() has the same effect.
+  /// Now, behind the last reading and behind the gap that followed it. The time at which press_at() has the same
+  /// effect.
   double press(StopKey key);
   /// What was said in a recording that is played again, in order of time: before the first reading, or gap, behind it.
   void press_at(StopKey key, double time_s);
@@ -121,9 +122,9 @@ class ValueListener {
   std::vector<CaptureEvent> events_;
   std::optional<Sample> last_;
   double now_s_ = -std::numeric_limits<double>::infinity();  // of last_; by a rounding later behind each gap since
-  std::deque<Pressed> pressed_;  // of a recording, not reached yet
-  std::deque<double> edges_;     // of the trigger, not reached yet
-  std::optional<bool> level_;    // of the trigger; nothing where samples are missing
+  std::deque<Pressed> pressed_;                              // of a recording, not reached yet
+  std::deque<double> edges_;                                 // of the trigger, not reached yet
+  std::optional<bool> level_;                                // of the trigger; nothing where samples are missing
   std::optional<double> window_from_s_;
   std::vector<Sample> window_;  // or what a rest of the axis may be averaged from
   std::deque<Candidate> held_;  // from the first that is doubtful on
