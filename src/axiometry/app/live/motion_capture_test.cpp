@@ -214,6 +214,9 @@ TEST(StopMarks, AreKeptInTheirOrderAndReadAgain) {
   EXPECT_EQ((*marks)[2].key, capture::StopKey::skip);
   ASSERT_TRUE(append_mark(raw, {capture::StopKey::take, 3.0}));
   EXPECT_THAT(read_marks(marks_name(raw)).error().message, HasSubstr("found 3 s after 12.5 s"));
+  ASSERT_TRUE(write_file(marks_name(raw), "12.5,take\nbegin,skip\n"));
+  EXPECT_THAT(read_marks(marks_name(raw)).error().to_string(),
+              HasSubstr("keys:2:1: found \"begin,skip\", expected a time in s"));
   ASSERT_TRUE(write_file(marks_name(raw), "1,take\n2,took\n"));
   EXPECT_THAT(read_marks(marks_name(raw)).error().to_string(), HasSubstr("keys:2:1: found \"2,took\""));
 }
