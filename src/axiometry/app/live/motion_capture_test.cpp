@@ -8,6 +8,7 @@
 #include "axiometry/app/error_motions/motion_evaluation.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/live/motion_run.h"
+#include "axiometry/app/live/recording_spared.h"
 #include "axiometry/app/live/stop_marks.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "tests/support/made_up_motion.h"
@@ -199,6 +200,24 @@ TEST(MotionCapture, PlaysKeysOfAFinishedRecordingAgain) {
   EXPECT_THAT(capture.events.back(), HasSubstr("the recording ended before target 1↓ run 2"));
   const auto half = measure_straightness({.file = capture.run.out, .options = {}});
   EXPECT_THAT(half.error().message, HasSubstr("found no reading at position 0 mm"));
+}
+
+TEST(StopMarks, AreSparedAsTheRecordingIs) {
+  MotionCapture capture;
+  capture.put("run.raw", *MotionCapture::whole(capture.run.from));
+  capture.put("run.raw.keys", "1,skip\n");
+  capture.run.from = capture.path("run.raw");
+  capture.run.out = capture.path("run.raw.keys");
+  EXPECT_EQ(capture.refusal(), "found an output that is also an input, expected another name");
+  CaptureRun live;
+  live.from = "tcp://127.0.0.1:9";
+  live.raw = capture.path("x.raw");
+  for (const char* name : {"x.raw", "x.raw.keys"}) {
+    live.out = capture.path(name);
+    EXPECT_FALSE(check_recording_spared(live, capture.path("run.csv"))) << name;
+  }
+  live.out = capture.path("x.csv");
+  EXPECT_TRUE(check_recording_spared(live, capture.path("run.csv")));
 }
 
 TEST(StopMarks, AreKeptInTheirOrderAndReadAgain) {
