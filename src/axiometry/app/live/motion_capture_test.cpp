@@ -109,6 +109,19 @@ TEST(MotionCapture, FindsStopsByThePositionInTheStream) {
   capture.expect_whole();
 }
 
+TEST(MotionCapture, KeepsWhatStoodBeforeALineThatTellsNoStop) {
+  MotionCapture capture;
+  const DrivenAxis axis(capture.plan);
+  std::string stream = stream_of(axis, "time_s,position_mm,straightness_um,trigger", 1.0);
+  const std::size_t line = stream.find(fmt::format("\n{:.2f},", axis.stops()[9].end_s)) + 1;
+  stream[stream.find('\n', line) - 1] = 'x';
+  capture.put("run.csv", stream);
+  EXPECT_THAT(capture.refusal(), HasSubstr("found \"x\", expected a finite number"));
+  const auto table = formats::read_motion_csv(*MotionCapture::whole(capture.run.out));
+  ASSERT_TRUE(table) << table.error().to_string();
+  EXPECT_EQ(table->readings.size(), 10u);
+}
+
 TEST(MotionCapture, TakesMillimetresAsStatedAndAsNamed) {
   for (const bool stated : {false, true}) {
     MotionCapture capture;
