@@ -15,8 +15,8 @@
 namespace axiometry::tracking::detail {
 namespace {
 
-constexpr double gain_least = 60.0;     // as of a break, in look_for_breaks()
-constexpr double by_chance = 1e-6;      // of m − 1 unknowns without an effect
+constexpr double gain_least = 60.0;               // as of a break, in look_for_breaks()
+constexpr double by_chance = 1e-6;                // of m − 1 unknowns without an effect
 constexpr double freedom_of_scales_least = 20.0;  // below it χ²/ν itself is too uncertain to measure by
 
 /// ν + 2 √(2ν): by chance above it once in forty times.
