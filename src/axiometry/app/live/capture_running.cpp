@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/recordings/raw_log.h"
 
 namespace axiometry::app {

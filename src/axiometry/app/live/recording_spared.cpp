@@ -14,7 +14,9 @@ Result<void> check_recording_spared(const CaptureRun& run, const std::string& pl
   if (!run.resume.empty()) AXIOMETRY_TRY_VOID(InputFiles(std::vector<InputFile>{{plan}}).check_spared(run.resume));
   if (run.out.empty() || run.out == "-") return {};
   std::vector<InputFile> inputs{{plan}, {run.from}, {times_name(run.from)}};
-  if (const std::string marks = marks_played(run); !marks.empty()) inputs.push_back({marks});
+  if (!run.keys.empty()) inputs.push_back({run.keys});
+  for (const std::string& played : {run.from, run.resume})
+    if (is_raw(played)) inputs.push_back({marks_name(played)});
   if (!run.resume.empty()) inputs.insert(inputs.end(), {{run.resume}, {times_name(run.resume)}});
   AXIOMETRY_TRY_VOID(InputFiles(inputs).check_spared(run.out));
   const auto whole = [](const std::string& name) {

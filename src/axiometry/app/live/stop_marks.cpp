@@ -58,13 +58,6 @@ std::unexpected<Error> fail_by_system(const std::string& file) {
 
 std::string marks_name(const std::string& raw) { return raw + ".keys"; }
 
-std::string marks_played(const CaptureRun& run) {
-  if (!run.keys.empty()) return run.keys;
-  const std::string& played = run.resume.empty() ? run.from : run.resume;
-  std::error_code unknown;
-  return is_raw(played) && std::filesystem::exists(marks_name(played), unknown) ? marks_name(played) : std::string();
-}
-
 Result<void> append_mark(const std::string& raw, const StopMark& mark) {
   const std::string file = marks_name(raw), line = line_of(mark);
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
@@ -104,13 +97,18 @@ Result<std::vector<StopMark>> read_marks(const std::string& file) {
 
 Result<void> take_marks(const CaptureRun& run, MotionStatement& stated) {
   std::error_code unknown;
+  const auto exists = [&](const std::string& name) { return std::filesystem::exists(name, unknown); };
   AXIOMETRY_TRY(const auto live, parse_live(run.from));
   if (live && !run.keys.empty())
     return fail("found a file of keys with a live source, expected one with a finished recording");
-  if (live && run.resume.empty() && std::filesystem::exists(marks_name(run.raw), unknown))
+  if (live && run.resume.empty() && exists(marks_name(run.raw)))
     return std::unexpected(
         Error{"found keys of another recording, expected none before this one begins", marks_name(run.raw), {}});
-  if (const std::string file = marks_played(run); !file.empty()) {
+  const std::string& played = run.resume.empty() ? run.from : run.resume;
+  const std::string file = !run.keys.empty()                              ? run.keys
+                           : is_raw(played) && exists(marks_name(played)) ? marks_name(played)
+                                                                          : std::string();
+  if (!file.empty()) {
     AXIOMETRY_TRY(stated.marks, read_marks(file));
   }
   if (stated.sign != capture::StopSign::keys || live || !stated.marks.empty()) return {};

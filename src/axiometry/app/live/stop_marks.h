@@ -19,11 +19,7 @@ Result<void> append_mark(const std::string& raw, const StopMark& mark);
 /// Fails, with the line, on what is no mark, and on times that run backwards.
 Result<std::vector<StopMark>> read_marks(const std::string& file);
 
-/// The file of those that a run plays: run.keys, or else what is beside the recording that is played or gone on with.
-/// Empty where there is none.
-std::string marks_played(const CaptureRun& run);
-
-/// Those of marks_played(). Fails as read_marks() does, on marks
+/// Those of run.keys, or else beside the recording that is played or gone on with. Fails as read_marks() does, on marks
 /// beside a live recording that is to begin, on a file of them with a live source, and where keys tell the stops and a
 /// finished recording has none.
 Result<void> take_marks(const CaptureRun& run, MotionStatement& stated);
