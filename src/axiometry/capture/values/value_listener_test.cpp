@@ -95,12 +95,13 @@ TEST(StillValue, IsNoneOfTooFewOrOfWhatMoves) {
             "found 15 samples, expected at least 16 to tell whether they stand still");
   samples.clear();
   for (int k = 0; k < 100; ++k) samples.push_back({0.1 * k, 0.05 * k});
-  EXPECT_THAT(still_value(samples, {}).error().message,
-              HasSubstr("found means that range over 3.75, expected at most"));
+  EXPECT_THAT(still_value(samples, {}).error().message, HasSubstr("found means that range over 3.75 µm, expected "));
+  EXPECT_EQ(still_value(samples, {.threshold = 1.0, .unit = "″"}).error().message,
+            "found means that range over 3.75 ″, expected 1.00 at most");
   EXPECT_TRUE(still_value(samples, {.threshold = 4.0}));
   // However noisy: means that wander by more than ten times what is always allowed.
   for (int k = 0; k < 100; ++k) samples[static_cast<std::size_t>(k)].position = (k % 2 == 0 ? 40.0 : -40.0) + 0.2 * k;
-  EXPECT_THAT(still_value(samples, {}).error().message, HasSubstr("expected at most 10.00"));
+  EXPECT_THAT(still_value(samples, {}).error().message, HasSubstr("expected 10.00 at most"));
 }
 
 TEST(ValueListener, TakesOneWindowBehindEachTrigger) {
