@@ -34,6 +34,7 @@ std::vector<capture::StopKey> TypedKeys::take() {
       take_line(begun_.substr(0, end), keys);
       begun_.erase(0, end + 1);
     }
+    if (closed_ && !begun_.empty()) take_line(std::exchange(begun_, {}), keys);  // a last line without its end
     if (begun_.size() > longest_key) begun_.clear();
   }
   return keys;

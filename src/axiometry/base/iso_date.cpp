@@ -64,8 +64,9 @@ std::string iso_date(std::string_view raw) {
   if (const auto parts = text::split(day, '.'); parts.size() == 3) date = date_of({parts[2], parts[1], parts[0]});
   // Who wrote the year last would have 19 or 20 for a month.
   if (day.size() == 8 && date.empty()) date = date_of({day.substr(0, 4), day.substr(4, 2), day.substr(6)});
-  if (const auto written = written_date(text); date.empty() && written) date = date_text(*written);
-  return date;
+  if (!date.empty()) return date;
+  const auto written = written_date(text);
+  return written ? date_text(*written) : "";
 }
 
 bool is_no_day(std::string_view raw) {

@@ -44,9 +44,11 @@ constexpr std::string_view words_before =
 
 constexpr std::string_view ordinal_ends[] = {"st", "nd", "rd", "th", "er"};
 
-std::string without_accents(std::string_view text) {
+/// In small letters, blanks for what parts words.
+std::string plain_date_text(std::string_view text) {
   constexpr std::pair<std::string_view, char> letters[] = {{"ä", 'a'}, {"Ä", 'a'}, {"é", 'e'},      {"É", 'e'},
-                                                           {"û", 'u'}, {"Û", 'u'}, {"\u00A0", ' '}, {"\u202F", ' '}};
+                                                           {"û", 'u'}, {"Û", 'u'}, {"\u00A0", ' '}, {"\u202F", ' '},
+                                                           {",", ' '}, {";", ' '}};
   std::string plain;
   while (!text.empty()) {
     const auto* found = std::ranges::find_if(letters, [&](const auto& l) { return text.starts_with(l.first); });
@@ -96,7 +98,7 @@ void leave_out_words_before(std::vector<Piece>& pieces) {
   while (!pieces.empty() && says_nothing(pieces.front())) pieces.erase(pieces.begin());
 }
 
-/// Of a text without accents. Times, which have colons, are left out with the zone behind them; what stands behind is
+/// Of a plain_date_text(). Times, which have colons, are left out with the zone behind them; what stands behind is
 /// looked at only where the year was not yet named, "Nov 12 09:30:00 UTC 2026".
 std::vector<Piece> pieces_of(std::string_view plain) {
   std::vector<Piece> pieces;
@@ -132,9 +134,7 @@ bool may_go_on(std::span<const Piece> rest) {
 
 std::optional<year_month_day> written_date(std::string_view raw) {
   if (raw.size() > date_bytes_most) return std::nullopt;
-  std::string plain = without_accents(raw);
-  std::ranges::replace_if(
-      plain, [](char c) { return c == ',' || c == ';'; }, ' ');
+  const std::string plain = plain_date_text(raw);
   const std::vector<Piece> pieces = pieces_of(plain);
   if (pieces.size() < 3 || !may_go_on(std::span(pieces).subspan(3))) return std::nullopt;
   const bool year_first = year_of(pieces[0], false).has_value();
@@ -152,7 +152,7 @@ std::optional<year_month_day> written_date(std::string_view raw) {
 
 std::optional<year_month> written_month(std::string_view raw) {
   if (raw.size() > date_bytes_most) return std::nullopt;
-  const std::string plain = without_accents(raw);
+  const std::string plain = plain_date_text(raw);
   const std::vector<Piece> pieces = pieces_of(plain);
   if (pieces.size() != 2) return std::nullopt;
   const bool year_first = pieces[0].number;

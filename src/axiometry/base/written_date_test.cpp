@@ -78,7 +78,7 @@ TEST(WrittenDate, IsNotGuessed) {
 }
 
 TEST(WrittenDate, MayNameAMonthAlone) {
-  for (const char* text : {"June 2013", "Juni 2013", "juin 2013", "JUN. 2013", "2013 June", "Jun-2013"}) {
+  for (const char* text : {"June 2013", "Juni 2013", "juin 2013", "JUN. 2013", "2013 June", "Jun-2013", "June, 2013"}) {
     EXPECT_EQ(named_days(text).first, "2013-06-01") << text;
     EXPECT_EQ(named_days(text).last, "2013-06-30") << text;
   }

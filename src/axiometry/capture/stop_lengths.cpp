@@ -38,7 +38,7 @@ class Outcome {
 
   StopLengths run() {
     lengths_.stops.resize(stops().size());
-    for (const Standstill& s : matcher_.standstills()) lengths_.standstills += is_usable(s) ? 1 : 0;
+    for (const Standstill& s : matcher_.standstills()) lengths_.standstills += matcher_.gives_length(s) ? 1 : 0;
     find_ambiguous();
     std::size_t segment = 0;
     for (std::size_t k = 0; k < matches_.size(); ++k) {
@@ -50,7 +50,7 @@ class Outcome {
       StopOutcome& outcome = lengths_.stops[m.stop];
       if (standstill(m).frozen_from_s)
         outcome.lack = StopLack::signal_lost;
-      else if (!long_enough(standstill(m)))
+      else if (!matcher_.gives_length(standstill(m)))
         outcome.lack = StopLack::too_short;
       else if (ambiguous_[k])
         outcome.lack = StopLack::ambiguous;
@@ -66,8 +66,6 @@ class Outcome {
  private:
   std::span<const ExpectedStop> stops() const { return matcher_.stops(); }
   const Standstill& standstill(const StopMatch& match) const { return matcher_.standstills()[match.standstill]; }
-  bool long_enough(const Standstill& s) const { return s.end_s - s.begin_s >= matcher_.options().shortest.in_s(); }
-  bool is_usable(const Standstill& s) const { return long_enough(s) && !s.frozen_from_s; }
 
   StopLength length_of(const Standstill& s, std::size_t segment) const {
     StopLength length{s.position.in_native(),
@@ -118,7 +116,7 @@ class Outcome {
     std::size_t next = 0;
     for (std::size_t k = matches_.front().standstill; k < matches_.back().standstill; ++k) {
       while (matches_[next].standstill < k) ++next;
-      if (matches_[next].standstill != k && is_usable(matcher_.standstills()[k]))
+      if (matches_[next].standstill != k && matcher_.gives_length(matcher_.standstills()[k]))
         lengths_.unused.push_back(matcher_.standstills()[k]);
     }
   }

@@ -377,6 +377,16 @@ TEST(StopLengths, TakeTimeInProportionToTheStandstills) {
   EXPECT_LT(many, 30.0 * few + 0.2) << few;
 }
 
+TEST(StopMatcher, KnowsWhichRestsGiveALength) {
+  const StopMatcher matcher(stops_at(volume_points(3), {}), {.shortest = Duration::s(1.0)});
+  Standstill rest{.begin_s = 2.0, .end_s = 3.5};
+  EXPECT_TRUE(matcher.gives_length(rest));
+  rest.frozen_from_s = 2.5;
+  EXPECT_FALSE(matcher.gives_length(rest)) << "a capture that waits for all lengths is not over";
+  rest = {.begin_s = 2.0, .end_s = 2.9};
+  EXPECT_FALSE(matcher.gives_length(rest));
+}
+
 /// The beam is lost on the way to a stop, near it; the length stands still until it is found again, at the stop behind.
 TEST(StopLengths, HasNoLengthOfAStopWhereItFrozeAndJumped) {
   const auto points = volume_points(30);

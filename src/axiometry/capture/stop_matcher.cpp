@@ -63,10 +63,14 @@ double StopMatcher::tolerance_mm(std::size_t from, std::size_t to) const {
   return options_.tolerance_mm + station + options_.scale * std::abs(distances_[to] - distances_[from]);
 }
 
+bool StopMatcher::gives_length(const Standstill& rest) const {
+  return !rest.frozen_from_s && rest.end_s - rest.begin_s >= options_.shortest.in_s();
+}
+
 void StopMatcher::take(const Standstill& standstill) {
   standstills_.push_back(standstill);
   const Standstill& s = standstills_.back();
-  const bool too_short = s.frozen_from_s || s.end_s - s.begin_s < options_.shortest.in_s();  // no reading
+  const bool no_length = !gives_length(s);
   cost_limit_ = best().cost + cost_most;
   for (State& state : states_) {
     const double low = options_.reversed ? -s.highest.in_native() : s.lowest.in_native();
@@ -74,14 +78,14 @@ void StopMatcher::take(const Standstill& standstill) {
     state.lowest = std::min(state.lowest, low);
     state.highest = std::max(state.highest, high);
     state.broken = state.broken || s.after_gap;
-    pass_over(state, s, too_short);
-    try_stops(state, s, too_short);
+    pass_over(state, s, no_length);
+    try_stops(state, s, no_length);
   }
   thin_out();
 }
 
-void StopMatcher::pass_over(State state, const Standstill& s, bool too_short) {
-  if (too_short) {
+void StopMatcher::pass_over(State state, const Standstill& s, bool no_length) {
+  if (no_length) {
     state.cost += cost_short;
   } else if (state.stop == none || state.stop + 1 == stops_.size()) {
     state.cost += cost_outside;
@@ -96,7 +100,7 @@ void StopMatcher::pass_over(State state, const Standstill& s, bool too_short) {
   matches_.push_back(std::nullopt);
 }
 
-void StopMatcher::try_stops(const State& state, const Standstill& s, bool too_short) {
+void StopMatcher::try_stops(const State& state, const Standstill& s, bool no_length) {
   const std::size_t first = state.stop == none ? 0 : state.stop + 1;
   double room = states_most;  // a recording may begin late
   if (state.stop != none) {
@@ -105,7 +109,7 @@ void StopMatcher::try_stops(const State& state, const Standstill& s, bool too_sh
   }
   const std::size_t last = std::min(stops_.size(), first + static_cast<std::size_t>(room));
   for (std::size_t stop = first; stop < last; ++stop) {
-    const double so_far = state.cost + missed_cost(stop - first) + (too_short ? cost_short_match : 0.0);
+    const double so_far = state.cost + missed_cost(stop - first) + (no_length ? cost_short_match : 0.0);
     if (so_far > cost_limit_) return;
     const auto taken = step(state, stop, s);
     if (!taken) continue;

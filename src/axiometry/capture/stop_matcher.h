@@ -52,6 +52,9 @@ class StopMatcher {
   bool complete() const { return !due(); }
   double cost() const { return best().cost; }  ///< of it, after the table of docs/theory/capture-lengths.md
 
+  /// Whether a rest that is taken for a stop has a length: it was long enough, and the signal was not lost in it.
+  bool gives_length(const Standstill& rest) const;
+
   std::span<const Standstill> standstills() const { return standstills_; }
   std::span<const ExpectedStop> stops() const { return stops_; }
   const StopMatcherOptions& options() const { return options_; }
@@ -83,8 +86,8 @@ class StopMatcher {
   };
 
   double length(const Standstill& s) const;
-  void pass_over(State state, const Standstill& s, bool too_short);
-  void try_stops(const State& state, const Standstill& s, bool too_short);
+  void pass_over(State state, const Standstill& s, bool no_length);
+  void try_stops(const State& state, const Standstill& s, bool no_length);
   std::optional<Step> step(const State& state, std::size_t stop, const Standstill& s) const;
   double way_cost(const State& state, std::size_t stop, const Standstill& s) const;
   void offer(State state, StopMatch match);

@@ -140,6 +140,10 @@ constexpr Phrase volume_refusals_rows[] = {
     {"found no tool, expected its name or number", "kein Werkzeug; erwartet: sein Name oder seine Nummer"},
     {"found no tool, expected one of {0=}", "kein Werkzeug; erwartet: eines von {0}"},
     {"found one position, expected two or more", "eine Position; erwartet: zwei oder mehr"},
+    {"found one run of {0=} and 0 as uncertainty of its instrument at {1#} mm, expected more runs or an uncertainty "
+     "above 0 there: nothing tells how well it is known",
+     "ein Durchlauf von {0} und 0 als Unsicherheit seines Messgeräts bei {1}\u00a0mm; erwartet: mehr Durchläufe oder "
+     "dort eine Unsicherheit über 0, denn nichts sagt, wie gut er bekannt ist"},
     {"found one run of {0=} and no uncertainty of its instrument, expected more runs or that uncertainty: nothing "
      "tells how well it is known",
      "ein Durchlauf von {0} und keine Unsicherheit seines Messgeräts; erwartet: mehr Durchläufe oder diese "

@@ -283,6 +283,11 @@ TEST(Compensations, WhatAControlCannotHoldIsRefusedByName) {
   expect_refused("fanuc", jump, options, "whole number of steps");
   options.reference = 10.0;
   expect_refused("pmac", jump, options, "expected 0");
+  // Either reversal is within 24 bits, what stands in BLCOMP, their difference, is not.
+  const AxisCorrection turned = correction_of(AxisKind::linear, {0.0, 10.0, 20.0}, flat, {-4000.0, 4000.0, 0.0});
+  options = {};
+  options.resolution = 0.01;
+  expect_refused("pmac", turned, options, "found a correction of -12800000 counts / 16, expected at most 8388607");
   const AxisCorrection coarse = correction_of(AxisKind::linear, {-12.7, 0.0}, {100.0, 0.0}, {100.0, 0.0});
   options = {};
   options.resolution = 0.5;

@@ -144,8 +144,8 @@ void CaptureService::Running::take_lengths(const CaptureSession& session) {
   lengths.broken_before.clear();
   std::vector<CaughtLength> caught;
   for (const capture::StopMatch& match : matcher.matches()) {
-    if (!gives_length(matcher, match)) continue;
     const capture::Standstill& rest = matcher.standstills()[match.standstill];
+    if (!matcher.gives_length(rest)) continue;
     const bool begins = match.begins_segment && !caught.empty();
     if (begins && !matcher.stops()[match.stop].begins_segment) lengths.broken_before.push_back(match.stop);
     caught.push_back({.stop = match.stop,

@@ -8,6 +8,7 @@
 #include "axiometry/app/error_motions/motion_evaluation.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/live/motion_run.h"
+#include "axiometry/app/live/recording_spared.h"
 #include "axiometry/app/live/stop_marks.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "tests/support/made_up_motion.h"
@@ -108,6 +109,19 @@ TEST(MotionCapture, FindsStopsByThePositionInTheStream) {
   capture.expect_whole();
 }
 
+TEST(MotionCapture, KeepsWhatStoodBeforeALineThatTellsNoStop) {
+  MotionCapture capture;
+  const DrivenAxis axis(capture.plan);
+  std::string stream = stream_of(axis, "time_s,position_mm,straightness_um,trigger", 1.0);
+  const std::size_t line = stream.find(fmt::format("\n{:.2f},", axis.stops()[9].end_s)) + 1;
+  stream[stream.find('\n', line) - 1] = 'x';
+  capture.put("run.csv", stream);
+  EXPECT_THAT(capture.refusal(), HasSubstr("found \"x\", expected a finite number"));
+  const auto table = formats::read_motion_csv(*MotionCapture::whole(capture.run.out));
+  ASSERT_TRUE(table) << table.error().to_string();
+  EXPECT_EQ(table->readings.size(), 10u);
+}
+
 TEST(MotionCapture, TakesMillimetresAsStatedAndAsNamed) {
   for (const bool stated : {false, true}) {
     MotionCapture capture;
@@ -201,6 +215,24 @@ TEST(MotionCapture, PlaysKeysOfAFinishedRecordingAgain) {
   EXPECT_THAT(half.error().message, HasSubstr("found no reading at position 0 mm"));
 }
 
+TEST(StopMarks, AreSparedAsTheRecordingIs) {
+  MotionCapture capture;
+  capture.put("run.raw", *MotionCapture::whole(capture.run.from));
+  capture.put("run.raw.keys", "1,skip\n");
+  capture.run.from = capture.path("run.raw");
+  capture.run.out = capture.path("run.raw.keys");
+  EXPECT_EQ(capture.refusal(), "found an output that is also an input, expected another name");
+  CaptureRun live;
+  live.from = "tcp://127.0.0.1:9";
+  live.raw = capture.path("x.raw");
+  for (const char* name : {"x.raw", "x.raw.keys"}) {
+    live.out = capture.path(name);
+    EXPECT_FALSE(check_recording_spared(live, capture.path("run.csv"))) << name;
+  }
+  live.out = capture.path("x.csv");
+  EXPECT_TRUE(check_recording_spared(live, capture.path("run.csv")));
+}
+
 TEST(StopMarks, AreKeptInTheirOrderAndReadAgain) {
   const testing_support::TemporaryFolder folder;
   const std::string raw = folder.file("x.csv.raw");
@@ -216,6 +248,13 @@ TEST(StopMarks, AreKeptInTheirOrderAndReadAgain) {
   EXPECT_THAT(read_marks(marks_name(raw)).error().message, HasSubstr("found 3 s after 12.5 s"));
   ASSERT_TRUE(write_file(marks_name(raw), "1,take\n2,took\n"));
   EXPECT_THAT(read_marks(marks_name(raw)).error().to_string(), HasSubstr("keys:2:1: found \"2,took\""));
+}
+
+TEST(StopMarks, BeginNoRecordingBehindATime) {
+  const testing_support::TemporaryFolder folder;
+  const std::string file = folder.written("x.keys", "begin,take\n12.5,take\nbegin,skip\n");
+  EXPECT_THAT(read_marks(file).error().to_string(),
+              HasSubstr("keys:3:1: found \"begin,skip\", expected a time in s"));
 }
 
 }  // namespace

@@ -10,12 +10,6 @@
 
 namespace axiometry::app {
 
-/// Whether a rest that was taken for a stop is long enough for a length.
-inline bool gives_length(const capture::StopMatcher& matcher, const capture::StopMatch& match) {
-  const capture::Standstill& rest = matcher.standstills()[match.standstill];
-  return rest.end_s - rest.begin_s >= matcher.options().shortest.in_s();
-}
-
 /// Whether a session needs no more. Of lengths the last stop may have come only as it seems while another is missing,
 /// because two stops can look alike: then a minute more is heard, in which the next rest tells.
 class PlanEnd {
@@ -24,8 +18,9 @@ class PlanEnd {
     if (!session.complete()) last_came_.reset();
     if (!session.complete() || session.stops() == nullptr) return session.complete();
     const capture::StopMatcher& matcher = session.stops()->matcher();
-    const auto lengths =
-        std::ranges::count_if(matcher.matches(), [&](const auto& match) { return gives_length(matcher, match); });
+    const auto lengths = std::ranges::count_if(matcher.matches(), [&](const capture::StopMatch& match) {
+      return matcher.gives_length(matcher.standstills()[match.standstill]);
+    });
     if (static_cast<std::size_t>(lengths) == session.expected()) return true;
     if (!last_came_) last_came_ = Clock::now();
     return Clock::now() - *last_came_ > std::chrono::minutes(1);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "axiometry/app/live/stop_marks.h"
 #include "axiometry/app/recordings/raw_times.h"
 #include "axiometry/app/results/outputs.h"
 
@@ -14,6 +15,8 @@ Result<void> check_recording_spared(const CaptureRun& run, const std::string& pl
   if (run.out.empty() || run.out == "-") return {};
   std::vector<InputFile> inputs{{plan}, {run.from}, {times_name(run.from)}};
   if (!run.keys.empty()) inputs.push_back({run.keys});
+  for (const std::string& played : {run.from, run.resume})
+    if (is_raw(played)) inputs.push_back({marks_name(played)});
   if (!run.resume.empty()) inputs.insert(inputs.end(), {{run.resume}, {times_name(run.resume)}});
   AXIOMETRY_TRY_VOID(InputFiles(inputs).check_spared(run.out));
   const auto whole = [](const std::string& name) {
@@ -21,7 +24,8 @@ Result<void> check_recording_spared(const CaptureRun& run, const std::string& pl
     const auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, unknown), unknown);
     return unknown ? std::filesystem::path(name) : path;
   };
-  if (run.raw.empty() || (whole(run.out) != whole(run.raw) && whole(run.out) != whole(times_name(run.raw)))) return {};
+  const auto is_out = [&](const std::string& name) { return whole(run.out) == whole(name); };
+  if (run.raw.empty() || !(is_out(run.raw) || is_out(times_name(run.raw)) || is_out(marks_name(run.raw)))) return {};
   return std::unexpected(
       Error{"found one file for the test and for what arrives, expected two (--out, --raw)", run.out, {}});
 }

@@ -78,7 +78,8 @@ Result<std::vector<StopMark>> read_marks(const std::string& file) {
     line = text::trim(line);
     if (line.empty() || line.starts_with('#')) continue;
     const auto mark = mark_of(line);
-    if (!mark)
+    const bool begins_late = mark && mark->time_s == earliest_s && !marks.empty() && marks.back().time_s > earliest_s;
+    if (!mark || begins_late)
       return std::unexpected(Error{fmt::format("found {}, expected a time in s and take, skip or undo, such as "
                                                "12.5,take",
                                                text::quoted(line)),

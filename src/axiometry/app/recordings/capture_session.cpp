@@ -207,14 +207,15 @@ SampleSink CaptureSession::sink_beside() {
   };
 }
 
-/// Of both channels in the order that ValueListener asks for.
+/// Of both channels in the order that ValueListener asks for, also where one fails: what stood before in the other
+/// counts.
 Result<void> CaptureSession::for_channels(
     const std::function<Result<void>(formats::RecordingReader&, const SampleSink&)>& call) {
   const bool first = beside_ && motion_->beside_comes_first();
-  if (first) AXIOMETRY_TRY_VOID(call(*beside_, sink_beside()));
+  auto beside = first ? call(*beside_, sink_beside()) : Result<void>{};
   auto read = call(*reader_, sink());
-  if (!first && beside_ && read) read = call(*beside_, sink_beside());
-  return read;
+  if (!first && beside_) beside = call(*beside_, sink_beside());
+  return read ? beside : read;
 }
 
 Result<std::vector<capture::CapturedReading>> CaptureSession::read(std::string_view bytes) {

@@ -38,8 +38,8 @@ struct CaptureOptions {
   std::string stated;  ///< name of an option that was stated, for what can use none; empty: none was
 };
 
-/// The plan of a file, or one of those that belong to it. Fails as formats::read_plan() does, and on a part that does
-/// not exist, and on a plan made for other errors than those of positions.
+/// The plan of a file, or one of those that belong to it. Fails as formats::read_plan() does, on a part that does not
+/// exist, and on a plan made for other errors than those of positions.
 Result<Plan> load_plan(const std::string& file, std::size_t part);
 
 /// The plan of a file, whatever is to be read at its stops.
@@ -50,10 +50,10 @@ Result<Plan> load_any_plan(const std::string& file);
 /// connection broke, not on when it is asked for.
 class CaptureSession {
  public:
-  /// Fails on options that contradict the plan or each other, and as check_measures_positions() does.
+  /// With options.motion of readings that do not show the stops: motion() knows them, none are handed on. Fails on
+  /// options that contradict the plan or each other, without options.motion on a plan of other errors than those of
+  /// positions, with it as MotionListener::make() does.
   static Result<CaptureSession> open(Plan plan, const CaptureOptions& options);
-  /// With options.motion of readings that do not show the stops: motion() knows them, none are handed on. Without them
-  /// a plan of other errors alone is refused.
   /// Lengths of the lines of a plan: `target_window` is how far a change of length may be from the expected one; zero,
   /// datum and part are refused. Readings are not handed on as they come: stops() knows them.
   static Result<CaptureSession> open(const TrackingPlan& plan, const CaptureOptions& options);

@@ -116,7 +116,7 @@ Result<void> MotionListener::settle_unit(const formats::Unit* named) {
                             stated_.unit->symbol));
   unit_ = named != nullptr ? named : stated_.unit;
   AXIOMETRY_TRY_VOID(check_unit(error_, *unit_));
-  listener_.judge_by({.smallest = smallest_of(unit()), .threshold = stated_.still});
+  listener_.judge_by({.smallest = smallest_of(unit()), .threshold = stated_.still, .unit = motion_unit_symbol(unit())});
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "axiometry/app/results/outputs.h"
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/report/documents/compose.h"
@@ -35,7 +36,7 @@ verification::Drawn drawn_by(const iso230_2::Assessment& assessment) {
 
 Result<report::VerifiedFigures> second_opinion(const Evaluated& evaluated, const UncertaintyOptions& asked,
                                                const report::Options& options, std::string written) {
-  if (written.empty()) written = json::dump(to_json(evaluated), 0);
+  if (written.empty()) written = json_line(evaluated);
   constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
   AXIOMETRY_TRY(const json::Value result, json::parse(written, {.bytes = no_limit, .values = no_limit}));
   const report::Document document = report::compose(report_subject(evaluated), options);

@@ -13,6 +13,7 @@
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/volumetric/assemble_singles.h"
 #include "axiometry/app/volumetric/predict_line.h"
+#include "axiometry/app/volumetric/single_means.h"
 #include "axiometry/app/volumetric/volume_compensation.h"
 #include "tests/support/temporary_folder.h"
 
@@ -67,6 +68,20 @@ std::vector<std::string> messages(const std::vector<NamedFinding>& findings) {
   std::vector<std::string> all;
   for (const NamedFinding& f : findings) all.push_back(f.message);
   return all;
+}
+
+TEST(SingleMeans, SayOfOneRunWhereNothingTellsItsUncertainty) {
+  const std::vector<PositionMeans> positions = {{-50.0, DirectionMean{1.0, {}, 1}, {}},
+                                                {100.0, DirectionMean{2.0, {}, 1}, {}}};
+  const auto refusal = [&](std::optional<error_motions::InstrumentUncertainty> instrument) {
+    const auto means = single_means({0, 1}, positions, instrument, volumetric::Reversal::none);
+    return means ? std::string("none") : means.error().message;
+  };
+  EXPECT_THAT(refusal({}), HasSubstr("found one run of EYX and no uncertainty of its instrument"));
+  EXPECT_THAT(refusal(error_motions::InstrumentUncertainty{0.0, 2.0}),
+              HasSubstr("found one run of EYX and 0 as uncertainty of its instrument at \u221250 mm"))
+      << "it is stated, but is none at the lowest position";
+  EXPECT_EQ(refusal(error_motions::InstrumentUncertainty{0.1, 2.0}), "none");
 }
 
 TEST(AssembleDirections, PredictTheirOwnTestWithItsEAndBAndM) {

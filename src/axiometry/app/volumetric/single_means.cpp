@@ -78,7 +78,12 @@ Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<Posi
     for (const auto& mean : {p.up, p.down}) {
       if (!mean || mean->s) continue;
       is_one_run = true;
-      if (instrument_u == 0.0) return std::unexpected(no_uncertainty_of(volumetric::error_name(error)));
+      if (!instrument) return std::unexpected(no_uncertainty_of(volumetric::error_name(error)));
+      if (instrument_u == 0.0)
+        return fail(
+            fmt::format("found one run of {} and 0 as uncertainty of its instrument at {} mm, expected more runs or an "
+                        "uncertainty above 0 there: nothing tells how well it is known",
+                        volumetric::error_name(error), format_shortest(p.at_mm)));
     }
     read.motion.positions_mm.push_back(p.at_mm);
     if (both) {

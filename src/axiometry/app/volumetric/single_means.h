@@ -39,7 +39,7 @@ struct SingleMeans {
 ///
 /// With Reversal::none the mean alone. Positions at either end that were approached from one side alone, where others
 /// were from both, are left out with a remark. Fails on such a position between others, on fewer than two positions,
-/// and where nothing tells an uncertainty: one run and no instrument.
+/// and where nothing tells an uncertainty: one run and no instrument, or one that has none at a position.
 Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<PositionMeans> positions,
                                  const std::optional<error_motions::InstrumentUncertainty>& instrument,
                                  volumetric::Reversal reversal);

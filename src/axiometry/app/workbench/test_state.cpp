@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/results/outputs.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/utf8.h"
@@ -77,7 +78,7 @@ store::Evaluation evaluation_of(const Evaluated& evaluated, const KeptOptions& h
   evaluation.standard = edition_of(evaluated.test.metadata.axis);
   evaluation.options = json::dump(kept, 0);
   if (evaluated.assessment.monte_carlo) evaluation.seed = evaluated.assessment.monte_carlo->seed;
-  evaluation.result = json::dump(to_json(evaluated), 0);
+  evaluation.result = json_line(evaluated);
   evaluation.unit = deviation_unit_key(evaluated.test.metadata.axis.kind);
   evaluation.conforming = evaluated.assessment.conforming();
   evaluation.verdict = kept_verdict(evaluated.judgements);

@@ -78,8 +78,8 @@ Result<StillValue> still_value(std::span<const Sample> samples, const StillOptio
   const double range = highest.mean - lowest.mean;
   const double threshold = threshold_of(cells, quantum, options);
   if (range > threshold)
-    return fail(fmt::format("found means that range over {}, expected at most {}", format_fixed(range, 2),
-                            format_fixed(threshold, 2)));
+    return fail(fmt::format("found means that range over {} {}, expected {} at most", format_fixed(range, 2),
+                            options.unit, format_fixed(threshold, 2)));
   StillValue still{.from_s = samples.front().time_s, .to_s = samples.back().time_s};
   double sum = 0.0;
   for (const Cell& cell : cells) {

@@ -60,11 +60,9 @@ void ValueListener::push(std::span<const Sample> values) {
 }
 
 void ValueListener::take(const Sample& value) {
-  while (!pressed_.empty() && pressed_.front().time_s < value.time_s) {
-    act(pressed_.front());
-    pressed_.pop_front();
-  }
+  while (!pressed_.empty() && pressed_.front().time_s < value.time_s) act_again();
   last_ = value;
+  now_s_ = value.time_s;
   if (options_.sign == StopSign::position) return window_.push_back(value);
   if (options_.sign == StopSign::readings)
     return offer(
@@ -90,7 +88,8 @@ void ValueListener::push_beside(std::span<const Sample> samples) {
 }
 
 double ValueListener::press(StopKey key) {
-  double time_s = last_ ? last_->time_s : -std::numeric_limits<double>::infinity();
+  while (!pressed_.empty() && pressed_.front().time_s <= now_s_) act_again();  // in a recording that is gone on with
+  double time_s = now_s_;
   // What waits must be told before it, when the recording is played again.
   if (!held_.empty()) time_s = std::nextafter(held_.front().time_s, -std::numeric_limits<double>::infinity());
   act({key, time_s});
@@ -99,17 +98,25 @@ double ValueListener::press(StopKey key) {
 
 void ValueListener::press_at(StopKey key, double time_s) { pressed_.push_back({key, time_s}); }
 
+void ValueListener::act_again() {
+  const Pressed pressed = pressed_.front();
+  pressed_.pop_front();
+  act(pressed);
+}
+
 void ValueListener::act(const Pressed& pressed) {
-  const auto [key, time_s] = pressed;
-  if (options_.sign == StopSign::position) return;  // says itself which target it is
+  const StopKey key = pressed.key;
+  const double time_s = std::isfinite(pressed.time_s) ? pressed.time_s : 0.0;  // before the first reading
+  if (options_.sign == StopSign::position) return;                             // says itself which target it is
   if (key == StopKey::take) {
     if (options_.sign == StopSign::keys) return take_key(time_s);
     trusted_ = true;
-  } else if (key == StopKey::undo && window_from_s_) {
+  } else if (key == StopKey::undo && window_from_s_ && !progress_.complete()) {
     window_from_s_.reset();
     event(EventKind::undone, time_s, fmt::format("the reading of {} that had begun", approach_name(*due())));
   } else if (key == StopKey::undo) {
     warned_ = trusted_ = false;
+    window_from_s_.reset();  // of a trigger more than the plan has approaches
     if (progress_.undo()) event(EventKind::undone, time_s, fmt::format("{} is due again", approach_name(*due())));
   } else if (!progress_.complete()) {
     warned_ = trusted_ = false;
@@ -242,6 +249,8 @@ void ValueListener::forget_before(double time_s) {
 }
 
 void ValueListener::interrupt() {
+  while (!pressed_.empty() && pressed_.front().time_s <= now_s_) act_again();  // what was said before the gap
+  if (last_) now_s_ = std::nextafter(now_s_, std::numeric_limits<double>::infinity());
   if (detector_) match(detector_->interrupt());
   level_.reset();
   edges_.clear();
@@ -252,7 +261,7 @@ void ValueListener::interrupt() {
 }
 
 Result<void> ValueListener::finish() {
-  for (const Pressed& pressed : std::exchange(pressed_, {})) act(pressed);
+  while (!pressed_.empty()) act_again();
   interrupt();
   const double end_s = last_ ? last_->time_s : 0.0;
   if (matcher_) {

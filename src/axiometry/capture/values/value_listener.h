@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -61,9 +62,10 @@ class ValueListener {
   /// The channel beside them: positions, or 0 and another number.
   void push_beside(std::span<const Sample> samples);
 
-  /// Now, behind the last reading. The time at which press_at() has the same effect.
+  /// Now, behind the last reading and behind the gap that followed it. The time at which press_at() has the same
+  /// effect.
   double press(StopKey key);
-  /// What was said in a recording that is played again, in order of time: before the first reading behind it.
+  /// What was said in a recording that is played again, in order of time: before the first reading, or gap, behind it.
   void press_at(StopKey key, double time_s);
 
   /// Samples are missing here.
@@ -98,6 +100,7 @@ class ValueListener {
   ValueListener(Plan plan, const ValueOptions& options);
 
   void take(const Sample& value);
+  void act_again();
   void act(const Pressed& pressed);
   void take_key(double time_s);
   void open_window(double from_s);
@@ -118,9 +121,10 @@ class ValueListener {
   std::vector<PlannedValue> given_;
   std::vector<CaptureEvent> events_;
   std::optional<Sample> last_;
-  std::deque<Pressed> pressed_;  // of a recording, not reached yet
-  std::deque<double> edges_;     // of the trigger, not reached yet
-  std::optional<bool> level_;    // of the trigger; nothing where samples are missing
+  double now_s_ = -std::numeric_limits<double>::infinity();  // of last_; by a rounding later behind each gap since
+  std::deque<Pressed> pressed_;                              // of a recording, not reached yet
+  std::deque<double> edges_;                                 // of the trigger, not reached yet
+  std::optional<bool> level_;                                // of the trigger; nothing where samples are missing
   std::optional<double> window_from_s_;
   std::vector<Sample> window_;  // or what a rest of the axis may be averaged from
   std::deque<Candidate> held_;  // from the first that is doubtful on

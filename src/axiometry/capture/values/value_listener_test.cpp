@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "tests/support/made_up_motion.h"
 
@@ -94,12 +95,13 @@ TEST(StillValue, IsNoneOfTooFewOrOfWhatMoves) {
             "found 15 samples, expected at least 16 to tell whether they stand still");
   samples.clear();
   for (int k = 0; k < 100; ++k) samples.push_back({0.1 * k, 0.05 * k});
-  EXPECT_THAT(still_value(samples, {}).error().message,
-              HasSubstr("found means that range over 3.75, expected at most"));
+  EXPECT_THAT(still_value(samples, {}).error().message, HasSubstr("found means that range over 3.75 µm, expected "));
+  EXPECT_EQ(still_value(samples, {.threshold = 1.0, .unit = "″"}).error().message,
+            "found means that range over 3.75 ″, expected 1.00 at most");
   EXPECT_TRUE(still_value(samples, {.threshold = 4.0}));
   // However noisy: means that wander by more than ten times what is always allowed.
   for (int k = 0; k < 100; ++k) samples[static_cast<std::size_t>(k)].position = (k % 2 == 0 ? 40.0 : -40.0) + 0.2 * k;
-  EXPECT_THAT(still_value(samples, {}).error().message, HasSubstr("expected at most 10.00"));
+  EXPECT_THAT(still_value(samples, {}).error().message, HasSubstr("expected 10.00 at most"));
 }
 
 TEST(ValueListener, TakesOneWindowBehindEachTrigger) {
@@ -279,6 +281,54 @@ TEST(ValueListener, TakesBackSkipsAndAsksAgain) {
   ASSERT_EQ(axis.listener.values().size(), 1u);
   EXPECT_EQ(axis.listener.values().front().approach.target, 1u);
   EXPECT_EQ(axis.listener.given().size(), 2u) << "also what was taken back";
+}
+
+TEST(ValueListener, TakesTheLastOneBackThoughATriggerMoreThanThePlanHasIsBeingRead) {
+  const Plan plan = straightness_plan();
+  const DrivenAxis axis(plan);
+  ValueListener listener = listener_of(plan, StopSign::trigger);
+  feed(listener, axis.samples());
+  ASSERT_TRUE(listener.complete());
+  const double end_s = axis.samples().back().time_s;
+  const std::vector<DrivenSample> more = {{end_s + 10.0, 0.0, 0.0, false}, {end_s + 10.1, 0.0, 0.0, true}};
+  feed(listener, more);
+  ASSERT_TRUE(listener.is_reading());
+  listener.press(StopKey::undo);
+  EXPECT_FALSE(listener.is_reading());
+  EXPECT_EQ(listener.taken(), 11u);
+  EXPECT_EQ(listener.events().back().message, approach_name(*listener.due()) + " is due again");
+}
+
+TEST(ValueListener, PlaysWhatWasSaidOnEitherSideOfAGapAgainThere) {
+  Standing live;
+  live.stand(1.0, 1.0);
+  const double before_s = live.listener.press(StopKey::take);
+  live.listener.interrupt();
+  const double behind_s = live.listener.press(StopKey::take);
+  EXPECT_LT(before_s, behind_s);
+  live.stand(1.0, 2.0);
+  EXPECT_EQ(live.listener.taken(), 1u);
+  EXPECT_EQ(events_of(live.listener, EventKind::unsteady), 1u);
+  Standing again;
+  again.listener.press_at(StopKey::take, before_s);
+  again.listener.press_at(StopKey::take, behind_s);
+  again.stand(1.0, 1.0);
+  again.listener.interrupt();
+  EXPECT_EQ(events_of(again.listener, EventKind::unsteady), 1u) << "of the window that the gap cut off";
+  again.stand(1.0, 2.0);
+  ASSERT_EQ(again.listener.taken(), 1u);
+  EXPECT_EQ(again.listener.values().front().still.from_s, live.listener.values().front().still.from_s);
+  EXPECT_EQ(again.listener.events().size(), live.listener.events().size());
+}
+
+/// A recording that is gone on with: what was said at its end counts before what is said now.
+TEST(ValueListener, CountsWhatWasSaidBeforeWhatIsSaidNow) {
+  Standing axis;
+  axis.listener.press_at(StopKey::skip, -std::numeric_limits<double>::infinity());
+  axis.listener.press(StopKey::skip);
+  EXPECT_EQ(axis.listener.due()->target, 2u);
+  ASSERT_EQ(axis.listener.events().size(), 2u);
+  for (const CaptureEvent& event : axis.listener.events()) EXPECT_EQ(event.time_s, 0.0) << "no time has come yet";
 }
 
 TEST(ValueListener, FindsStopsByThePositionBesideTheReading) {

@@ -109,6 +109,8 @@ TEST(TimePosition, TakesOfSeveralColumnsOnlyTheOneThatSaysToBeThePosition) {
   RecordingOptions first;
   first.axis_stated = true;
   EXPECT_EQ(from_text("time_s,x_mm,y_mm\n1,2,3\n", first), "1:2");
+  EXPECT_EQ(from_text("1,2,3\n2,4,6\n", first), "1:2 2:4") << "without a header too";
+  EXPECT_THAT(refused("1,2,3\n"), HasSubstr("expected two columns, time and position"));
 }
 
 TEST(TimePosition, RefusesWhatItHasNoUseFor) {

@@ -222,12 +222,12 @@ char sample_delimiter(std::string_view line) {
   return decimal_commas ? ' ' : ',';
 }
 
-std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_t axis) {
+std::optional<SampleColumns> columns_by_values(std::string_view line, std::optional<std::size_t> stated) {
   SampleColumns columns;
   columns.delimiter = sample_delimiter(line);
-  columns.position = 1 + axis;
+  columns.position = 1 + stated.value_or(0);
   const auto cells = cells_of(line, columns.delimiter);
-  if (axis == 0 ? cells.size() != 2 : cells.size() <= columns.position) return std::nullopt;
+  if (stated ? cells.size() <= columns.position : cells.size() != 2) return std::nullopt;
   columns.stamps = parse_time_stamp(cells[0]).has_value();
   if (!columns.stamps && !number_of(cells[0], columns.delimiter)) return std::nullopt;
   if (!number_of(cells[columns.position], columns.delimiter)) return std::nullopt;

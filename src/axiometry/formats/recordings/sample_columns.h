@@ -34,9 +34,9 @@ std::optional<double> number_of(std::string_view cell, char delimiter);
 /// The delimiter of a line: semicolon, tab, comma, else blanks; "0,5 12,25" is separated by its blanks.
 char sample_delimiter(std::string_view line);
 
-/// From the first line with values, when there was no header. Nothing when it is no such line: fewer or (without
-/// `axis` asking for them) more than two columns, or no values.
-std::optional<SampleColumns> columns_by_values(std::string_view line, std::size_t axis);
+/// From the first line with values, when there was no header: of the columns beside the time the one that was stated,
+/// else the only one. Nothing when it is no such line, or has other columns or no values.
+std::optional<SampleColumns> columns_by_values(std::string_view line, std::optional<std::size_t> stated);
 
 struct PositionChoice {
   std::optional<std::size_t> stated{};  ///< 0 is the first column beside the time

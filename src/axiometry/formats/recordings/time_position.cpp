@@ -51,7 +51,7 @@ class TimePositionReader final : public LineReader {
 
   /// The first line that is no comment: values, or a header.
   Result<void> begin(std::string_view line) {
-    columns_ = columns_by_values(line, choice_.stated.value_or(0));
+    columns_ = columns_by_values(line, choice_.stated);
     if (columns_) return take(line);
     AXIOMETRY_TRY(columns_, meaning_ == ChannelMeaning::position ? columns_by_header(line, kind_, choice_)
                                                                  : value_columns_by_header(line, choice_.stated));
@@ -103,8 +103,8 @@ int recognise(std::string_view head) {
     if (!is_comment(line)) lines[count++] = line;
   }
   if (count == 0) return 0;
-  const auto values = columns_by_values(lines[0], 0);
-  if (values && (count == 1 || columns_by_values(lines[1], 0))) return values->stamps ? 70 : 50;
+  const auto values = columns_by_values(lines[0], std::nullopt);
+  if (values && (count == 1 || columns_by_values(lines[1], std::nullopt))) return values->stamps ? 70 : 50;
   if (values || count < 2) return 0;
   const std::size_t beside = cells_of(lines[1], sample_delimiter(lines[0])).size();
   for (AxisKind kind : {AxisKind::linear, AxisKind::rotary})

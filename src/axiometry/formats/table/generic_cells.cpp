@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
@@ -148,11 +149,12 @@ std::optional<double> clock_seconds(std::string_view cell, char decimal_mark) {
 }
 
 bool is_newest_first(std::span<const double> times_s) {
-  constexpr double half_a_day_s = 43200.0;
+  constexpr double day_s = 86400.0;
   if (times_s.size() < 2 || !(times_s.front() > times_s.back())) return false;
+  const double most = times_s.front() < day_s ? 0.5 * day_s : std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < times_s.size(); ++k) {
     const double fall = times_s[k - 1] - times_s[k];
-    if (!(fall >= 0.0 && fall < half_a_day_s)) return false;
+    if (!(fall >= 0.0 && fall < most)) return false;
   }
   return true;
 }

@@ -52,8 +52,8 @@ bool is_bad_number(std::string_view cell);
 /// Seconds: a number of them, a time stamp as time_stamp_s() reads it (also with a decimal comma), or "12:30:05.25".
 std::optional<double> clock_seconds(std::string_view cell, char decimal_mark);
 
-/// Whether the times of all rows are known and only fall, as where the newest is listed first. A fall of half a day or
-/// more from one row to the next is midnight.
+/// Whether the times of all rows are known and only fall, as where the newest is listed first. Among times of a day a
+/// fall of half a day or more from one row to the next is midnight; with their date a test may rest as long.
 bool is_newest_first(std::span<const double> times_s);
 
 }  // namespace axiometry::formats::generic

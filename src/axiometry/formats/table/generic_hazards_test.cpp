@@ -128,6 +128,20 @@ TEST(GenericHazards, TheNewestRowMayStandFirst) {
   }
 }
 
+TEST(GenericHazards, TheNewestRowMayStandFirstOfATestThatRestedOverNight) {
+  std::string rows;
+  int n = 0;
+  for (const Row& r : rows_of_a_test()) {
+    rows = fmt::format("2026-03-0{} {}:30:{:02};{:.2f};{:.1f}\n", n < 6 ? 2 : 3, n < 6 ? 17 : 10, n, r.target,
+                       r.deviation) +
+           rows;
+    ++n;
+  }
+  const std::string bytes = "Time;Target [mm];Deviation [um]\n" + rows;
+  expect_test(bytes);
+  EXPECT_TRUE(remarks(bytes, "begin with the newest reading and were turned round"));
+}
+
 TEST(GenericHazards, TimesInNoUnitAreSecondsOnlyWhereTheyCanBe) {
   const auto table = [](std::string_view head, double begin, double step) {
     int n = 0;

@@ -32,8 +32,9 @@ using SensorRoles = std::vector<std::pair<std::string, std::string>>;
 /// a day/month/year with slashes (nobody knows which is the month), on one column for many sensors, on a role for a
 /// sensor that is not there, two for one or an unknown role, on more than 64 sensors, on a line of more than 16 KiB,
 /// and on more than 64 MiB.
-/// The last of these can be asked before anything is read.
-Result<void> check_log_size(std::size_t bytes);
 Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles = {});
+
+/// The last of these, which can be asked before anything is read.
+Result<void> check_log_size(std::size_t bytes);
 
 }  // namespace axiometry::formats

@@ -79,12 +79,12 @@ Result<Span> span_of(const AxisCorrection& correction, const AxisTableOptions& o
   return span;
 }
 
-/// In 1/16 count.
-Result<long long> whole_entry(double correction_native, const AxisTableOptions& options) {
-  const double value = correction_native * per_count / options.resolution;
+/// In 1/16 count, less what stands elsewhere.
+Result<long long> whole_entry(double correction_native, const AxisTableOptions& options, long long elsewhere) {
+  const double value = std::round(correction_native * per_count / options.resolution) - static_cast<double>(elsewhere);
   if (!(std::abs(value) <= static_cast<double>(entry_most)))
     return fail(fmt::format("found a correction of {:.0f} counts / 16, expected at most {}", value, entry_most));
-  return std::llround(value);
+  return static_cast<long long>(value);
 }
 
 /// Each entry less that at home, which stands elsewhere.
@@ -94,8 +94,8 @@ Result<void> write_entries(std::string& text, const Span& span, const AxisTableO
     double position = options.reference + span.step * static_cast<double>(k);
     if (position > span.high + 0.5 * span.step || k == span.entries)
       position -= span.step * static_cast<double>(span.entries);
-    AXIOMETRY_TRY(const long long value, whole_entry(value_at(position), options));
-    fmt::format_to(std::back_inserter(text), "{}\n", value - at_home);
+    AXIOMETRY_TRY(const long long value, whole_entry(value_at(position), options, at_home));
+    fmt::format_to(std::back_inserter(text), "{}\n", value);
   }
   return {};
 }
@@ -119,7 +119,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
     fmt::format_to(std::back_inserter(text), "#{} DEFINE BLCOMP {},{}\n", motors.target, span.entries,
                    span.length_counts);
     const auto less_at = [&](double x) { return correction.at(x, Direction::up) - correction.at(x, Direction::down); };
-    AXIOMETRY_TRY(const long long at_home, whole_entry(less_at(options.reference), options));
+    AXIOMETRY_TRY(const long long at_home, whole_entry(less_at(options.reference), options, 0));
     if (at_home < 0)
       return fail(
           "found a negative reversal at the reference point, expected one of 0 or more, which Ix86 can hold (--curves "

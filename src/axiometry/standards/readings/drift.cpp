@@ -57,19 +57,23 @@ struct SlopeScatter {
 /// Of the slope, from the means of the runs about their own line. Readings of one run are not independent: a run that
 /// lies elsewhere as a whole moves them all.
 std::optional<SlopeScatter> scatter_of_runs(const std::vector<RunSums>& runs) {
-  double tt = 0.0, tx = 0.0, xx = 0.0;
+  const auto weight = [](const RunSums& run) {  // of sums: n times the mean's square
+    return run.readings > 0 ? 1.0 / static_cast<double>(run.readings) : 0.0;
+  };
+  double tt = 0.0, tx = 0.0;
   std::size_t counted = 0;
   for (const RunSums& run : runs) {
-    if (run.readings == 0) continue;
-    const double weight = 1.0 / static_cast<double>(run.readings);  // of sums: n times the mean's square
-    tt += weight * run.t * run.t;
-    tx += weight * run.t * run.x;
-    xx += weight * run.x * run.x;
-    ++counted;
+    tt += weight(run) * run.t * run.t;
+    tx += weight(run) * run.t * run.x;
+    if (run.readings > 0) ++counted;
   }
   if (counted < 3 || !(tt > 0.0)) return std::nullopt;
   const std::size_t nu = counted - 2;
-  const double residuals = std::fmax(0.0, xx - tx * tx / tt);
+  double residuals = 0.0;  // one by one: of runs on a line a difference of sums would be rounding alone
+  for (const RunSums& run : runs) {
+    const double off = run.x - tx / tt * run.t;
+    residuals += weight(run) * off * off;
+  }
   return SlopeScatter{std::sqrt(residuals / static_cast<double>(nu) / tt), nu};
 }
 

@@ -37,7 +37,7 @@ TEST(Drift, IsFoundUnderTheErrorsOfTheMachine) {
   const auto drift = drift_of(drifting());
   ASSERT_TRUE(drift);
   EXPECT_NEAR(drift->over_test.in_native(), 6.0, 1e-12);
-  EXPECT_NEAR(drift->u->in_native(), 0.0, 1e-6);
+  EXPECT_NEAR(drift->u->in_native(), 0.0, 1e-12);
   EXPECT_EQ(drift->degrees_of_freedom, 3u - 2u);
   EXPECT_NEAR(drift->per_reading(drift->over_test), 6.0 / 17.0, 1e-12);
   EXPECT_FALSE(drift->per_hour(drift->over_test));

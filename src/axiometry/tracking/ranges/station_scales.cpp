@@ -9,13 +9,14 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/median.h"
 #include "axiometry/tracking/ranges/multilateration_findings.h"
 
 namespace axiometry::tracking::detail {
 namespace {
 
-constexpr double gain_least = 60.0;     // as of a break, in look_for_breaks()
-constexpr double by_chance = 1e-6;      // of m − 1 unknowns without an effect
+constexpr double gain_least = 60.0;               // as of a break, in look_for_breaks()
+constexpr double by_chance = 1e-6;                // of m − 1 unknowns without an effect
 constexpr double freedom_of_scales_least = 20.0;  // below it χ²/ν itself is too uncertain to measure by
 
 /// ν + 2 √(2ν): by chance above it once in forty times.
@@ -35,12 +36,6 @@ Result<MultilaterationFit> with_free_scales(const RangeInput& input, const Multi
   return multilaterate(input.nominal_mm, input.stations, readings, options);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 }  // namespace
 
 std::optional<Finding> scale_finding(const RangeInput& input, const MultilaterationFit& fit) {
@@ -53,7 +48,7 @@ std::optional<Finding> scale_finding(const RangeInput& input, const Multilaterat
   const double gain = (fit.chi_squared - free->chi_squared) / share;
   const double chance = numeric::chi_square_quantile(1.0 - by_chance, static_cast<double>(input.stations - 1));
   if (gain < std::max(gain_least, chance)) return std::nullopt;
-  const double usual = median(free->scales);
+  const double usual = numeric::upper_median(free->scales);
   std::size_t worst = 0;
   for (std::size_t j = 1; j < free->scales.size(); ++j)
     if (std::abs(free->scales[j] - usual) > std::abs(free->scales[worst] - usual)) worst = j;

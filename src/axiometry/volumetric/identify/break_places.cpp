@@ -83,7 +83,7 @@ class PlaceSearch {
     const double middle = 0.5 * static_cast<double>(held_.size());
     const auto along = [&](std::size_t k) { return static_cast<double>(k) - middle; };
     SideCost before(drifts, most), behind(drifts, most);
-    costs_.resize(held_.size() + 1);
+    costs_.resize(held_.size());
     for (std::size_t k = 0; k < held_.size(); ++k) {
       if (before.fitting() >= least_beside_break) costs_[k] = before.value();
       before.add(along(k), held_[k].off_before_um, held_[k].weight);

@@ -48,7 +48,7 @@ struct CoverageTrial {
   std::size_t breaks_found = 0;         ///< of the untold ones, where they were said to be
   std::size_t breaks_wrong = 0;         ///< elsewhere
   std::size_t outliers_found = 0;       ///< set aside
-  std::size_t set_aside_wrong = 0;      ///< readings that were right
+  std::size_t set_aside_wrong = 0;      ///< readings that were right; not those that a break leaves in doubt
 };
 
 struct Coverage {

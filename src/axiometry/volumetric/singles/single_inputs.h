@@ -19,7 +19,6 @@ class SingleInputs {
   SingleInputs(const SingleErrors& errors, std::vector<CurveBasis> bases);
 
   std::size_t count() const { return count_; }
-  const std::vector<CurveBasis>& bases() const { return bases_; }
   double node_mm(std::size_t axis, std::size_t node) const;
 
   /// Whether an error was read beyond the range that all of its axis have in common.
