@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 #include "cli/flags/verb.h"
 
-#include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/volumetric/assemble_singles.h"
 #include "axiometry/app/volumetric/identify_options.h"
@@ -27,11 +27,12 @@ constexpr const char* assemble_examples =
 (EAX, …) as axiometry straightness and angles read them, or as their --json OUT; squareness as the JSON of axiometry
 squareness --positive …: C0Y=square.json, or in µrad with its U (k = 2): C0Y=-12.5,1.2.
 C0Y turns Y about Z, B0Z turns Z about Y, A0Z turns Z about X. --at says for each axis where the axes stood and
-with which tool while it was measured: rotations act on displacements by the lever from there.
+with which tool while it was measured: rotations act on displacements by the lever from there. Behind the others it
+may say in which direction they came to rest there (300:up): their rotations of it are in the squareness.
 An error that was read in both directions has a curve of each; --reversal none keeps their mean alone.
 Examples:
   axiometry volumetric assemble EXX=x.csv EYX=yx.csv ECX=cx.csv C0Y=-12.5,1.2 --machine machine.json \
-    --at X=0,300,-200@T1 --at Y=500,0,-200@T1 --instrument EYX=0.4,0.5 --out result.json
+    --at X=0,300:up,-200:down@T1 --at Y=500:up,0,-200:down@T1 --instrument EYX=0.4,0.5 --out result.json
   axiometry volumetric field result.json)";
 
 struct AssembleArguments {
@@ -41,19 +42,12 @@ struct AssembleArguments {
   ExperimentArguments outputs;
 };
 
-/// "X=0,300,-200@T1".
 Result<void> put_stand(const std::string& text, app::AssembleRequest& request) {
-  const std::size_t tool = text.find('@');
-  const std::string axes = text.substr(0, tool);
-  if (axes.size() > 2 && axes[0] >= 'X' && axes[0] <= 'Z' && axes[1] == '=') {
-    auto& stand = request.stands[static_cast<std::size_t>(axes[0] - 'X')];
-    if (stand) return fail(fmt::format("found {} twice, expected each axis once", axes[0]));
-    if (const auto at = app::parse_vector(axes.substr(2))) {
-      stand = app::SingleStand{*at, tool == std::string::npos ? "" : text.substr(tool + 1)};
-      return {};
-    }
-  }
-  return fail(fmt::format("found {}, expected AXIS=X,Y,Z@TOOL such as X=0,300,-200@T1", text::quoted(text)));
+  AXIOMETRY_TRY(auto parsed, app::parse_stand(text));
+  auto& stand = request.stands[parsed.first];
+  if (stand) return fail(fmt::format("found {} twice, expected each axis once", text[0]));
+  stand = std::move(parsed.second);
+  return {};
 }
 
 /// "EYX=0.4,0.5".

@@ -308,6 +308,11 @@ constexpr Phrase volume_report_rows[] = {
      "{0} hat keinen Wert: Die Abweichungen von {1} sind über verschiedene Bereiche abgelesen, und ohne {2} sagt "
      "nichts, "
      "über welchen die Rechtwinkligkeit gemessen ist"},
+    {"{0=} is uncertain by {1#}, with everything else by {2#}, because nothing states in which direction an axis came "
+     "to rest that has other rotations in each: {3}",
+     "{0} ist um {1} unsicher, mit allem anderen um {2}, weil nichts angibt, in welcher Richtung eine Achse zum "
+     "Stillstand kam, die in jeder andere Drehungen hat: {3}"},
+    {"{0=} while {1=} moved", "{0} bei der Fahrt von {1}"},
     {"{0=}: no uncertainty of the instrument is stated: U does not hold it",
      "{0}: Keine Unsicherheit des Messgeräts angegeben: U enthält sie nicht"},
     {"{0=}: of one run of each direction, what these differ by is taken to be as uncertain as readings of the "

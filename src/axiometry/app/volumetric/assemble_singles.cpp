@@ -37,6 +37,10 @@ Value stands_to_json(const std::array<std::optional<SingleStand>, 3>& stands) {
     Value& axes = stand.add("axes_mm", Value::array());
     for (const double mm : {stands[a]->axes_mm.x, stands[a]->axes_mm.y, stands[a]->axes_mm.z}) axes.push(mm);
     stand.add("tool", stands[a]->tool.empty() ? Value() : Value(stands[a]->tool));
+    Value& approaches = stand.add("approaches", Value::object());
+    for (std::size_t b = 0; b < stands.size(); ++b)
+      if (const double approach = stands[a]->approaches[b]; approach != 0.0)
+        approaches.add(std::string(1, static_cast<char>('X' + b)), approach > 0.0 ? "up" : "down");
   }
   return object;
 }
@@ -184,6 +188,34 @@ Result<SingleItem> parse_single(std::string_view text) {
   return item;
 }
 
+Result<std::pair<std::size_t, SingleStand>> parse_stand(std::string_view text) {
+  const Error unknown{
+      fmt::format("found {}, expected AXIS=X,Y,Z@TOOL such as X=0,300,-200@T1, and behind the others, where it is "
+                  "known, in which direction they came to rest: X=0,300:up,-200:down@T1",
+                  text::quoted(text)),
+      {},
+      {}};
+  const std::size_t mark = text.find('@');
+  const std::string_view axes = text.substr(0, mark);
+  if (axes.size() <= 2 || axes[0] < 'X' || axes[0] > 'Z' || axes[1] != '=') return std::unexpected(unknown);
+  const auto measured = static_cast<std::size_t>(axes[0] - 'X');
+  SingleStand stand;
+  if (mark != std::string_view::npos) stand.tool = std::string(text.substr(mark + 1));
+  const auto parts = text::split(axes.substr(2), ',');
+  if (parts.size() != stand.approaches.size()) return std::unexpected(unknown);
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    const std::size_t colon = parts[a].find(':');
+    const auto at = parse_number(text::trim(parts[a].substr(0, colon)));
+    if (!at) return std::unexpected(unknown);
+    stand.axes_mm[a] = *at;
+    if (colon == std::string_view::npos) continue;
+    const std::string_view direction = text::trim(parts[a].substr(colon + 1));
+    if (a == measured || (direction != "up" && direction != "down")) return std::unexpected(unknown);
+    stand.approaches[a] = direction == "up" ? 1.0 : -1.0;
+  }
+  return std::pair(measured, std::move(stand));
+}
+
 Result<Assembled> assemble_singles(const AssembleRequest& request) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(request.machine));
   AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(bytes), request.machine));
@@ -199,7 +231,8 @@ Result<Assembled> assemble_singles(const AssembleRequest& request) {
     if (!tool)
       return fail(
           fmt::format("found the tool {}, expected one of the machine's", text::quoted(request.stands[a]->tool)));
-    errors.places[a] = volumetric::SinglePlace{request.stands[a]->axes_mm, tools[*tool].offset_mm};
+    errors.places[a] =
+        volumetric::SinglePlace{request.stands[a]->axes_mm, tools[*tool].offset_mm, request.stands[a]->approaches};
   }
   AXIOMETRY_TRY(volumetric::SingleModel made, volumetric::model_of_singles(std::move(machine.machine), errors));
   return Assembled{request, sha256(bytes), std::move(read.items), std::move(read.remarks), std::move(made)};

@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "axiometry/app/results/experiment.h"
@@ -24,7 +26,8 @@ struct SingleItem {
 /// Where the axes stood while one of them was measured, and with which of the machine's tools.
 struct SingleStand {
   Vector3 axes_mm;
-  std::string tool;  ///< empty: the only one
+  std::string tool;                     ///< empty: the only one
+  volumetric::Approaches approaches{};  ///< in which direction the others came to rest there; 0: not stated
 };
 
 struct AssembleRequest {
@@ -57,6 +60,10 @@ struct Assembled {
 /// "EYX=FILE", "C0Y=FILE", or "C0Y=VALUE,U" in µrad with U for k = 2: what begins with a number is one. Fails on
 /// anything else.
 Result<SingleItem> parse_single(std::string_view text);
+
+/// "X=0,300:up,-200:down@T1", "X=0,300,-200": the axis that was measured, and how. Fails on anything else, as on a
+/// direction of that axis itself.
+Result<std::pair<std::size_t, SingleStand>> parse_stand(std::string_view text);
 
 /// Positioning (EXX, EYY, EZZ) from a test of the axis in any format, the others as read_motion_csv() has them or as
 /// read_motion_result() reads what `axiometry straightness`, `angles` and `squareness` wrote; squareness from the last

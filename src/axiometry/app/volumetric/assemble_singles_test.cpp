@@ -90,7 +90,27 @@ TEST(AssembleSingles, WriteTheInstrumentAndThePlacesIntoTheJson) {
   ASSERT_TRUE(assembled) << assembled.error().message;
   const std::string text = json::dump(present(*assembled, {}).json, 0);
   EXPECT_THAT(text, HasSubstr(R"("instrument":{"U_constant":0.4,"U_per_m":0.5})"));
-  EXPECT_THAT(text, HasSubstr(R"("at":{"X":{"axes_mm":[0,0,0],"tool":"T"}})"));
+  EXPECT_THAT(text, HasSubstr(R"("at":{"X":{"axes_mm":[0,0,0],"tool":"T","approaches":{}}})"));
+  request.stands[0]->approaches = {0.0, -1.0, 1.0};
+  const auto stated = assemble_singles(request);
+  ASSERT_TRUE(stated) << stated.error().message;
+  EXPECT_THAT(json::dump(present(*stated, {}).json, 0), HasSubstr(R"("approaches":{"Y":"down","Z":"up"})"));
+}
+
+TEST(AssembleSingles, AreToldWhereTheAxesStoodAndInWhichDirectionTheyCameToRest) {
+  const auto plain = parse_stand("Y=500,0,-200.5@T1");
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_EQ(plain->first, 1u);
+  EXPECT_EQ(plain->second.axes_mm.z, -200.5);
+  EXPECT_EQ(plain->second.tool, "T1");
+  EXPECT_EQ(plain->second.approaches, volumetric::Approaches{});
+  const auto directed = parse_stand("X=0,300:up,-200:down");
+  ASSERT_TRUE(directed) << directed.error().message;
+  EXPECT_EQ(directed->second.approaches, (volumetric::Approaches{0.0, 1.0, -1.0}));
+  EXPECT_EQ(directed->second.tool, "");
+  for (const char* wrong : {"", "X=", "W=0,1,2", "X=0,300", "X=0,300,a", "X=0:up,300,-200", "X=0,300:left,-200",
+                            "X=0,300:,-200", "X=0,300:up:up,-200"})
+    EXPECT_FALSE(parse_stand(wrong)) << wrong;
 }
 
 }  // namespace

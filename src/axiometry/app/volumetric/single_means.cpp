@@ -54,8 +54,7 @@ Error no_uncertainty_of(std::string_view name) {
 }
 
 Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<PositionMeans> positions,
-                                 const std::optional<error_motions::InstrumentUncertainty>& instrument,
-                                 volumetric::Reversal reversal) {
+                                 const std::optional<error_motions::InstrumentUncertainty>& instrument) {
   std::ranges::sort(positions, {}, &PositionMeans::at_mm);
   const bool up = std::ranges::any_of(positions, [](const PositionMeans& p) { return p.up.has_value(); });
   const bool both = up && std::ranges::any_of(positions, [](const PositionMeans& p) { return p.down.has_value(); });
@@ -95,7 +94,6 @@ Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<Posi
       read.motion.u.push_back(std::sqrt(variance_of(one) + instrument_u * instrument_u));
     }
   }
-  if (reversal == volumetric::Reversal::none) read.motion.reversal.reset();
   if (read.motion.reversal && is_one_run)
     read.remarks.emplace_back(
         "of one run of each direction, what these differ by is taken to be as uncertain as readings of the instrument "

@@ -27,7 +27,7 @@ struct PositionMeans {
 };
 
 struct SingleMeans {
-  volumetric::SingleMotion motion;  ///< positions ascending; with reversal where both directions are kept
+  volumetric::SingleMotion motion;  ///< positions ascending; with reversal where both directions were read
   std::string directions;           ///< "both", "up", "down"
   double reversal = 0.0;            ///< of both the largest |up − down|
   std::vector<std::string> remarks;
@@ -37,12 +37,11 @@ struct SingleMeans {
 /// of one direction s²/n + u_I². What the instrument's uncertainty u_I holds both directions have in common. Of one
 /// run, whose s nobody knows, u_I² stands in the half for s²/n: as much as readings with nothing in common have.
 ///
-/// With Reversal::none the mean alone. Positions at either end that were approached from one side alone, where others
+/// Positions at either end that were approached from one side alone, where others
 /// were from both, are left out with a remark. Fails on such a position between others, on fewer than two positions,
 /// and where nothing tells an uncertainty: one run and no instrument, or one that has none at a position.
 Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<PositionMeans> positions,
-                                 const std::optional<error_motions::InstrumentUncertainty>& instrument,
-                                 volumetric::Reversal reversal);
+                                 const std::optional<error_motions::InstrumentUncertainty>& instrument);
 
 /// The refusal of an error, or of a squareness, that has neither runs nor an instrument.
 Error no_uncertainty_of(std::string_view name);

@@ -47,9 +47,8 @@ std::string equipment_text(const std::vector<Equipment>& equipment) {
   return all;
 }
 
-Result<ReadSingle> with_means(ReadSingle read, std::vector<PositionMeans> positions, Reversal reversal) {
-  AXIOMETRY_TRY(SingleMeans means,
-                single_means(read.motion.error, std::move(positions), read.item.instrument, reversal));
+Result<ReadSingle> with_means(ReadSingle read, std::vector<PositionMeans> positions) {
+  AXIOMETRY_TRY(SingleMeans means, single_means(read.motion.error, std::move(positions), read.item.instrument));
   read.motion = std::move(means.motion);
   read.item.directions = std::move(means.directions);
   read.item.reversal = means.reversal;
@@ -81,7 +80,7 @@ Result<AxisPlace> place_of_test(const Axis& axis, std::size_t wanted) {
   return AxisPlace{line->origin_mm[wanted], line->direction[wanted] > 0.0 ? 1.0 : -1.0};
 }
 
-Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error, Reversal reversal) {
+Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
   AXIOMETRY_TRY(Test test, read_test(item.file));
   AXIOMETRY_TRY(const AxisPlace place, in_file(place_of_test(test.metadata.axis, error.axis), item.file));
   ReadSingle read{{error, {}, {}, {}, {}}, {item.name, item.file, test.provenance.sha256, test.series.run_count()}, {}};
@@ -100,7 +99,7 @@ Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error, R
     if (place.sense < 0.0) std::swap(means.up, means.down);
     positions.push_back(means);
   }
-  return in_file(with_means(std::move(read), std::move(positions), reversal), item.file);
+  return in_file(with_means(std::move(read), std::move(positions)), item.file);
 }
 
 /// A file of readings, in the form that results are read in.
@@ -152,7 +151,7 @@ Result<std::optional<error_motions::InstrumentUncertainty>> instrument_of(const 
 }
 
 Result<ReadSingle> read_motion(const SingleItem& item, ErrorMotion error, const MotionResult& result,
-                               std::string sha256, Reversal reversal) {
+                               std::string sha256) {
   const double factor = result.unit == MotionUnit::arcsec ? single_urad_per_arcsec : 1.0;
   ReadSingle read{{error, {}, {}, {}, {}}, {item.name, item.file, std::move(sha256), result.runs}, {}};
   AXIOMETRY_TRY(read.item.instrument, instrument_of(item, result, factor));
@@ -172,22 +171,22 @@ Result<ReadSingle> read_motion(const SingleItem& item, ErrorMotion error, const 
     positions.push_back({result.positions_mm[i], direction(result.has_up, 1.0, result.s_up),
                          direction(result.has_down, -1.0, result.s_down)});
   }
-  return with_means(std::move(read), std::move(positions), reversal);
+  return with_means(std::move(read), std::move(positions));
 }
 
-Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error, Reversal reversal) {
+Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error) {
   MotionRequest request;
   request.file = item.file;
   AXIOMETRY_TRY(request.error, motion_name(item.name));
   AXIOMETRY_TRY(const std::string bytes, file_bytes(item.file));
   if (formats::looks_like_motion_result(bytes)) {
     AXIOMETRY_TRY(const MotionResult result, in_file(result_of(bytes, item, *request.error), item.file));
-    return in_file(read_motion(item, error, result, sha256(bytes), reversal), item.file);
+    return in_file(read_motion(item, error, result, sha256(bytes)), item.file);
   }
   request.bytes = bytes;
   AXIOMETRY_TRY(const MeasuredMotion measured,
                 error.is_rotation() ? measure_angle(request) : measure_straightness(request));
-  return in_file(read_motion(item, error, as_result(measured), measured.sha256, reversal), item.file);
+  return in_file(read_motion(item, error, as_result(measured), measured.sha256), item.file);
 }
 
 /// Positive along the axes, with the weights of the slope that the result has.
@@ -198,8 +197,9 @@ Result<volumetric::SquareLine> square_line(const MotionResult& result) {
   const auto error = result.error ? volumetric::error_motion_named(result.error->text()) : std::nullopt;
   if (!error || !result.sense)
     return fail("found a line without its error or without the way its readings are positive, expected both");
+  const double direction = result.has_up && result.has_down ? 0.0 : result.has_up ? 1.0 : -1.0;
   return volumetric::SquareLine{*error, result.positions_mm, result.means,
-                                error_motions::slope_weights(result.positions_mm, *reference)};
+                                error_motions::slope_weights(result.positions_mm, *reference), direction};
 }
 
 Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, volumetric::Squareness which) {
@@ -240,10 +240,15 @@ Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, v
   return read;
 }
 
+bool is_read_in_both(const volumetric::SingleErrors& errors, ErrorMotion error) {
+  return std::ranges::any_of(
+      errors.motions, [&](const volumetric::SingleMotion& m) { return m.error == error && m.reversal.has_value(); });
+}
+
 }  // namespace
 
-Result<ReadSingle> read_single(const SingleItem& item, ErrorMotion error, Reversal reversal) {
-  return error.is_positioning() ? read_positioning(item, error, reversal) : read_other(item, error, reversal);
+Result<ReadSingle> read_single(const SingleItem& item, ErrorMotion error) {
+  return error.is_positioning() ? read_positioning(item, error) : read_other(item, error);
 }
 
 Result<ReadSquare> read_square(const SingleItem& item, volumetric::Squareness which) {
@@ -259,6 +264,7 @@ std::optional<volumetric::Squareness> squareness_named(std::string_view name) {
 
 Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, Reversal reversal) {
   ReadSingles all;
+  all.errors.reversal = reversal;
   std::vector<std::pair<std::size_t, volumetric::SquareMeasurement>> squares;  // each with its place in the list
   std::string of_unknown_sense, of_one_direction;
   std::array<LostReversal, 2> lost_reversal;  // of displacements, of rotations
@@ -277,7 +283,7 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, Reversal 
       squares.emplace_back(all.items.size(), std::move(read.measured));
       all.items.push_back(std::move(read.item));
     } else {
-      AXIOMETRY_TRY(ReadSingle read, read_single(item, *volumetric::error_motion_named(item.name), reversal));
+      AXIOMETRY_TRY(ReadSingle read, read_single(item, *volumetric::error_motion_named(item.name)));
       remark(read.remarks);
       if (!read.is_sense_stated) of_unknown_sense += (of_unknown_sense.empty() ? "" : ", ") + item.name;
       if (read.item.directions != "both") of_one_direction += (of_one_direction.empty() ? "" : ", ") + item.name;
@@ -292,6 +298,10 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, Reversal 
     AXIOMETRY_TRY(const volumetric::SingleSquareness square,
                   in_file(volumetric::squareness_over_common_range(measured, all.errors), item.file));
     item.u_largest = square.u_urad;
+    for (const volumetric::SquareLine& line : measured.lines)
+      if (line.direction != 0.0 && !is_read_in_both(all.errors, line.error))
+        of_one_direction += fmt::format("{}{} ({})", of_one_direction.empty() ? "" : ", ", item.name,
+                                        volumetric::error_name(line.error));
     all.errors.squareness.push_back(square);
   }
   for (std::size_t k = 0; k < lost_reversal.size(); ++k)

@@ -21,11 +21,12 @@ struct ReadSingle {
 };
 
 /// Positioning from a test in any format; the others from readings as CSV, or from what `axiometry straightness`,
-/// `angles` or `squareness` wrote as JSON, where the item's error is looked for among several; with Reversal::none
-/// means of both directions alone. Fails as assemble_singles() says.
-Result<ReadSingle> read_single(const SingleItem& item, volumetric::ErrorMotion error, volumetric::Reversal reversal);
+/// `angles` or `squareness` wrote as JSON, where the item's error is looked for among several. Fails as
+/// assemble_singles() says.
+Result<ReadSingle> read_single(const SingleItem& item, volumetric::ErrorMotion error);
 
-/// All of them, squareness after the motions that it is counted over. Fails on an error named twice.
+/// All of them, with `reversal` as in SingleErrors, squareness after the motions that it is counted over. Fails on an
+/// error named twice.
 struct ReadSingles {
   volumetric::SingleErrors errors;  ///< without places
   std::vector<AssembledItem> items;

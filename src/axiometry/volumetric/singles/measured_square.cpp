@@ -104,6 +104,8 @@ Result<SingleSquareness> squareness_over_common_range(const SquareMeasurement& m
   SingleSquareness squareness{measured.which, wanted.sign * slopes_urad + measured.square_urad, 0.0, true};
   squareness.u_urad = std::hypot(scatter_ratio * measured.u_scatter_urad, instrument_ratio * measured.u_instrument_urad,
                                  measured.u_square_urad);
+  for (const SquareLine& line : measured.lines)
+    squareness.directions[line.error == wanted.first ? 0 : 1] = line.direction;
   return squareness;
 }
 

@@ -25,6 +25,7 @@ struct SquareLine {
   std::vector<double> positions_mm;    ///< ascending, two or more
   std::vector<double> values_um;       ///< at each of them
   std::vector<double> weights_per_mm;  ///< what each counts in the slope of which the uncertainties below tell
+  double direction = 0.0;              ///< +1, −1 of one that was read in that direction alone
 };
 
 struct SquareMeasurement {

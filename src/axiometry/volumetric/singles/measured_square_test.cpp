@@ -39,6 +39,8 @@ TEST(MeasuredSquare, CountsItsLinesOverTheRangeOfTheErrors) {
   std::swap(other_order.lines[0], other_order.lines[1]);
   EXPECT_NEAR(squareness_over_common_range(other_order, {})->urad, -200.0 + 3.0, 1e-9);
   EXPECT_TRUE(squareness_over_common_range(bent_square(), {})->over_common_range);
+  other_order.lines[0].direction = -1.0;  // EXY, the first of C0Y in square_lines
+  EXPECT_EQ(squareness_over_common_range(other_order, {})->directions, (std::array<double, 2>{-1.0, 0.0}));
 }
 
 TEST(MeasuredSquare, KeepsItsUncertaintyOrMakesItLarger) {

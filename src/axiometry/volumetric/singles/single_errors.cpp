@@ -8,6 +8,7 @@
 
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/singles/measured_square.h"
+#include "axiometry/volumetric/singles/single_bases.h"
 #include "axiometry/volumetric/singles/single_inputs.h"
 #include "axiometry/volumetric/singles/single_places.h"
 
@@ -25,10 +26,15 @@ class SingleAssembly {
 
   Result<SingleModel> carry_out() {
     if (errors_.motions.empty() && errors_.squareness.empty()) return fail("found no errors, expected one or more");
-    AXIOMETRY_TRY_VOID(choose_bases());
+    AXIOMETRY_TRY(SingleBases chosen, bases_of_singles(machine_.travel, errors_));
     AXIOMETRY_TRY_VOID(check_single_places(machine_, errors_));
+    observed_ = chosen.ranges();
+    bases_ = std::move(chosen.bases);
+    cut_ = chosen.cut;
+    findings_ = std::move(chosen.findings);
     inputs_.emplace(errors_, bases_);
     const bool by_direction =
+        errors_.reversal != Reversal::none &&
         std::ranges::any_of(errors_.motions, [](const SingleMotion& m) { return m.reversal.has_value(); });
     const Coefficients coefficients({bases_[0], bases_[1], bases_[2]},
                                     by_direction ? Reversal::curves : Reversal::none);
@@ -46,46 +52,6 @@ class SingleAssembly {
 
  private:
   static std::size_t index(ErrorMotion e) { return e.axis * motion_count + e.motion; }
-
-  Result<void> choose_bases() {
-    for (std::size_t a = 0; a < axis_count; ++a) {
-      double lower = machine_.travel.lowest_mm[a], upper = machine_.travel.highest_mm[a];
-      std::size_t nodes = single_nodes_most;
-      bool any = false, cut = false;
-      for (const SingleMotion& m : errors_.motions) {
-        if (m.error.axis != a) continue;
-        const double first = m.positions_mm.front(), last = m.positions_mm.back();
-        if (first < machine_.travel.lowest_mm[a] - single_travel_slack_mm ||
-            last > machine_.travel.highest_mm[a] + single_travel_slack_mm)
-          return fail(
-              fmt::format("found readings of {} from {} to {} mm, expected them within the travel of {} from {} "
-                          "to {} mm",
-                          error_name(m.error), first, last, single_axis_letters[a], machine_.travel.lowest_mm[a],
-                          machine_.travel.highest_mm[a]));
-        cut = cut || (any && (std::abs(first - lower) > 1e-6 || std::abs(last - upper) > 1e-6));
-        lower = any ? std::max(lower, first) : first;
-        upper = any ? std::min(upper, last) : last;
-        nodes = std::min(nodes, m.positions_mm.size());
-        any = true;
-      }
-      if (!(lower < upper))
-        return fail(
-            fmt::format("found errors of {} that have no range in common, expected readings of all of them over "
-                        "one travel",
-                        single_axis_letters[a]));
-      cut_[a] = cut;
-      if (cut)
-        findings_.push_back({"single-common-range", false,
-                             fmt::format("{}: only from {} to {} mm, where all its errors were read",
-                                         single_axis_letters[a], lower, upper)});
-      AXIOMETRY_TRY(const CurveBasis basis,
-                    CurveBasis::make(CurveKind::nodes, lower, upper, any ? std::max<std::size_t>(nodes, 2) - 1 : 1));
-      bases_.push_back(basis);
-      observed_.lowest_mm[a] = lower;
-      observed_.highest_mm[a] = upper;
-    }
-    return {};
-  }
 
   /// Of curves or halves of an axis that begin at `first`.
   static Eigen::Index place(std::size_t first, ErrorMotion e, std::size_t node) {
@@ -138,8 +104,25 @@ class SingleAssembly {
         lacks += fmt::format("{}{} (lever {:.1f} mm)", lacks.empty() ? "" : ", ", error_name(term.rotation), longest);
   }
 
+  /// What a rotation has beside its mean where its axis stood while `moved` did: half of what its directions differ by,
+  /// with the sign of that in which the axis came to rest there. Where nothing says it, with one of which nothing is
+  /// known: it is 0 with a standard uncertainty of that half.
+  Eigen::RowVectorXd by_approach(std::size_t moved, ErrorMotion rotation, const ActiveFunctions& f) const {
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
+    const std::size_t item = *of_error_[index(rotation)];
+    if (!errors_.motions[item].reversal) return sum;
+    const Eigen::MatrixXd halves = inputs_->halves_at_nodes(item);
+    for (std::size_t k = 0; k < f.count; ++k) sum += f.values[k] * halves.row(static_cast<Eigen::Index>(f.first + k));
+    if (const double approach = errors_.places[moved]->approaches[rotation.axis]; approach != 0.0)
+      return approach * sum;
+    const double half_urad = sum.dot(inputs_->values());
+    sum.setZero();
+    sum[inputs_->approach(moved, rotation.axis)] = half_urad;
+    return sum;
+  }
+
   /// What the rotations of the other axes, where these stood, make of the slope of a line: those before it in the chain
-  /// turn its direction, Σ_b [ω_b(q_b) × ∂r_b/∂q_a]_m, µrad.
+  /// turn its direction, Σ_b [ω_b(q_b) × ∂r_b/∂q_a]_m, µrad, ω_b of the direction in which b came to rest.
   Eigen::RowVectorXd turned_by_others(const Coefficients& c, ErrorMotion line, std::string& lacks) const {
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
     const SinglePlace& at = *errors_.places[line.axis];
@@ -165,6 +148,7 @@ class SingleAssembly {
         const ActiveFunctions f = bases_[b].at(stood_mm);
         for (std::size_t k = 0; k < f.count; ++k)
           sum += term.sign * per_mm * f.values[k] * rows_.row(place(c.curve(b), term.rotation, f.first + k));
+        sum += term.sign * per_mm * by_approach(line.axis, term.rotation, f);
       }
     }
     return sum;
@@ -214,7 +198,7 @@ class SingleAssembly {
 
   /// Half of what the directions differ by. It stays as it was read, without a gauge: both were read from one zero.
   void put_half(const Coefficients& c, ErrorMotion e) {
-    if (!told_[index(e)] || !errors_.motions[*of_error_[index(e)]].reversal) return;
+    if (c.reversal() == Reversal::none || !told_[index(e)] || !errors_.motions[*of_error_[index(e)]].reversal) return;
     Eigen::MatrixXd half = inputs_->halves_at_nodes(*of_error_[index(e)]);
     if (!e.is_rotation()) {
       half -= lever_effect(c.half(e.axis), e);
@@ -252,6 +236,7 @@ class SingleAssembly {
   /// How far readings between the nodes lie from the straight lines.
   void tell_misfit(const SingleMotion& m) {
     const CurveBasis& basis = bases_[m.error.axis];
+    const bool has_halves = m.reversal && errors_.reversal != Reversal::none;
     const auto apart = [&](const std::vector<double>& numbers, std::size_t k) {
       const ActiveFunctions f = basis.at(m.positions_mm[k]);
       double shown = 0.0;
@@ -263,8 +248,8 @@ class SingleAssembly {
     for (std::size_t k = 0; k < m.values.size(); ++k) {
       if (m.positions_mm[k] < basis.lower_mm() || m.positions_mm[k] > basis.upper_mm()) continue;
       // Of both directions the farther one: |mean| + |half|.
-      worst =
-          std::max(worst, std::abs(apart(m.values, k)) + (m.reversal ? std::abs(apart(m.reversal->halves, k)) : 0.0));
+      const double of_half = has_halves ? std::abs(apart(m.reversal->halves, k)) : 0.0;
+      worst = std::max(worst, std::abs(apart(m.values, k)) + of_half);
     }
     if (worst > 0.005)
       findings_.push_back(
@@ -292,15 +277,25 @@ class SingleAssembly {
   /// Of a line whose straightness is not given, and the errors of whose axis have different ranges.
   bool is_of_unknown_range(ErrorMotion line) const { return cut_[line.axis] && !of_error_[index(line)]; }
 
+  /// By how much the slope of a line in the one direction in which it was read is above that of the mean of both, µrad;
+  /// 0 where the straightness was not read in both: it is taken for the mean.
+  Eigen::RowVectorXd slope_gained_by_direction(ErrorMotion line, double direction) const {
+    const auto given = of_error_[index(line)];
+    if (direction == 0.0 || !given || !errors_.motions[*given].reversal) return Eigen::RowVectorXd::Zero(rows_.cols());
+    Eigen::MatrixXd half = inputs_->halves_at_nodes(*given);
+    return direction * urad_per_um(line.axis) * to_gauge(line.axis, half, false);
+  }
+
   void put_squareness(const Coefficients& c, std::size_t item) {
-    const auto k = static_cast<std::size_t>(errors_.squareness[item].which);
-    const auto row = static_cast<Eigen::Index>(c.squareness() + k);
+    const SingleSquareness& measured = errors_.squareness[item];
+    const auto k = static_cast<std::size_t>(measured.which);
+    const std::array<ErrorMotion, 2> lines = {square_lines[k].first, square_lines[k].second};
     std::string lacks;
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(rows_.cols());
     sum[inputs_->square(item)] = 1.0;
-    for (const ErrorMotion line : {square_lines[k].first, square_lines[k].second}) {
-      const bool common = errors_.squareness[item].over_common_range;
-      if (!common && is_of_unknown_range(line)) {
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      const ErrorMotion line = lines[l];
+      if (!measured.over_common_range && is_of_unknown_range(line)) {
         findings_.push_back(
             {"single-squareness-range", false,
              fmt::format("{} has no number: the errors of {} were read over different ranges, and without {} nothing "
@@ -311,8 +306,9 @@ class SingleAssembly {
       add_lacking(line, told_, lacks);
       Eigen::MatrixXd effect = lever_effect(c.curve(line.axis), line);
       sum -= square_lines[k].sign *
-             (urad_per_um(line.axis) * to_gauge(line.axis, effect, false) + turned_by_others(c, line, lacks));
-      if (const auto given = of_error_[index(line)]; given && !common)
+             (urad_per_um(line.axis) * to_gauge(line.axis, effect, false) + turned_by_others(c, line, lacks) +
+              slope_gained_by_direction(line, measured.directions[l]));
+      if (const auto given = of_error_[index(line)]; given && !measured.over_common_range)
         sum += square_lines[k].sign * slope_gained_by_cut(*given);
     }
     if (!lacks.empty()) {
@@ -321,8 +317,30 @@ class SingleAssembly {
            fmt::format("{} has no number: its lines hold {}, not measured", squareness_names[k], lacks)});
       return;
     }
-    rows_.row(row) = sum;
+    tell_unknown_approaches(k, sum);
+    rows_.row(static_cast<Eigen::Index>(c.squareness() + k)) = sum;
     told_[18 + k] = true;
+  }
+
+  /// Where it makes more than a third of everything else: that is 5 % of the uncertainty.
+  void tell_unknown_approaches(std::size_t k, const Eigen::RowVectorXd& sum) {
+    double variance = 0.0;
+    std::string which;
+    for (std::size_t moved = 0; moved < axis_count; ++moved)
+      for (std::size_t stood = 0; stood < axis_count; ++stood) {
+        const double urad = sum[inputs_->approach(moved, stood)];
+        variance += urad * urad;
+        if (urad != 0.0)
+          which += fmt::format("{}{} while {} moved", which.empty() ? "" : ", ", single_axis_letters[stood],
+                               single_axis_letters[moved]);
+      }
+    const double all = inputs_->covariance(sum)(0, 0);
+    if (9.0 * variance <= all - variance) return;
+    findings_.push_back(
+        {"single-squareness-approach", false,
+         fmt::format("{} is uncertain by {:.2f} µrad, with everything else by {:.2f} µrad, because nothing states in "
+                     "which direction an axis came to rest that has other rotations in each: {}",
+                     squareness_names[k], std::sqrt(variance), std::sqrt(all), which)});
   }
 
   Result<SingleModel> finish(const Coefficients& c) {

@@ -23,6 +23,11 @@
 /// Where an error was read in both directions it has, beside the curve of their mean, one of half of their difference,
 /// out of which those of the rotations are taken by the same levers. Of an error without it, what its directions differ
 /// by has no number; the mean has.
+///
+/// Squareness is that of the means of both directions; the slopes of the halves of straightness make that of each. An
+/// axis that stands still has the rotations of the direction in which it came to rest: by them it turns the line of one
+/// behind it in the chain. Where nothing says which direction that was, the squareness is as uncertain as these halves
+/// are large.
 namespace axiometry::volumetric {
 
 /// What readings in both directions have beside their mean, at the same positions. What both have in common, as what
@@ -49,18 +54,22 @@ struct SingleSquareness {
   /// Its lines are those over the range that all errors of their axis have in common (measured_square.h); else those of
   /// the straightness as it was read.
   bool over_common_range = false;
+  /// In which direction each line, in the order of square_lines, was read where it was in one alone: +1, −1; 0 of both.
+  std::array<double, 2> directions{};
 };
 
 /// Where the axes stood, and which point was measured, while the errors of one axis were.
 struct SinglePlace {
   Vector3 axes_mm;  ///< that of the axis itself is not used
   Vector3 tool_mm;
+  Approaches approaches{};  ///< in which direction the others came to rest there; 0 where nothing says it
 };
 
 struct SingleErrors {
   std::vector<SingleMotion> motions;         ///< each error once
   std::vector<SingleSquareness> squareness;  ///< likewise
   std::array<std::optional<SinglePlace>, axis_count> places{};
+  Reversal reversal = Reversal::curves;  ///< or none: of what was read in both directions the model holds the mean
 };
 
 struct SingleModel {

@@ -27,6 +27,8 @@ SingleInputs::SingleInputs(const SingleErrors& errors, std::vector<CurveBasis> b
     first_half_.push_back(count_);
     if (errors_.motions[k].reversal) count_ += used_[k].size();
   }
+  first_approach_ = count_;
+  count_ += axis_count * axis_count;
 }
 
 double SingleInputs::node_mm(std::size_t axis, std::size_t node) const {
@@ -71,7 +73,7 @@ Eigen::MatrixXd SingleInputs::halves_at_nodes(std::size_t motion) const {
 }
 
 Eigen::VectorXd SingleInputs::values() const {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(count_));
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count_));
   for (std::size_t item = 0; item < used_.size(); ++item) {
     const SingleMotion& m = errors_.motions[item];
     for (std::size_t i = 0; i < used_[item].size(); ++i) {
@@ -102,6 +104,8 @@ Eigen::MatrixXd SingleInputs::covariance(const Eigen::MatrixXd& sums) const {
     const double u = errors_.squareness[k].u_urad;
     spread.col(square(k)) += u * u * sums.col(square(k));
   }
+  const auto unknown = static_cast<Eigen::Index>(axis_count * axis_count);
+  spread.rightCols(unknown) = sums.rightCols(unknown);
   return spread * sums.transpose();
 }
 

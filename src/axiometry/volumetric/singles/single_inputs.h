@@ -10,7 +10,7 @@
 
 /// What a model of single measurements is a sum of: readings beside the nodes of its curves, however many there are,
 /// all of a straightness line longer than its curve, and squareness; behind these the halves of reversal at the
-/// readings.
+/// readings, and the directions in which axes came to rest of which nothing is known: +1 or −1, so 0 with u = 1.
 namespace axiometry::volumetric {
 
 class SingleInputs {
@@ -27,6 +27,11 @@ class SingleInputs {
   /// A column of what is summed up; of an item of SingleErrors.
   Eigen::Index reading(std::size_t motion, std::size_t position) const;
   Eigen::Index square(std::size_t squareness) const { return static_cast<Eigen::Index>(first_square_ + squareness); }
+
+  /// The direction in which `stood` had come to rest while `moved` was measured.
+  Eigen::Index approach(std::size_t moved, std::size_t stood) const {
+    return static_cast<Eigen::Index>(first_approach_ + moved * axis_count + stood);
+  }
 
   /// What was read of an error at each node, as sums of inputs: means, or halves of reversal (contract: there are).
   Eigen::MatrixXd means_at_nodes(std::size_t motion) const { return at_nodes(motion, 0); }
@@ -53,7 +58,7 @@ class SingleInputs {
   std::vector<CurveBasis> bases_;
   std::vector<std::vector<std::size_t>> used_;   ///< readings that are inputs, of each motion
   std::vector<std::size_t> first_, first_half_;  ///< of each motion
-  std::size_t first_square_ = 0, count_ = 0;
+  std::size_t first_square_ = 0, first_approach_ = 0, count_ = 0;
 };
 
 }  // namespace axiometry::volumetric
