@@ -313,6 +313,32 @@ TEST_F(CompensationRoutes, report_a_table_with_the_comments_of_an_earlier_progra
               HasSubstr("another table"));
 }
 
+/// BLCOMP held all of the reversal once, and Ix86 nothing of it.
+TEST_F(CompensationRoutes, give_a_table_of_a_former_form_as_it_was_kept_and_say_so) {
+  receive(test_of_axis(1.0, 1), "x.csv");
+  const std::string options =
+      R"({"control": "pmac", "curves": "both-ways", "resolution": 0.1, "start": 50, "end": 400, "step": 50})";
+  std::string table = keep(1, options).find("table")->text();
+  table.insert(table.find("I51=1"), "#1 DEFINE BLCOMP 1,500\n80\n");
+  const auto former =
+      archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::Compensation>> {
+        AXIOMETRY_TRY(auto kept, t.get<store::Compensation>(1));
+        const store::Content content = app::hashed_content("old.pmc", "compensation-table", table);
+        AXIOMETRY_TRY_VOID(t.keep(content, {"A. Tester", ""}));
+        kept.value.files.front().content = content.sha256;
+        return t.add(kept.value, {"A. Tester", ""});
+      });
+  ASSERT_TRUE(former) << former.error().message;
+  const std::string path = fmt::format("/compensations/{}", former->id);
+  const Value kept = value_of(send("GET", path));
+  EXPECT_EQ(kept.find("table")->text(), table);
+  EXPECT_THAT(counting(kept), testing::Contains("compensation-former-form"));
+  const double serious = value_of(send("GET", "/compensations/1")).find("serious")->number();
+  EXPECT_EQ(kept.find("serious")->number(), serious + 1);
+  EXPECT_EQ(send("GET", path + "/report.json").status, 200);
+  EXPECT_THAT(refusal(send("GET", path + "/report.html"), 409), HasSubstr("earlier versions of this program"));
+}
+
 TEST_F(CompensationRoutes, doubt_a_retest_that_is_older_than_the_table) {
   receive(test_of_axis(1.0, 9), "x.csv");
   const store::Id early = receive(test_of_axis(0.0, 2), "early.csv");

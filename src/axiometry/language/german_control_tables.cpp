@@ -12,6 +12,11 @@ constexpr Phrase control_tables_rows[] = {
     {"found 3605#0 = 0, expected 1: a table of each direction", "3605#0 = 0; erwartet: 1: eine Tabelle je Richtung"},
     {"found 3605#0 = 1, expected 0: a table of both directions alike",
      "3605#0 = 1; erwartet: 0: eine Tabelle für beide Richtungen gleich"},
+    {"found BLCOMP with all of the reversal and no Ix86, as earlier versions of this program wrote it, expected the "
+     "reversal at home in Ix86, without which the control has none there: make the table anew",
+     "BLCOMP mit der ganzen Umkehrspanne und kein Ix86, wie frühere Fassungen dieses Programms es schrieben; "
+     "erwartet: die Umkehrspanne am Referenzpunkt in Ix86, ohne das die Steuerung dort keine hat: die Tabelle neu "
+     "erzeugen"},
     {"found BLCOMP without Ix86 or with a last entry that is not 0, expected the reversal at home in Ix86 and 0 as "
      "last entry",
      "BLCOMP ohne Ix86 oder mit einem letzten Eintrag, der nicht 0 ist; erwartet: die Umkehrspanne am Referenzpunkt "
@@ -293,6 +298,8 @@ constexpr Phrase control_tables_rows[] = {
     {"found {0=}, expected whole numbers of 1/16 count", "{0}; erwartet: ganze Zahlen von 1/16 Inkrement"},
     {"found {0=}, expected {1#},COMMANDED", "{0}; erwartet: {1},SOLLWERT"},
     {"found {0=}, expected {1=}NUMBER or {2=}NUMBER, once", "{0}; erwartet: {1}ZAHL oder {2}ZAHL, je einmal"},
+    {"{0} (the table of compensation {1#} is kept as it was made)",
+     "{0} (die Tabelle der Kompensation {1} ist so aufbewahrt, wie sie erzeugt wurde)"},
 };
 
 }  // namespace

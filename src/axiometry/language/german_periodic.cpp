@@ -25,10 +25,10 @@ constexpr Phrase periodic_rows[] = {
     {"Each harmonic is {0=}.", "Jede Harmonische ist {0}."},
     {"Figure {0#}. Deviations and the straight line that is removed",
      "Bild {0}. Abweichungen und die Gerade, die abgezogen wird"},
-    {"Harmonics above the first belong to the curve where noise alone would make them as large in less than 1 % of "
-     "tests.",
-     "Höhere Harmonische gehören zur Kurve, wenn sie durch Rauschen allein in weniger als 1\u00a0% der Prüfungen so "
-     "groß würden."},
+    {"Harmonics above the first belong to the curve where white noise alone would make them as large in less than 1 % "
+     "of tests.",
+     "Höhere Harmonische gehören zur Kurve, wenn sie durch weißes Rauschen allein in weniger als 1\u00a0% der "
+     "Prüfungen so groß würden."},
     {"Harmonics of the period", "Harmonische der Periode"},
     {"No significant periodic error was found", "Keine signifikante periodische Abweichung gefunden"},
     {"No significant periodic error {0#} was found", "Keine signifikante periodische Abweichung {0} gefunden"},

@@ -97,6 +97,10 @@ struct AxisTable {
 
   /// Whether a text can be of this kind, by its first lines; nullptr: it has nothing to be known by.
   bool (*recognises)(std::string_view text) = nullptr;
+
+  /// What is wrong with a file in a form that earlier versions of this program wrote and that is not read any more, as
+  /// a refusal; "" of any other. nullptr: there was no other form.
+  std::string_view (*former)(std::string_view text) = nullptr;
 };
 
 /// What a positive number of such a file does.

@@ -261,6 +261,12 @@ TEST(Compensations, TheReversalAtHomeOfPmacIsItsConstant) {
         "#1 DEFINE BLCOMP 3,30000\n16\n-24\n0\nI186=-80\nI51=1\n"})
     EXPECT_FALSE(pmac.read(comp + end, {})) << end;
   EXPECT_FALSE(pmac.write(correction_of(AxisKind::linear, {0.0, 10.0}, {0.0, 0.0}, {1.0, 1.0}), {})) << "negative";
+  // What earlier versions wrote is named so; a table of somebody else, without the range, is not.
+  EXPECT_EQ(pmac.former(text), "");
+  const std::string earlier = comp + "#1 DEFINE BLCOMP 3,30000\n96\n56\n80\nI51=1\n";
+  EXPECT_NE(pmac.former(earlier), "");
+  EXPECT_EQ(pmac.read(earlier, {}).error().message, pmac.former(earlier));
+  EXPECT_EQ(pmac.former(earlier.substr(earlier.find("#1 DEFINE COMP"))), "");
 }
 
 void expect_refused(std::string_view id, const AxisCorrection& correction, const AxisTableOptions& options,

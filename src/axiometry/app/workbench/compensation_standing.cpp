@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "axiometry/nc/axis_table.h"
+
 namespace axiometry::app {
 namespace {
 
@@ -59,6 +61,13 @@ std::vector<NamedFinding> findings_since(const TestOfCompensation& test,
   add_of_test(test, findings);
   if (retest) add_of_retest(*retest, findings);
   return findings;
+}
+
+std::optional<NamedFinding> former_form(std::string_view control, std::string_view table) {
+  const auto kind = nc::axis_table_named(control);
+  if (!kind || (*kind)->former == nullptr) return std::nullopt;
+  const std::string_view why = (*kind)->former(table);
+  return why.empty() ? std::nullopt : std::optional(NamedFinding{"compensation-former-form", true, std::string(why)});
 }
 
 std::vector<KeptFinding> counting_findings(const json::Value& result, bool retest_counts) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/results/named_findings_json.h"
@@ -18,5 +20,9 @@ std::vector<NamedFinding> findings_since(const TestOfCompensation& test,
 
 /// Those of a result that was kept without what was concluded from its re-test, where that no longer counts.
 std::vector<KeptFinding> counting_findings(const json::Value& result, bool retest_counts);
+
+/// Of a table in a form that earlier versions of this program wrote, with which the control does something else than
+/// was found of it: serious. Its bytes are kept as they are.
+std::optional<NamedFinding> former_form(std::string_view control, std::string_view table);
 
 }  // namespace axiometry::app

@@ -119,8 +119,11 @@ Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, con
     AXIOMETRY_TRY(const PreparedTest retest, workbench.prepared(*kept.retest, kept.retest_version));
     measured.retest = named_test(retest);
   }
-  AXIOMETRY_TRY(CompensatedAxis made, compensate(std::move(measured), request));
   AXIOMETRY_TRY(store::Content table, kept_table(archive, kept));
+  if (const auto former = former_form(kept.control, table.bytes))
+    return fail(ErrorKind::conflict,
+                fmt::format("{} (the table of compensation {} is kept as it was made)", former->message, id));
+  AXIOMETRY_TRY(CompensatedAxis made, compensate(std::move(measured), request));
   if (!does_the_same(made, table.bytes))
     return fail(
         ErrorKind::conflict,
@@ -156,6 +159,14 @@ Result<int> serious_of(const store::Transaction& archive, const ListedCompensati
   return of_tests + static_cast<int>(std::ranges::count(counting, "serious", &KeptFinding::severity));
 }
 
+Result<std::optional<NamedFinding>> former_form_of(const store::Transaction& archive, const Compensation& c) {
+  const auto kind = nc::axis_table_named(c.control);
+  const store::KeptFile* table = file_of(c.files, table_role);
+  if (!kind || (*kind)->former == nullptr || table == nullptr) return std::optional<NamedFinding>();
+  AXIOMETRY_TRY(const store::Content content, archive.content(table->content));
+  return former_form(c.control, content.bytes);
+}
+
 Result<ListedCompensation> listed(const store::Transaction& archive, Versioned<Compensation> compensation,
                                   std::string made_at) {
   const Compensation& c = compensation.value;
@@ -165,6 +176,8 @@ Result<ListedCompensation> listed(const store::Transaction& archive, Versioned<C
     AXIOMETRY_TRY(line.retest, test_of_compensation(archive, *c.retest, *c.retest_version));
   }
   AXIOMETRY_TRY(line.serious, serious_of(archive, line, c));
+  AXIOMETRY_TRY(line.former, former_form_of(archive, c));
+  line.serious += line.former ? 1 : 0;
   if (c.axis) {
     AXIOMETRY_TRY(line.axis, archive.get<store::Axis>(*c.axis));
     AXIOMETRY_TRY(line.machine, archive.get<store::Machine>(line.axis->value.machine));
@@ -231,6 +244,8 @@ Result<KeptCompensation> kept_compensation(const store::Store& archive, store::I
     AXIOMETRY_TRY(store::Content bytes, t.content(table->content));
     kept.table = std::move(bytes.bytes);
     AXIOMETRY_TRY(kept.head, listed(t, std::move(compensation), kept.versions.front().change.at));
+    if (const auto& former = kept.head.former)
+      kept.findings.push_back({former->id, std::string(severity_word(*former)), former->message});
     for (NamedFinding& finding : findings_since(kept.head.test, kept.head.retest))
       kept.findings.push_back({std::move(finding.id), std::string(severity_word(finding)), std::move(finding.message)});
     std::ranges::move(counting_findings(kept.result, !kept.head.retest || kept.head.retest_counts()),

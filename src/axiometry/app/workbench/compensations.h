@@ -61,6 +61,7 @@ struct ListedCompensation {
   std::optional<TestOfCompensation> retest;
   std::optional<store::Versioned<store::Axis>> axis;        ///< as they are called now
   std::optional<store::Versioned<store::Machine>> machine;  ///< of the axis
+  std::optional<NamedFinding> former{};  ///< its table is in a form that is not read any more
   int serious = 0;  ///< findings after which the table should not be used as it is: those that count, and those since
 
   /// Whether what was found with a re-test is of record: there is one, neither withdrawn nor revised since.

@@ -220,7 +220,22 @@ Result<void> check_range(double range, double step, const Buffer& buffer, AxisKi
                   format_rounded(steps, 3), buffer.entries, buffer.entries - 1));
 }
 
+/// BLCOMP had all of the reversal, and there was no Ix86. Other programs write no range.
+std::string_view former(std::string_view text) {
+  bool has_range = false, has_backlash = false, has_constant = false;
+  for (const TableLine& line : lines_of(text)) {
+    has_range = has_range || line.text.starts_with(range_mark);
+    has_backlash = has_backlash || line.text.contains(" DEFINE BLCOMP ");
+    has_constant = has_constant || (line.text.starts_with('I') && line.text.contains("86="));
+  }
+  return has_range && has_backlash && !has_constant
+             ? "found BLCOMP with all of the reversal and no Ix86, as earlier versions of this program wrote it, "
+               "expected the reversal at home in Ix86, without which the control has none there: make the table anew"
+             : "";
+}
+
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& told) {
+  if (const std::string_view why = former(text); !why.empty()) return fail(std::string(why));
   Program program;
   AxisTableOptions options = told;
   AXIOMETRY_TRY(const Motors motors, motors_of(options));
@@ -288,6 +303,7 @@ const AxisTable pmac_axis_table = {
     .write = pmac::write,
     .read = pmac::read,
     .recognises = [](std::string_view text) { return text.substr(0, 1024).find(" DEFINE COMP ") != text.npos; },
+    .former = pmac::former,
 };
 
 }  // namespace axiometry::nc

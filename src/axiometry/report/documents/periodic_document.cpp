@@ -94,8 +94,8 @@ Section method_section(const PeriodicError& result) {
                 : "The period is that of the highest peak of the least-squares spectrum with a line (generalised "
                   "Lomb–Scargle), refined by the fit. ";
   text +=
-      "Harmonics above the first belong to the curve where noise alone would make them as large in less than 1 % of "
-      "tests. The line is removed in this report only; the readings stay as they were measured.";
+      "Harmonics above the first belong to the curve where white noise alone would make them as large in less than 1 % "
+      "of tests. The line is removed in this report only; the readings stay as they were measured.";
   return {"method", "Method", false, {Paragraph{plain(text)}}};
 }
 
