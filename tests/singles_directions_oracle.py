@@ -316,7 +316,7 @@ def compare_truth(machine, mine, rng):
 
 def main():
     program = sys.argv[1]
-    count = int(sys.argv[2]) if len(sys.argv) > 2 else 3 * len(CHAINS)
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 2 * len(CHAINS)
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 20261126
     numbers = tests = 0
     for k in range(count):
