@@ -151,6 +151,8 @@ constexpr Phrase files_rows[] = {
      "kein {0} nach den Stützpunkten von {1}: Ist die Datei abgeschnitten?"},
     {"found numbers with a comma and numbers with a point; which is the decimal mark, point or comma?",
      "Zahlen mit Komma und Zahlen mit Punkt; was ist das Dezimalzeichen, point oder comma?"},
+    {"found readings that differ by {0#} over {1#} of targets; are they really in {2} ({3})?",
+     "Messwerte, die sich um {0} unterscheiden, auf {1} der Zielpositionen; sind sie wirklich in {2} ({3})?"},
     {"found rows of runs without a direction; from where was each approached: up, down, visits or run-parity?",
      "Zeilen von Durchläufen ohne Richtung; von wo wurde jeweils angefahren: up, down, visits oder run-parity?"},
     {"found the column {0=} beside a direction column, expected the direction in one of them",

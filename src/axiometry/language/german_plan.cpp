@@ -128,7 +128,7 @@ constexpr Phrase plan_rows[] = {
     {"found the {0} {1}, expected its lower end and then its higher one, within ±{2#}",
      "{0} {1}; erwartet: das untere Ende und dann das obere, innerhalb ±{2}"},
     {"found {0#} as number of runs beside a sequence of {1#}, expected the sequence alone, which says it",
-     "{0} als Zahl der Läufe neben einer Reihenfolge mit {1}; erwartet: die Reihenfolge allein, die sie nennt"},
+     "{0} als Zahl der Durchläufe neben einer Reihenfolge mit {1}; erwartet: die Reihenfolge allein, die sie nennt"},
     {"found {0#} target, expected 2 to {1#}", "{0} Zielposition; erwartet: 2 bis {1}"},
     {"found {0#} targets over {1#}, expected at most {2#}", "{0} Zielpositionen über {1}; erwartet: höchstens {2}"},
     {"found {0#} targets, expected 2 to {1#}", "{0} Zielpositionen; erwartet: 2 bis {1}"},

@@ -43,8 +43,8 @@ TEST_F(NcProgram, SaysWhatThereIsInsteadOfWhatIsNot) {
   EXPECT_EQ(
       reason({.dialect = "grbl", .options = {.stop_at_lines = true}}),
       plan_ + ": found a stop before each line asked for, expected none: this is no tracking plan, which has lines");
-  const auto tour =
-      nc_program_of(volumetric::CalibrationPlan{}, {.dialect = "grbl", .options = {.stop_at_lines = true}});
+  const volumetric::CalibrationPlan volume{.machine = {.chain = *volumetric::KinematicChain::make("XFYZ")}};
+  const auto tour = nc_program_of(volume, {.dialect = "grbl", .options = {.stop_at_lines = true}});
   ASSERT_FALSE(tour);
   EXPECT_TRUE(tour.error().message.starts_with("found a stop before each line asked for, expected none: this is the"));
 }

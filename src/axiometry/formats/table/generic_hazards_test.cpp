@@ -257,6 +257,17 @@ TEST(GenericHazards, MicrometresAndMillimetresAreNeverGuessedFromTheSize) {
               })).contains("\"reading_unit\""));
 }
 
+/// Nor are they believed where no axis is like that.
+TEST(GenericHazards, AUnitThatMakesDeviationsImpossibleIsAskedAbout) {
+  const auto with_unit = [](std::string unit, double factor) {
+    return answer_to(filed(fmt::format("Soll [mm];Abweichung [{}]\n", unit),
+                           [&](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation * factor); }));
+  };
+  for (const auto& answer : {with_unit("mm", 10.0), with_unit("µm", 10'000.0)})
+    EXPECT_TRUE(answer.contains("\"reading_unit\"") && answer.contains("are they really in")) << answer;
+  EXPECT_FALSE(with_unit("µm", 10.0).contains("really"));
+}
+
 TEST(GenericHazards, LatinOneAndUtf16AreReadAndTold) {
   const std::string latin = filed("Messger\xE4t\nSoll [mm];Abweichung [\xB5m]\n",
                                   [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });

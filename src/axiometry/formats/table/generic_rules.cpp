@@ -115,6 +115,27 @@ void decide_reading_unit(Draft& draft, std::size_t target, std::span<const std::
                                         draft.facts[first].magnitude()));
 }
 
+/// A unit that is a thousand times too large shows: no axis that is tested departs by a hundredth of its way, which is
+/// a millimetre or a degree at least.
+void doubt_reading_unit(Draft& draft, std::size_t target, std::span<const std::size_t> readings) {
+  constexpr double share_of_way = 0.01, least_way = 1.0;  // mm or °
+  const ImportProfile& profile = draft.guess.profile;
+  if (profile.target_unit == nullptr || profile.reading_unit == nullptr) return;
+  const double way = position_in(*profile.target_unit, draft.facts[target].range()).in_native();
+  for (const std::size_t c : readings) {
+    const Unit& unit = profile.columns[c].unit != nullptr ? *profile.columns[c].unit : *profile.reading_unit;
+    if (profile.columns[c].role != ImportRole::deviation || unit.kind != profile.target_unit->kind) continue;
+    const double range = draft.facts[c].range();
+    const double departs = deviation_in(unit, range).in_native() / deviation_per_position(unit.kind);
+    if (departs < std::max(least_way, share_of_way * way)) continue;
+    return draft.ask("reading_unit",
+                     fmt::format("found readings that differ by {:.6g} {} over {:.6g} {} of targets; are "
+                                 "they really in {} ({})?",
+                                 range, unit.symbol, draft.facts[target].range(), profile.target_unit->symbol,
+                                 unit.symbol, draft.called(c)));
+  }
+}
+
 void ask_sign(Draft& draft, std::size_t reading) {
   draft.ask("sign", fmt::format("found {}, whose name leaves its sign open; is it actual minus target (1) or target "
                                 "minus actual, as a correction is (-1)?",
@@ -335,6 +356,7 @@ void decide_units(Draft& draft) {
   if (!target || readings.empty()) return;
   decide_target_unit(draft, *target, readings);
   decide_reading_unit(draft, *target, readings);
+  doubt_reading_unit(draft, *target, readings);
   if (readings.size() == 1) return decide_sign(draft, *target, readings.front());
   const auto open = std::ranges::find_if(
       readings, [&](std::size_t c) { return draft.heads[c].sign_open && draft.heads[c].role == HeadRole::unknown; });
