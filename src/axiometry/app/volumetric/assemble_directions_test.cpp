@@ -74,7 +74,7 @@ TEST(SingleMeans, SayOfOneRunWhereNothingTellsItsUncertainty) {
   const std::vector<PositionMeans> positions = {{-50.0, DirectionMean{1.0, {}, 1}, {}},
                                                 {100.0, DirectionMean{2.0, {}, 1}, {}}};
   const auto refusal = [&](std::optional<error_motions::InstrumentUncertainty> instrument) {
-    const auto means = single_means({0, 1}, positions, instrument, volumetric::Reversal::none);
+    const auto means = single_means({0, 1}, positions, instrument);
     return means ? std::string("none") : means.error().message;
   };
   EXPECT_THAT(refusal({}), HasSubstr("found one run of EYX and no uncertainty of its instrument"));
