@@ -377,6 +377,8 @@ def captures(play):
                                                        "options": {"speed": "60"}}).json()
     if "id" in begun:
         play.expect(200, "GET", f"/api/captures/{begun['id']}?after=0")
+        play.expect(409, "POST", f"/api/captures/{begun['id']}/keys", {"key": "take"})
+        play.expect(422, "POST", f"/api/captures/{begun['id']}/keys", {"key": "enter"})
         play.expect(200, "POST", f"/api/captures/{begun['id']}/stop", {})
     captured_lengths(play)
 

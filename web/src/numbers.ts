@@ -40,7 +40,7 @@ export function decimals_for(size: number, digits: number): number {
 /** Decimals of a number as it is written, with either mark. */
 export const decimals_of = (text: string): number => /[.,](\d+)$/.exec(text)?.[1]?.length ?? 0;
 
-export const unit_sign = (unit: 'um' | 'arcsec'): string => (unit === 'um' ? 'µm' : '″');
+export const unit_sign = (unit: 'um' | 'arcsec' | 'urad'): string => (unit === 'um' ? 'µm' : unit === 'urad' ? 'µrad' : '″');
 export const position_unit = (kind: 'linear' | 'rotary'): string => (kind === 'linear' ? 'mm' : '°');
 
 /** "2026-11-22" stays what it is; a time of the archive becomes local, to the minute: "2026-11-22 10:30". */

@@ -60,6 +60,23 @@ export const surroundings = {
     assert.equal(first.result.environment, undefined);
   },
 
+  async 'temperatures: a sensor that takes no part is judged no more, until somebody says otherwise'(world) {
+    const id = await world.kept();
+    const page = await world.page();
+    await page.goto(`/tests/${id}`);
+    await drop(page, 'hall.csv', bytes);
+    await panel_of(page).getByLabel('Test began').fill('2026-03-02T09:00');
+    await panel_of(page).getByLabel('Test ended').fill('2026-03-02T10:10');
+    await page.keyboard.press('Tab');
+    await shows(panel_of(page), /Highest temperature of the air\s*22\.93 °C/);
+    const air = panel_of(page).getByLabel(/^Sensor Luft.* is of$/);
+    await air.selectOption('none');
+    await shows(panel_of(page), /Highest temperature of the air\s*(?!22)/);
+    assert.equal(await panel_of(page).getByText('22.93 °C').count(), 0);
+    await air.selectOption('air');
+    await shows(panel_of(page), /Highest temperature of the air\s*22\.93 °C/);
+  },
+
   async 'temperatures: what is no log is told, and the test goes on without it'(world) {
     const id = await world.kept();
     const page = await world.page();

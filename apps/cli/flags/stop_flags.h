@@ -11,9 +11,9 @@ class Verb;
 
 /// What is said of readings that do not show where the axis stops: options.motion, absent without --stops.
 struct StopFlags {
-  app::MotionStatement stated;
-  bool given = false;  ///< --stops
-  std::string beside;  ///< another of them, which needs it
+  app::CaptureOptions said;  ///< of it only `motion`
+  bool given = false;        ///< --stops
+  std::string beside;        ///< another of them, which needs it
 };
 
 /// `keys` is the file of what was said at the stops.

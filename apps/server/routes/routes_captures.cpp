@@ -12,6 +12,7 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/live/capture_keeping.h"
 #include "axiometry/app/live/length_task.h"
+#include "axiometry/app/live/stop_marks.h"
 #include "axiometry/app/plan/plan_request.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
@@ -195,12 +196,15 @@ Result<Response> length_plan(CaptureService& captures, const Request& request) {
   return json_response(value);
 }
 
-Result<Response> length_file(CaptureService& captures, const Request& request) {
+Result<Response> captured_file(CaptureService& captures, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "capture"));
   const std::string role(request.segment("role"));
-  AXIOMETRY_TRY(std::string bytes, captures.length_file(id, role));
-  const bool is_table = role == "lengths";
-  const std::string_view extension = is_table ? ".csv" : role == "times" ? ".raw.times" : ".raw";
+  AXIOMETRY_TRY(std::string bytes, captures.file_of(id, role));
+  const bool is_table = role == "lengths" || role == "readings";
+  const std::string_view extension = is_table          ? ".csv"
+                                     : role == "times" ? ".raw.times"
+                                     : role == "keys"  ? ".raw.keys"
+                                                       : ".raw";
   return download(std::move(bytes), is_table ? "text/csv; charset=utf-8" : "application/octet-stream",
                   fmt::format("capture-{}{}", id, extension));
 }
@@ -223,7 +227,7 @@ Result<Response> joined_lengths(CaptureService& captures, const Request& request
     } else if (!state.lengths || state.lengths->order.plan_id != plan_id) {
       return fail(fmt::format("found capture {} of another plan, expected captures of one plan", id), item.at());
     }
-    AXIOMETRY_TRY(std::string table, captures.length_file(id, "lengths"));
+    AXIOMETRY_TRY(std::string table, captures.file_of(id, "lengths"));
     tables.push_back({fmt::format("capture {}", id), std::move(table)});
   }
   AXIOMETRY_TRY(std::string joined, app::joined_tables(*plan, tables));
@@ -234,8 +238,9 @@ Result<Response> discard(CaptureService& captures, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const store::Id id, id_of(request, "capture"));
   AXIOMETRY_TRY(const CaptureState state, captures.state(id));
-  if (!state.lengths)
-    return fail(ErrorKind::conflict, fmt::format("found capture {} of a test, expected one of lengths", id));
+  if (!state.lengths && !state.motion)
+    return fail(ErrorKind::conflict,
+                fmt::format("found capture {} of a test, expected one of lengths or readings", id));
   AXIOMETRY_TRY_VOID(captures.discard(id, request.actor));
   return json_response(app::to_json(state, reader));
 }
@@ -244,6 +249,25 @@ Result<Response> stop(CaptureService& captures, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const store::Id id, id_of(request, "capture"));
   AXIOMETRY_TRY(const CaptureState state, captures.stop(id));
+  return json_response(app::to_json(state, reader));
+}
+
+/// {"key": "take"}
+Result<capture::StopKey> stop_key_of(const Value& body) {
+  for (const auto& [name, member] : body.members())
+    if (name != "key") return fail(fmt::format("found the unknown member \"{}\", expected key", name), member.at());
+  AXIOMETRY_TRY(const std::string word, line_member(body, "key"));
+  const auto key = app::stop_key(word);
+  if (!key) return fail(fmt::format("found the key {}, expected take, skip or undo", text::quoted(word)), body.at());
+  return *key;
+}
+
+Result<Response> press(CaptureService& captures, const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const store::Id id, id_of(request, "capture"));
+  AXIOMETRY_TRY(const Value body, json_body(request));
+  AXIOMETRY_TRY(const capture::StopKey key, stop_key_of(body));
+  AXIOMETRY_TRY(const CaptureState state, captures.press(id, key));
   return json_response(app::to_json(state, reader));
 }
 
@@ -270,8 +294,9 @@ void add_capture_routes(Router& router, const Context& context) {
       {.only_looks = true, .body_max = length_plan_bytes_max});
   add("POST", "/api/captures/lengths", joined_lengths, Weight::heavy, {.only_looks = true});
   add("GET", "/api/captures/{id}/plan", length_plan, Weight::heavy);
-  add("GET", "/api/captures/{id}/files/{role}", length_file, Weight::light);
+  add("GET", "/api/captures/{id}/files/{role}", captured_file, Weight::light);
   add("POST", "/api/captures/{id}/discard", discard, Weight::edit);
+  add("POST", "/api/captures/{id}/keys", press, Weight::light);  // somebody stands at a machine that moves on
 }
 
 }  // namespace axiometry::server

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans and captures as the page asks for them, through the router, over an archive.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,11 +10,15 @@
 
 #include "axiometry/app/live/capture_keeping.h"
 #include "axiometry/app/live/length_plans_test_support.h"
+#include "axiometry/app/live/piece_server_test_support.h"
+#include "axiometry/app/workbench/calibration_evaluation.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
+#include "tests/support/made_up_motion.h"
 
 namespace axiometry::server {
 namespace {
@@ -28,8 +33,9 @@ constexpr const char* short_request = R"({"axis": "X", "kind": "linear", "from":
 
 class CaptureRoutes : public testing::Test {
  protected:
-  CaptureRoutes() {
-    captures = *app::CaptureService::open({.folder = captures_folder(), .sources = {}}, app::keeping_in(workbench));
+  explicit CaptureRoutes(std::vector<app::CaptureSource> sources = {}) {
+    captures = *app::CaptureService::open({.folder = captures_folder(), .sources = std::move(sources)},
+                                          app::keeping_in(workbench));
     const Context context{archive.store(), workbench, *captures};
     add_test_routes(router, context);
     add_equipment_routes(router, context);
@@ -300,6 +306,88 @@ TEST_F(CaptureRoutes, ACaptureOfATestIsNoneOfLengths) {
   EXPECT_EQ(send("POST", "/api/captures/1/discard").status, 409);
   EXPECT_EQ(send("POST", "/api/captures/lengths", R"({"captures": [1]})").status, 404);
   EXPECT_EQ(text(wait_for_end(1), "state"), "complete");
+}
+
+/// A stream of a straightness, all of it at once to the one who connects.
+struct DrivenStream {
+  static std::string bytes() {
+    std::string text = "time_s,straightness_um,trigger\n";
+    for (const auto& s : testing_support::DrivenAxis(testing_support::straightness_plan()).samples())
+      text += fmt::format("{:.2f},{:.4f},{}\n", s.time_s, s.value_um, s.trigger ? 1 : 0);
+    return text;
+  }
+  testing_support::PieceServer server{{bytes()}};
+};
+
+class MotionCaptureRoutes : private DrivenStream, public CaptureRoutes {
+ protected:
+  MotionCaptureRoutes() : CaptureRoutes({server.source()}) {
+    Value body = Value::object();
+    body.add("plan", formats::write_plan(testing_support::straightness_plan()));
+    value_of(send("POST", "/api/plans", json::dump(body)), 201);
+  }
+  static std::string wish(const std::string& options) {
+    return R"({"plan": 1, "source": "laser", "layout": "", "options": {)" + options + "}}";
+  }
+};
+
+TEST_F(MotionCaptureRoutes, CaptureAStraightnessToReadingsThatAreEvaluated) {
+  const Value begun = value_of(
+      send("POST", "/api/captures",
+           wish(R"("stops": "trigger", "stop-column": 2, "stream-axis": 1, "give-up": 0, "positive": "+Y")")),
+      201);
+  EXPECT_EQ(text(*begun.find("motion"), "error"), "EYX");
+  EXPECT_EQ(text(*begun.find("motion"), "stops"), "trigger");
+  EXPECT_EQ(number(*begun.find("due"), "target"), 1);
+  EXPECT_TRUE(begun.find("anew")->boolean());
+  const Value end = wait_for_end(1);
+  EXPECT_EQ(text(end, "state"), "complete") << json::dump(end);
+  EXPECT_TRUE(end.find("test")->is(json::Kind::null));
+  EXPECT_EQ(text(end, "unit"), "um");
+  ASSERT_EQ(end.find("readings")->items().size(), 12u);
+  EXPECT_NEAR(number(end.find("readings")->items()[1], "deviation"), 3.0, 0.1);
+  EXPECT_EQ(number(*end.find("motion")->find("end"), "found"), 12);
+  EXPECT_EQ(end.find("motion")->find("end")->find("files")->items().size(), 3u) << "raw, times, readings";
+
+  const Response table = send("GET", "/api/captures/1/files/readings");
+  EXPECT_THAT(table.body, HasSubstr("# positive: +Y\n"));
+  EXPECT_THAT(table.headers, testing::Contains(testing::Pair("Content-Disposition", HasSubstr("capture-1.csv"))));
+  EXPECT_THAT(send("GET", "/api/captures/1/files/raw").body, testing::StartsWith("time_s,straightness_um,trigger\n"));
+  const app::CalibrationSource readings{"readings", "eyx.csv", table.body};
+  EXPECT_TRUE(app::evaluate_calibration("straightness", {&readings, 1}, Value::object()));
+
+  const Value german = value_of(send("GET", "/api/captures/1", "", {}, language::Language::german), 200);
+  EXPECT_EQ(text(*german.find("motion"), "error"), "EYX");
+  EXPECT_EQ(send("POST", "/api/captures/1/keys", R"({"key": "take"})").status, 409) << "it has ended";
+  EXPECT_EQ(send("GET", "/api/captures/1/plan").status, 404);
+  EXPECT_EQ(send("POST", "/api/captures/1/discard").status, 200);
+  EXPECT_TRUE(value_of(send("GET", "/api/captures"), 200).find("captures")->items().empty());
+}
+
+TEST_F(MotionCaptureRoutes, WhatIsSaidAtAStopIsTakeSkipOrUndo) {
+  value_of(send("POST", "/api/captures", wish(R"("stops": "keys", "stream-axis": 1)")), 201);
+  const Value said = value_of(send("POST", "/api/captures/1/keys", R"({"key": "skip"})"), 200);
+  EXPECT_EQ(text(*said.find("motion"), "stops"), "keys");
+  for (const char* body : {"{}", R"({"key": "enter"})", R"({"key": 1})", R"({"key": "take", "time_s": 3})"})
+    EXPECT_EQ(send("POST", "/api/captures/1/keys", body).status, 422) << body;
+  EXPECT_EQ(send("POST", "/api/captures/9/keys", R"({"key": "take"})").status, 404);
+  EXPECT_EQ(send("POST", "/api/captures/1/stop").status, 200);
+}
+
+TEST_F(MotionCaptureRoutes, AFailingRequestForAMotionBeginsNothing) {
+  const std::pair<std::string, const char*> table[] = {
+      {wish(""), "found a plan made for EYX"},
+      {wish(R"("unit": "um")"), "found what is said of stops without stops"},
+      {wish(R"("stops": "bells")"), "expected keys, trigger, readings or position"},
+      {wish(R"("stops": "trigger")"), "found no column of the trigger"},
+      {R"({"plan": 1, "source": "simulator", "options": {"stops": "keys"}})", "it plays positions"},
+  };
+  for (const auto& [body, told] : table) {
+    const Response response = send("POST", "/api/captures", body);
+    EXPECT_EQ(response.status, 422) << body << response.body;
+    EXPECT_THAT(message(response), HasSubstr(told));
+  }
+  EXPECT_TRUE(value_of(send("GET", "/api/captures"), 200).find("captures")->items().empty());
 }
 
 }  // namespace

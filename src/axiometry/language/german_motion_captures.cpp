@@ -16,6 +16,8 @@ constexpr Phrase motion_captures_rows[] = {
      "eine Datei von Eingaben zu einer laufenden Quelle; erwartet: eine zu einer fertigen Aufzeichnung"},
     {"found a finished recording and no keys, expected --keys with those that were said at its stops",
      "eine fertige Aufzeichnung und keine Eingaben; erwartet: --keys mit denen, die an ihren Halten gemacht wurden"},
+    {"found a part beside stops, expected a plan of one axis alone",
+     "ein Teil neben stops; erwartet: ein Plan einer einzigen Achse"},
     {"found a plan made for {0=}, expected --error, which says what is read",
      "ein Plan für {0}; erwartet: --error, das sagt, was gelesen wird"},
     {"found a plan made for {0=}, expected one of positions; axiometry capture --stops leads through one of other "
@@ -36,6 +38,15 @@ constexpr Phrase motion_captures_rows[] = {
      "they come",
      "ein Nullpunkt, der an der ersten Zielposition gesetzt werden soll; erwartet: der Bezug der Position, denn "
      "Messwerte daneben werden genommen, wie sie kommen"},
+    {"found capture {0=} not running, expected one that runs", "Messung {0} läuft nicht; erwartet: eine, die läuft"},
+    {"found capture {0=} of a test, expected one of lengths or readings",
+     "Messung {0} einer Prüfung; erwartet: eine von Längen oder Messwerten"},
+    {"found capture {0=} of the error {1=}, expected one of lengths",
+     "Messung {0} der Abweichung {1}; erwartet: eine von Längen"},
+    {"found capture {0=}, at whose stops nothing can be said, expected one of a straightness or a rotation with the "
+     "stops keys, trigger or readings",
+     "Messung {0}, an deren Halten nichts angegeben werden kann; erwartet: eine einer Geradheit oder Drehung mit den "
+     "Halten keys, trigger oder readings"},
     {"found how still readings must be, expected it where more than one is taken at a stop",
      "eine Angabe, wie ruhig Messwerte sein müssen; erwartet: nur, wo an einem Halt mehr als einer genommen wird"},
     {"found keys of another recording, expected none before this one begins",
@@ -57,6 +68,13 @@ constexpr Phrase motion_captures_rows[] = {
      "rotation, or no --stops",
      "die Abweichung {0}, deren Messwerte Positionen sind und die Halte selbst zeigen; erwartet: eine Geradheit oder "
      "eine Drehung, oder kein --stops"},
+    {"found the key {0=}, expected take, skip or undo", "Eingabe {0}; erwartet: take, skip oder undo"},
+    {"found the simulator as source of an error motion, expected an instrument: it plays positions",
+     "der Simulator als Quelle einer Bewegungsabweichung; erwartet: ein Messmittel, denn er spielt Positionen"},
+    {"found the unit {0=}, expected one of {1=}", "Einheit {0}; erwartet: eine von {1}"},
+    {"found the unknown member {0=}, expected key", "unbekannter Eintrag {0}; erwartet: key"},
+    {"found what is said of stops without stops, expected keys, trigger, readings or position",
+     "Angaben zu Halten ohne stops; erwartet: keys, trigger, readings oder position"},
     {"found {0#} columns beside the time, expected --stream-axis, which says that of the readings: 1 is the first of "
      "these",
      "{0} Spalten neben der Zeit; erwartet: --stream-axis, das die der Messwerte nennt: 1 ist die erste davon"},
@@ -65,8 +83,12 @@ constexpr Phrase motion_captures_rows[] = {
     {"found {0#} samples, expected at least {1#} to tell whether they stand still",
      "{0} Abtastwerte; erwartet: mindestens {1}, um zu erkennen, ob sie stillstehen"},
     {"found {0=}, expected a finite number as reading", "{0}; erwartet: eine endliche Zahl als Messwert"},
+    {"found {0=}, expected a number above 0 up to 1e6", "{0}; erwartet: eine Zahl über 0 bis 1e6"},
+    {"found {0=}, expected a number from 1 to 1000", "{0}; erwartet: eine Zahl von 1 bis 1000"},
     {"found {0=}, expected a time in s and take, skip or undo, such as 12.5,take",
      "{0}; erwartet: eine Zeit in s und take, skip oder undo, etwa 12.5,take"},
+    {"found {0=}, expected keys, trigger, readings or position",
+     "{0}; erwartet: keys, trigger, readings oder position"},
     {"found {0=}, expected two columns, time and reading, perhaps below a header such as time_s,straightness_um",
      "{0}; erwartet: zwei Spalten, Zeit und Messwert, vielleicht unter einem Kopf wie time_s,straightness_um"},
     {"no reading has come yet: not used", "noch kein Messwert ist gekommen: nicht verwendet"},
@@ -84,6 +106,8 @@ constexpr Phrase motion_captures_rows[] = {
      "noch "
      "einmal nimmt ihn trotzdem"},
     {"the reading of {0} that had begun", "der begonnene Messwert von {0}"},
+    {"what was said while the connection was away is not used",
+     "was eingegeben wurde, während die Verbindung weg war, wird nicht verwendet"},
     {"{0#} reading whose target was not told: not used",
      "{0} Messwert, dessen Zielposition nicht angegeben wurde: nicht verwendet"},
     {"{0#} readings whose target was not told: not used",

@@ -245,7 +245,11 @@ export interface components {
              */
             state: "waiting" | "running" | "complete" | "stopped" | "failed" | "interrupted";
             kind: components["schemas"]["AxisKind"];
-            unit: components["schemas"]["Unit"];
+            /**
+             * @description Of the readings. Of a rotation urad until its stream has told otherwise.
+             * @enum {string}
+             */
+            unit: "um" | "arcsec" | "urad";
             /** @description P_i of the plan, or of its part, that is captured. */
             targets: number[];
             /** @description Of the plan. */
@@ -262,7 +266,7 @@ export interface components {
             readings: components["schemas"]["CapturedReading"][];
             events: {
                 /** @enum {string} */
-                kind: "zero" | "missed" | "repeated" | "wrong direction" | "too short" | "signal lost" | "unexpected" | "not seen" | "restarted" | "incomplete";
+                kind: "zero" | "missed" | "repeated" | "wrong direction" | "too short" | "signal lost" | "unexpected" | "not seen" | "restarted" | "incomplete" | "unsteady" | "doubtful" | "skipped" | "taken back";
                 message: string;
                 time_s: number;
             }[];
@@ -273,6 +277,8 @@ export interface components {
             test: components["schemas"]["Id"] | null;
             /** @description Of a capture of lengths, in place of targets, readings and test. */
             lengths: components["schemas"]["CapturedLengths"] | null;
+            /** @description Of a capture of a straightness or a rotation, beside targets and readings. */
+            motion: components["schemas"]["CapturedMotion"] | null;
             error: string | null;
         };
         CaptureIds: {
@@ -287,7 +293,7 @@ export interface components {
             source: string;
             /** @description Of the stream; recognised by itself when empty or left out. */
             layout?: string;
-            /** @description By the names of the flags of `axiometry capture`; of the simulator `speed`, `preset` and `seed`. */
+            /** @description By the names of the flags of `axiometry capture`; of the simulator `speed`, `preset` and `seed`. With `stops`, which a plan of a straightness or a rotation needs, it becomes a table of readings. */
             options?: {
                 [key: string]: string | number | boolean;
             };
@@ -327,14 +333,22 @@ export interface components {
             }[] | null;
             /** @description Stops before which the beam was broken though the plan keeps it. */
             broken_before: number[];
-            /** @description When it has ended; its files are in the archive. */
-            end: {
-                /** @description Lengths in the table. */
-                found: number;
-                /** @description What could not be matched, where the beam was broken. */
-                notes: string[];
-                files: ("raw" | "times" | "lengths")[];
-            } | null;
+            end: components["schemas"]["CapturedTable"] | null;
+        };
+        CapturedMotion: {
+            /**
+             * @description What is read.
+             * @example EYX
+             */
+            error: string;
+            stops: components["schemas"]["StopSign"];
+            /** @description The last that the instrument sent, in the unit of the capture. */
+            now: number | null;
+            /** @description Within the window behind a key or a trigger. */
+            is_reading: boolean;
+            /** @description A reading came so late that somebody must say whose it is: `take` when it is that of the target that is due, `skip` when that one is missing. */
+            waits_for_key: boolean;
+            end: components["schemas"]["CapturedTable"] | null;
         };
         CapturedPlan: {
             kind: components["schemas"]["LengthPlanKind"];
@@ -353,12 +367,21 @@ export interface components {
             }[];
         };
         CapturedReading: {
+            /** @description Of an error motion what was read, as the instrument counts it. */
             deviation: number;
-            /** @description In the unit of the deviation. */
+            /** @description In the unit of the deviation; of a single sample, which tells none, 0. */
             spread: number;
             samples: number;
             remarks: string[];
         } & components["schemas"]["Approach"];
+        /** @description What a capture of lengths or of an error motion has come to; its files are in the archive. */
+        CapturedTable: {
+            /** @description Lengths or readings in the table. */
+            found: number;
+            /** @description What could not be matched or used, where the beam was broken. */
+            notes: string[];
+            files: ("raw" | "times" | "keys" | "lengths" | "readings")[];
+        };
         /** @description Who changed something, when and why. */
         Change: {
             /** Format: date-time */
@@ -2673,6 +2696,18 @@ export interface components {
             lines: number;
             shortest_mm: number;
         };
+        StopKey: {
+            /**
+             * @description The axis stands at the target that is due; that one has no reading; the last reading back.
+             * @enum {string}
+             */
+            key: "take" | "skip" | "undo";
+        };
+        /**
+         * @description What tells the stops: a person, a column that is not 0, the instrument, which sends one reading at each, or a column of positions.
+         * @enum {string}
+         */
+        StopSign: "keys" | "trigger" | "readings" | "position";
         Test: {
             id: components["schemas"]["Id"];
             version: number;
@@ -3710,8 +3745,10 @@ export type CaptureIds = components['schemas']['CaptureIds'];
 export type CaptureList = components['schemas']['CaptureList'];
 export type CaptureRequest = components['schemas']['CaptureRequest'];
 export type CapturedLengths = components['schemas']['CapturedLengths'];
+export type CapturedMotion = components['schemas']['CapturedMotion'];
 export type CapturedPlan = components['schemas']['CapturedPlan'];
 export type CapturedReading = components['schemas']['CapturedReading'];
+export type CapturedTable = components['schemas']['CapturedTable'];
 export type Change = components['schemas']['Change'];
 export type Changes = components['schemas']['Changes'];
 export type Claim = components['schemas']['Claim'];
@@ -3862,6 +3899,8 @@ export type Source = components['schemas']['Source'];
 export type SourceList = components['schemas']['SourceList'];
 export type StatedUncertainty = components['schemas']['StatedUncertainty'];
 export type StationKeeps = components['schemas']['StationKeeps'];
+export type StopKey = components['schemas']['StopKey'];
+export type StopSign = components['schemas']['StopSign'];
 export type Test = components['schemas']['Test'];
 export type TestPage = components['schemas']['TestPage'];
 export type TestRow = components['schemas']['TestRow'];

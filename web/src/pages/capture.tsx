@@ -4,14 +4,16 @@ import { ApiError, send } from '../api/client';
 import { use_get } from '../api/use';
 import type { Capture, Plan } from '../api/types';
 import { FailureNotice } from '../components/failure';
-import { fixed, position_unit, unit_sign, when } from '../numbers';
+import { position_unit, unit_sign, when } from '../numbers';
 import { LiveChart, LiveTable } from './capture/filling';
 import { LengthsCapture } from './capture/lengths';
-import { directions_of, is_over, use_live, use_screen_on, type Reading } from './capture/live';
+import { directions_of, is_over, use_live, use_screen_on } from './capture/live';
+import { MotionCapture } from './capture/motion';
 import { Readout } from './capture/readout';
 import { SoFar } from './capture/so_far';
 import { StopButton } from './capture/stop';
 import { t } from './capture/texts';
+import { Events, Said } from './capture/told';
 import './capture.css';
 
 /** A capture while it goes on, and what came of it. */
@@ -29,6 +31,7 @@ export function CapturePage({ parts }: { parts: Record<string, string> }) {
   };
   const directions = directions_of(capture?.approaches ?? 0, shared.targets.length, shared.runs);
   if (capture?.lengths) return <LengthsCapture live={live} capture={capture} lengths={capture.lengths} again={() => set_turn(turn + 1)} />;
+  if (capture?.motion) return <MotionCapture live={live} capture={capture} motion={capture.motion} plan={plan.data} again={() => set_turn(turn + 1)} />;
   return (
     <>
       <header class="page-head">
@@ -86,33 +89,5 @@ function Ending({ capture, again }: { capture: Capture; again: () => void }) {
       )}
       {capture.test !== null && <a class="button primary" href={`/tests/${capture.test}`}>{t('to_test')}</a>}
     </div>
-  );
-}
-
-function Events({ capture }: { capture: Capture }) {
-  const all = [...capture.notices.map((message) => ({ message, time_s: null })), ...[...capture.events].reverse()];
-  return (
-    <section class="panel" aria-labelledby="events">
-      <h2 id="events">{t('events')}</h2>
-      {all.length === 0 ? <p class="quiet">{t('no_events')}</p> : (
-        <ul class="event-list" tabIndex={0} aria-labelledby="events">
-          {all.map((event, i) => (
-            <li key={i}>
-              <span class="number quiet">{event.time_s === null ? '' : `${fixed(event.time_s, 1)} s`}</span> {event.message}
-            </li>
-          ))}
-        </ul>
-      )}
-    </section>
-  );
-}
-
-/** The latest reading for those who do not look. */
-function Said({ readings, unit }: { readings: Reading[]; unit: string }) {
-  const last = readings[readings.length - 1];
-  return (
-    <p class="visually-hidden" aria-live="polite">
-      {last && t('said', { i: last.target, direction: t(last.direction), run: last.run, value: `${fixed(last.deviation, 1)} ${unit}` })}
-    </p>
   );
 }

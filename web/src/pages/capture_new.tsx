@@ -7,9 +7,11 @@ import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
 import { position_unit, shortest } from '../numbers';
 import { go, place } from '../router';
+import { MotionFields, motion_options, stops_of, without_motion } from './capture/motion_fields';
+import { t as t_motion } from './capture/motion_texts';
 import { sent, SourceChoice, SourceOptions, type SourceForm } from './capture/source_fields';
 import { t } from './capture/texts';
-import { lasting } from './plan/outcome';
+import { is_of_positions, lasting } from './plan/outcome';
 import './capture.css';
 
 interface Form extends SourceForm { plan: string }
@@ -25,15 +27,17 @@ export function NewCapturePage() {
   const [error, set_error] = useState<ApiError | null>(null);
   const chosen = form.plan || String(plans.data?.plans[0]?.id ?? '');
   const plan = use_get<Plan>(chosen === '' ? null : `/api/plans/${chosen}`);
-  const source = sources.data?.sources.find(({ id }) => id === form.source) ?? sources.data?.sources[0];
+  const motion = plan.data && !is_of_positions(plan.data.plan) ? plan.data.plan : null;
+  const possible = (sources.data?.sources ?? []).filter(({ kind }) => motion === null || kind !== 'simulator');
+  const source = possible.find(({ id }) => id === form.source) ?? possible[0];
   const option = (key: string, text: string) => set_form({ ...form, options: { ...form.options, [key]: text } });
 
   const start = () => {
-    if (!source || chosen === '' || busy) return;
+    if (!source || !plan.data || busy) return;
     set_busy(true);
     set_error(null);
     send<Capture>('POST', '/api/captures', {
-      plan: Number(chosen), source: source.id, layout: form.layout, options: sent(form.options, source),
+      plan: Number(chosen), source: source.id, layout: form.layout, options: sent(motion ? motion_options(motion, form.options) : without_motion(form.options), source),
     }).then(
       (capture) => go(`/captures/${capture.id}`),
       (failure: unknown) => {
@@ -63,12 +67,18 @@ export function NewCapturePage() {
             </select>
           )}
         </Field>
-        <Parts plan={plan.data} option={option} value={form.options['part'] ?? '1'} />
-        <SourceChoice sources={sources.data?.sources ?? []} source={source} choose={(id) => set_form({ ...form, source: id })} />
-        {source && <SourceOptions source={source} form={form} change={(part) => set_form({ ...form, ...part })} unit={unit_of(plan.data)} />}
+        <Parts plan={motion ? null : plan.data} option={option} value={form.options['part'] ?? '1'} />
+        {motion && <MotionFields plan={motion} options={form.options} option={option} />}
+        {motion && sources.data && possible.length === 0
+          ? <p class="notice caution" role="status">{t_motion('no_source')}</p>
+          : <SourceChoice sources={possible} source={source} choose={(id) => set_form({ ...form, source: id })} />}
+        {source && (
+          <SourceOptions source={source} form={form} change={(part) => set_form({ ...form, ...part })} unit={unit_of(plan.data)}
+            {...(motion ? { of_motion: stops_of(form.options) } : {})} />
+        )}
         {error && <FailureNotice error={error} />}
         <div class="row">
-          <button type="submit" class="primary" disabled={busy || !source || chosen === ''}>{t(busy ? 'starting' : 'start')}</button>
+          <button type="submit" class="primary" disabled={busy || !source || !plan.data}>{t(busy ? 'starting' : 'start')}</button>
         </div>
       </form>
     </>

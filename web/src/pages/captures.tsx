@@ -4,6 +4,9 @@ import type { Capture, CaptureList, PlanList } from '../api/types';
 import { ListPage } from '../components/list_page';
 import { absent, when } from '../numbers';
 import { is_over } from './capture/live';
+import { evaluation_of } from './capture/motion';
+import { t as t_motion } from './capture/motion_texts';
+import { has_table, table_of } from './capture/table_ending';
 import { t } from './capture/texts';
 import './capture.css';
 
@@ -34,12 +37,13 @@ export function CapturesPage() {
 
 function Became({ capture }: { capture: Capture }) {
   if (capture.test !== null) return <a href={`/tests/${capture.test}`}>{t('to_test')}</a>;
-  const end = capture.lengths?.end;
+  const end = table_of(capture);
   if (!end) return <>{absent}</>;
   const file = (role: string) => `/api/captures/${capture.id}/files/${role}`;
   return (
     <span class="row">
-      {end.files.includes('lengths') && <a href={file('lengths')} download>{t('found_of', { n: end.found, all: capture.approaches })}</a>}
+      {capture.lengths && has_table(capture) && <a href={file('lengths')} download>{t('found_of', { n: end.found, all: capture.approaches })}</a>}
+      {capture.motion && has_table(capture) && <a href={evaluation_of(capture)}>{t_motion('found_of', { n: end.found, all: capture.approaches })}</a>}
       {end.files.includes('raw') && <a href={file('raw')} download>{t('raw_recording')}</a>}
     </span>
   );

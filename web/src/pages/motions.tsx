@@ -13,6 +13,7 @@ import { empty_form, motion_options, type MotionForm, type MotionKind, type Moti
 import { MotionFields } from './motions/fields';
 import { files_of, looked_at, roles, type MotionFile } from './motions/files';
 import { held_motions } from './motions/held';
+import { take_captured } from './motions/captured';
 import { PlanChoice } from './motions/plan_choice';
 import { t } from './motions/texts';
 import { MotionView } from './motions/view';
@@ -49,6 +50,7 @@ function use_motions(files: readonly MotionFile[], options: MotionOptions | null
 
 export function MotionsPage() {
   const [files, set_files] = useState<readonly MotionFile[]>([]);
+  const [captured_error, set_captured_error] = useState<ApiError | null>(null);
   const [form, set_form] = useState<MotionForm>(empty_form);
   const [kind, set_kind] = useState<MotionKind>('straightness');   // as the last files turned out to be
   const options = useMemo(() => motion_options(kind, form), [kind, form]);
@@ -60,6 +62,7 @@ export function MotionsPage() {
   useEffect(() => {
     void add(held_motions.peek());
     held_motions.value = [];
+    take_captured(add, set_captured_error);
     drop_taker.value = (dropped) => void add(dropped);
     return () => { drop_taker.value = null; };
   }, []);
@@ -106,6 +109,7 @@ export function MotionsPage() {
       </section>
       <div aria-live="polite">
         {asked.busy && <p class="quiet small">{t('evaluating')}</p>}
+        {captured_error && <FailureNotice error={captured_error} />}
         {asked.error && <FailureNotice error={asked.error} />}
       </div>
       {asked.result && <MotionView result={asked.result} />}

@@ -124,7 +124,7 @@ function WholePlan({ plan, vocabulary }: { plan: Plan; vocabulary: Vocabulary | 
             </a>
           ))}
           <PlanFile id={plan.id} />
-          {is_of_positions(plan.plan) && <a class="button primary" href={`/captures/new?plan=${plan.id}`}>{t('capture_with')}</a>}
+          <a class="button primary" href={`/captures/new?plan=${plan.id}`}>{t('capture_with')}</a>
         </div>
       </header>
       <p class="notice">{t('whole_plan')}</p>

@@ -16,6 +16,7 @@
 
 #include "axiometry/app/files/synced.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/live/stop_marks.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"
@@ -53,7 +54,7 @@ Result<void> put(int descriptor, std::string_view bytes) {
 /// Lines behind the order in its file, so that all of it goes together.
 struct Notes {
   std::vector<std::string> tests;
-  std::optional<LengthEnd> ended;
+  std::optional<TableEnd> ended;
   bool kept = false;
 };
 
@@ -66,7 +67,7 @@ Notes notes_in(std::string_view bytes) {
       notes.tests.emplace_back(line.substr(test_note.size()));
     if (!line.starts_with(ended_note)) continue;
     if (const auto end = json::parse(line.substr(ended_note.size())); end && !notes.ended)
-      notes.ended = length_end_from(*end);
+      notes.ended = table_end_from(*end);
   }
   return notes;
 }
@@ -90,10 +91,16 @@ Result<void> put_note(int descriptor, std::string_view note, std::string_view of
   return put(descriptor, fmt::format("\n{}{}\n", note, of));
 }
 
+/// With its times and what was said at its stops.
+void remove_recording(const std::string& raw) {
+  ::unlink(marks_name(raw).c_str());
+  remove_raw(raw);
+}
+
 /// The order last, with what is noted in it, so that what is left of a removal that was cut short is found again.
 void remove_files(const std::string& base) {
   const std::string order = base + std::string(order_suffix);
-  remove_raw(base + ".raw");
+  remove_recording(base + ".raw");
   static_cast<void>(folder_synced(order));
   ::unlink(order.c_str());
 }
@@ -170,10 +177,10 @@ void HeldCapture::remove() {
   remove_files(base_);
 }
 
-Result<void> HeldCapture::end(const LengthEnd& end) {
+Result<void> HeldCapture::end(const TableEnd& end) {
   AXIOMETRY_TRY_VOID(put_note(descriptor_, ended_note, json::dump(to_json(end), 0)));
   ended_ = end;
-  remove_raw(raw());
+  remove_recording(raw());
   return {};
 }
 
@@ -318,7 +325,7 @@ std::vector<CaptureFolder::Left> CaptureFolder::left_behind() {
     auto held = hold(id);
     if (!held) continue;
     if (held->ended_ && !held->kept_) {
-      remove_raw(held->raw());
+      remove_recording(held->raw());
       continue;
     }
     std::error_code error;

@@ -13,8 +13,8 @@
 #include "axiometry/base/result.h"
 #include "axiometry/store/records.h"
 
-/// Where captures keep what arrives until the store has it: for each an order (capture-7.json), the raw recording and
-/// its times. What a program that was killed has left behind can be gone on with.
+/// Where captures keep what arrives until the store has it: for each an order (capture-7.json), the raw recording,
+/// its times and what was said at its stops. What a program that was killed has left behind can be gone on with.
 namespace axiometry::app {
 
 /// An order with its files; while it exists, no other program takes them.
@@ -35,10 +35,10 @@ class HeldCapture {
   /// The store has all of it: that is noted, and its files go.
   void remove();
 
-  /// The same of lengths, which are found by their order: that stays, with what it came to. Fails as the disk does;
+  /// The same of a table, which is found by its order: that stays, with what it came to. Fails as the disk does;
   /// then all files are there.
-  Result<void> end(const LengthEnd& end);
-  const std::optional<LengthEnd>& ended() const { return ended_; }
+  Result<void> end(const TableEnd& end);
+  const std::optional<TableEnd>& ended() const { return ended_; }
 
  private:
   friend class CaptureFolder;
@@ -50,7 +50,7 @@ class HeldCapture {
   CaptureOrder order_;
   int descriptor_;  ///< of the order, locked
   std::vector<std::string> noted_tests_{};
-  std::optional<LengthEnd> ended_{};
+  std::optional<TableEnd> ended_{};
   bool kept_ = false;  ///< the store has all of it
 };
 
@@ -76,7 +76,7 @@ class CaptureFolder {
     store::Id id = 0;
     EndedCapture capture;
   };
-  /// Captures of lengths that came to their end, the oldest first.
+  /// Captures that became tables, the oldest first.
   std::vector<Ended> ended() const;
   /// Takes those whose order is not here, ended or not, which an archive brought along from elsewhere. Fails as add()
   /// does, after all that can be taken.

@@ -12,6 +12,7 @@
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/live/stop_marks.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/workbench/test_of_file.h"
 #include "axiometry/digest/sha256.h"
@@ -22,10 +23,11 @@ namespace {
 
 constexpr std::size_t largest_recording = std::size_t{1} << 30;
 
-/// A file of the recording as it will be called in the archive.
+/// A file of the recording as it will be called in the archive, and where a table's end names it.
 struct Part {
   std::string name;
   std::string bytes;
+  std::string TableEnd::* noted_as = &TableEnd::raw;
 };
 
 /// "X 2026-11-22 093005"
@@ -33,7 +35,9 @@ std::string name_of(const CaptureOrder& order) {
   std::string when = order.started.substr(0, 19);
   std::ranges::replace(when, 'T', ' ');
   std::erase(when, ':');
-  const std::string& of = order.lengths ? order.lengths->title : order.walked.axis.name;
+  const std::string of = order.lengths  ? order.lengths->title
+                         : order.motion ? order.motion->error.text()
+                                        : order.walked.axis.name;
   return file_name_part(fmt::format("{}{}{}", of, of.empty() ? "" : " ", when));
 }
 
@@ -45,9 +49,14 @@ Result<std::vector<Part>> recording_of(const HeldCapture& held) {
   const std::string name = name_of(held.order()) + ".raw";
   AXIOMETRY_TRY(std::string bytes, file_bytes(raw, largest_recording));
   parts.push_back({name, std::move(bytes)});
-  if (!has_times(raw)) return parts;  // lost, which the test tells
-  AXIOMETRY_TRY(std::string times, file_bytes(times_name(raw), largest_recording));
-  parts.push_back({times_name(name), std::move(times)});
+  if (has_times(raw)) {  // else lost, which the test tells
+    AXIOMETRY_TRY(std::string times, file_bytes(times_name(raw), largest_recording));
+    parts.push_back({times_name(name), std::move(times), &TableEnd::times});
+  }
+  if (std::filesystem::exists(marks_name(raw), none)) {
+    AXIOMETRY_TRY(std::string keys, file_bytes(marks_name(raw), largest_recording));
+    parts.push_back({marks_name(name), std::move(keys), &TableEnd::keys});
+  }
   return parts;
 }
 
@@ -122,49 +131,58 @@ Result<std::string> keep_length_plan(Workbench& workbench, const CaptureOrder& o
   return workbench.archive().keep({sha256(plan), name, "length-plan", plan}, by_of(order));
 }
 
-/// Where the lengths come from stands above them.
-std::string told_table(const CaptureOrder& order, const TaskLengths& lengths, const LengthEnd& end) {
+/// Where lengths or readings come from stands above them. Readings say themselves when and from where; here no colon
+/// stands behind a word that might be a key of theirs.
+std::string told_table(const CaptureOrder& order, const FoundTable& table, const TableEnd& end) {
+  if (order.motion) return fmt::format("# raw recording has SHA-256 {}\n", end.raw) + table.table;
   std::string head = fmt::format("# captured on {} from {}: {}\n# raw recording: SHA-256 {}\n", order.started,
                                  order.source, order.lengths->title, end.raw);
   if (order.source == simulator_source().id) head += "# Simulated, not measured\n";
-  return head + lengths.table;
+  return head + table.table;
 }
 
-Result<LengthEnd> keep_lengths(Workbench& workbench, const HeldCapture& held,
-                               const std::optional<TaskLengths>& lengths) {
+Result<TableEnd> keep_table(Workbench& workbench, const HeldCapture& held,
+                               const std::optional<FoundTable>& found) {
   const CaptureOrder& order = held.order();
   AXIOMETRY_TRY(const std::vector<Part> parts, recording_of(held));
   const store::By by = by_of(order);
-  LengthEnd end;
+  TableEnd end;
   for (const Part& part : parts) {
-    AXIOMETRY_TRY(std::string hash,
+    AXIOMETRY_TRY(end.*part.noted_as,
                   workbench.archive().keep({sha256(part.bytes), part.name, "recording", part.bytes}, by));
-    (end.raw.empty() ? end.raw : end.times) = std::move(hash);
   }
-  if (!lengths) return end;
-  end.found = lengths->found;
-  end.notes = lengths->notes;
-  const std::string table = told_table(order, *lengths, end);
-  AXIOMETRY_TRY(end.table, workbench.archive().keep({sha256(table), name_of(order) + ".csv", "lengths", table}, by));
+  if (!found) return end;
+  end.found = found->found;
+  end.notes = found->notes;
+  const std::string table = told_table(order, *found, end), name = name_of(order) + ".csv";
+  AXIOMETRY_TRY(end.table, workbench.archive().keep(
+                               {sha256(table), name, order.motion ? "motion-readings" : "lengths", table}, by));
   return end;
 }
 
-constexpr const char *listed_format = "length-capture", *discarded_format = "discarded-length-capture";
+/// Under which names the archive keeps notes of captures that came to tables, and of those that are listed no more.
+struct NotedAs {
+  const char *listed, *discarded;
+};
+constexpr NotedAs of_lengths{"length-capture", "discarded-length-capture"};
+constexpr NotedAs of_motions{"motion-capture", "discarded-motion-capture"};
+constexpr const NotedAs& noted_as(const CaptureOrder& order) { return order.motion ? of_motions : of_lengths; }
 
-Result<void> keep_capture(Workbench& workbench, const EndedCapture& capture, const char* format, const store::By& by) {
-  const std::string bytes = format == discarded_format ? discard_text_of(capture) : text_of(capture);
-  const std::string name = name_of(capture.order) + ".capture.json";
+Result<void> keep_note(Workbench& workbench, const CaptureOrder& order, const char* format, const std::string& bytes,
+                       const store::By& by) {
+  const std::string name = name_of(order) + ".capture.json";
   AXIOMETRY_TRY_VOID(workbench.archive().keep({sha256(bytes), name, format, bytes}, by));
   return {};
 }
 
-Result<std::vector<EndedCapture>> captures_noted_as(const store::Transaction& archive, const char* format) {
+Result<std::vector<EndedCapture>> captures_noted_as(const store::Transaction& archive, const char* format,
+                                                    bool listed) {
   std::vector<EndedCapture> captures;
   AXIOMETRY_TRY(const std::vector<std::string> hashes, archive.contents(format));
   for (const std::string& hash : hashes) {
     const auto content = archive.content(hash);
     // `store verify` tells it. Without a discard that cannot be read nothing may be listed: it could be any.
-    if (!content && content.error().kind == ErrorKind::damaged && format == listed_format) continue;
+    if (!content && content.error().kind == ErrorKind::damaged && listed) continue;
     if (!content) return std::unexpected(content.error());
     if (auto capture = ended_capture_from(content->bytes)) captures.push_back(*std::move(capture));
   }
@@ -176,14 +194,19 @@ Result<std::vector<EndedCapture>> captures_noted_as(const store::Transaction& ar
 Result<ArchivedCaptures> captures_of(const store::Store& store) {
   return store.read([](const store::Transaction& archive) -> Result<ArchivedCaptures> {
     ArchivedCaptures captures;
-    AXIOMETRY_TRY(captures.listed, captures_noted_as(archive, listed_format));
-    AXIOMETRY_TRY(captures.discarded, captures_noted_as(archive, discarded_format));
+    for (const NotedAs& names : {of_lengths, of_motions}) {
+      AXIOMETRY_TRY(std::vector<EndedCapture> listed, captures_noted_as(archive, names.listed, true));
+      AXIOMETRY_TRY(std::vector<EndedCapture> discarded, captures_noted_as(archive, names.discarded, false));
+      std::ranges::move(listed, std::back_inserter(captures.listed));
+      std::ranges::move(discarded, std::back_inserter(captures.discarded));
+    }
     std::set<std::string> seen;
     for (const EndedCapture& capture : captures.discarded) seen.insert(identity_of(capture.order));
     std::vector<EndedCapture> last;
     for (EndedCapture& capture : std::views::reverse(captures.listed))
       if (seen.insert(identity_of(capture.order)).second) last.push_back(std::move(capture));
     captures.listed.assign(std::make_move_iterator(last.rbegin()), std::make_move_iterator(last.rend()));
+    std::ranges::stable_sort(captures.listed, {}, [](const EndedCapture& capture) { return capture.order.started; });
     return captures;
   });
 }
@@ -207,18 +230,19 @@ CaptureKeeping keeping_in(Workbench& workbench) {
             AXIOMETRY_TRY(store::Content content, workbench.archive().content(sha256));
             return std::move(content.bytes);
           },
-          .keep_lengths =
-              [&workbench](const HeldCapture& held, const std::optional<TaskLengths>& lengths) {
-                return keep_lengths(workbench, held, lengths);
+          .keep_table =
+              [&workbench](const HeldCapture& held, const std::optional<FoundTable>& found) {
+                return keep_table(workbench, held, found);
               },
           .keep_capture =
               [&workbench](const EndedCapture& capture) {
-                return keep_capture(workbench, capture, listed_format, by_of(capture.order));
+                return keep_note(workbench, capture.order, noted_as(capture.order).listed, text_of(capture),
+                                 by_of(capture.order));
               },
           .discard_capture =
               [&workbench](const EndedCapture& capture, const std::string& actor) {
-                return keep_capture(workbench, capture, discarded_format,
-                                    {actor, "discarded: " + by_of(capture.order).reason});
+                return keep_note(workbench, capture.order, noted_as(capture.order).discarded, discard_text_of(capture),
+                                 {actor, "discarded: " + by_of(capture.order).reason});
               },
           .captures = [&workbench] { return captures_of(workbench.archive()); }};
 }

@@ -23,6 +23,7 @@ Value to_json(const CaptureOrder& order) {
     value.add("lengths", to_json(*order.lengths));
   else
     value.add("walked", formats::plan_value(order.walked));
+  if (order.motion) value.add("motion", to_json(*order.motion));
   return value;
 }
 
@@ -37,14 +38,16 @@ std::optional<CaptureOrder> capture_order_from(const Value& value) {
     return member != nullptr && member->is(Kind::number) ? member->number() : 0.0;
   };
   const Value* walked = value.find("walked");
-  const Value* noted_lengths = value.find("lengths");
+  const Value *noted_lengths = value.find("lengths"), *noted_motion = value.find("motion");
   auto plan = walked == nullptr ? Result<Plan>(Plan()) : formats::plan_from_value(*walked);
   auto lengths = noted_lengths == nullptr ? std::nullopt : length_order_from(*noted_lengths);
-  if (!plan || (walked == nullptr && !lengths)) return {};
+  auto motion = noted_motion == nullptr ? std::nullopt : motion_order_from(*noted_motion);
+  if (!plan || (walked == nullptr && !lengths) || (noted_motion != nullptr && !motion)) return {};
   CaptureOrder order{.plan = static_cast<store::Id>(number("plan")),
                      .part = static_cast<std::size_t>(number("part")),
                      .walked = *std::move(plan),
                      .lengths = std::move(lengths),
+                     .motion = motion,
                      .source = text("source"),
                      .layout = text("layout"),
                      .options = {},
@@ -83,8 +86,8 @@ std::optional<EndedCapture> ended_capture_from(std::string_view bytes) {
   const Value *order = value->find("order"), *end = value->find("end");
   if (order == nullptr || end == nullptr) return {};
   auto read_order = capture_order_from(*order);
-  auto read_end = length_end_from(*end);
-  if (!read_order || !read_order->lengths || !read_end) return {};
+  auto read_end = table_end_from(*end);
+  if (!read_order || !becomes_table(*read_order) || !read_end) return {};
   return EndedCapture{*std::move(read_order), *std::move(read_end)};
 }
 

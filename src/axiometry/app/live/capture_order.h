@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/app/live/length_order.h"
+#include "axiometry/app/live/table_order.h"
 #include "axiometry/base/json.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/store/records.h"
@@ -21,12 +21,16 @@ struct CaptureOrder {
   std::size_t part = 1;                                      ///< of the plan
   Plan walked;                                               ///< that part; none of lengths
   std::optional<LengthOrder> lengths{};                      ///< in place of both plans
+  std::optional<MotionOrder> motion{};                       ///< where no positions are read at the stops of `walked`
   std::string source;                                        ///< id
   std::string layout;                                        ///< empty: recognised
   std::vector<std::pair<std::string, std::string>> options;  ///< by name, as they were given
   std::string actor;
   std::string started;  ///< RFC 3339, UTC
 };
+
+/// Of lengths or a motion, which are evaluated on pages of their own: its files stay, and a note of what it came to.
+inline bool becomes_table(const CaptureOrder& order) { return order.lengths || order.motion; }
 
 json::Value to_json(const CaptureOrder& order);
 /// Nothing where it is not what was written.
@@ -35,10 +39,10 @@ std::optional<CaptureOrder> capture_order_from(const json::Value& value);
 /// Of one order, which says when it was begun: the same bytes wherever it is kept.
 std::string identity_of(const CaptureOrder& order);
 
-/// A capture of lengths that came to its end.
+/// A capture that became a table.
 struct EndedCapture {
   CaptureOrder order;
-  LengthEnd end;
+  TableEnd end;
 };
 
 /// As the archive keeps it, so that a copy of the archive lists it too: {"order", "end"}.

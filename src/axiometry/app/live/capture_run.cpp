@@ -214,6 +214,7 @@ class Run {
       } else if (got.state == LiveStream::State::closed) {
         AXIOMETRY_TRY(stream, reconnect(got.reason));
         if (!stream) break;
+        drop_keys();
         AXIOMETRY_TRY_VOID(begin_another(log));
       } else if (got.state == LiveStream::State::over) {
         break;
@@ -236,6 +237,12 @@ class Run {
       AXIOMETRY_TRY_VOID(settle({}, false));
     }
     return {};
+  }
+
+  /// What was said while nothing came was said of a reading that nobody has.
+  void drop_keys() const {
+    if (session_.motion() == nullptr || !observer_.keys || observer_.keys().empty()) return;
+    notice("what was said while the connection was away is not used");
   }
 
   Result<void> keep_and_take(std::string_view bytes, RawLog& log) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "axiometry/app/live/captured_motion.h"
 #include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/recordings/raw_log.h"
 
@@ -30,7 +31,7 @@ CaptureService::Running::Running(HeldCapture held, Begun begun, const CaptureKee
             .kind = order.walked.axis.kind,
             .targets = order.walked.targets,
             .approaches = approaches(order.walked).size(),
-            .due = order.lengths ? std::nullopt : begun_->session.matcher().due(),
+            .due = {},
             .now = {},
             .taken = 0,
             .readings = {},
@@ -46,8 +47,12 @@ CaptureService::Running::Running(HeldCapture held, Begun begun, const CaptureKee
                       .due = begun_->session.stops()->matcher().due(),
                       .caught_at = 1,
                       .caught = std::make_shared<const std::vector<CaughtLength>>(),
-                      .broken_before = {},
-                      .end = {}};
+                      .broken_before = {}};
+  } else if (const MotionListener* motion = begun_->session.motion()) {
+    state_.motion = {.order = {.error = motion->error(), .sign = motion->stated().sign}};
+    take_values(*motion);
+  } else {
+    state_.due = begun_->session.matcher().due();
   }
   thread_ = std::jthread([this] { run(); });
 }
@@ -77,6 +82,7 @@ CaptureState CaptureService::Running::state(std::optional<CaptureRevision> after
     copy.events.clear();
     copy.so_far.reset();
     if (copy.lengths) copy.lengths->caught.reset();
+    if (copy.motion) copy.motion->values.reset();
     return copy;
   }
   // One who knows a later revision has seen another program's life of this capture.
@@ -85,6 +91,10 @@ CaptureState CaptureService::Running::state(std::optional<CaptureRevision> after
   for (const StampedReading& reading : state_.readings)
     if (all || reading.revision > *after) copy.readings.push_back(reading);
   if (copy.lengths && !all && copy.lengths->caught_at <= *after) copy.lengths->caught.reset();
+  if (copy.motion) {
+    if (!all && copy.motion->read_at <= *after) copy.motion->values.reset();
+    copy.anew = copy.motion->values != nullptr;
+  }
   return copy;
 }
 
@@ -104,7 +114,19 @@ CaptureObserver CaptureService::Running::observer() {
               },
           .now = [this](const CaptureSession& session) { now(session); },
           .stopped = [this] { return stop_.load(); },
-          .abandoned = [this] { return interrupt_.load(); }};
+          .abandoned = [this] { return interrupt_.load(); },
+          .value = {},
+          .keys = [this] { return take_keys(); }};
+}
+
+void CaptureService::Running::press(capture::StopKey key) {
+  const std::scoped_lock lock(mutex_);
+  keys_.push_back(key);
+}
+
+std::vector<capture::StopKey> CaptureService::Running::take_keys() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(keys_, {});
 }
 
 /// A source that comes and goes all night must not make the state grow: what is told of it is counted then.
@@ -160,6 +182,23 @@ void CaptureService::Running::take_lengths(const CaptureSession& session) {
   lengths.caught_at = state_.revision;
 }
 
+/// Needs the lock. Of the values all are new where one was given or taken back, which an event tells.
+void CaptureService::Running::take_values(const MotionListener& motion) {
+  const capture::ValueListener& listener = motion.values();
+  MotionState& known = *state_.motion;
+  if (motion.unit_of_stream() != nullptr) known.unit = motion.unit();
+  known.now = listener.now();
+  known.is_reading = listener.is_reading();
+  known.waits_for_key = listener.waits_for_key();
+  state_.due = listener.due();
+  const std::size_t told = listener.given().size() + listener.events().size();
+  if (known.values && told == told_) return;
+  told_ = told;
+  known.values = std::make_shared<const std::vector<capture::PlannedValue>>(listener.values());
+  known.read_at = state_.revision;
+  state_.taken = known.values->size();
+}
+
 void CaptureService::Running::now(const CaptureSession& session) {
   {
     const std::scoped_lock lock(mutex_);
@@ -167,6 +206,7 @@ void CaptureService::Running::now(const CaptureSession& session) {
     if (session.samples() > 0) state_.stage = Stage::running;
     state_.now = session.now();
     if (state_.lengths) return take_lengths(session);
+    if (state_.motion) return take_values(*session.motion());
     state_.due = session.matcher().due();
     take_readings(session);
   }
@@ -189,9 +229,9 @@ void CaptureService::Running::run() {
   End end{.stage = Stage::interrupted, .test = {}, .error = {}};
   try {
     const CaptureObserver watching = observer();
-    if (begun_->task) {
+    if (becomes_table(held_->order())) {
       const HeardLive heard = hear_live(std::move(begun_->session), begun_->live, watching);
-      if (!interrupt_) end = conclude_lengths(heard);
+      if (!interrupt_) end = conclude_table(heard);
     } else {
       const auto outcome = run_live_capture(std::move(begun_->session), begun_->live, watching);
       if (!interrupt_) end = conclude(outcome);
@@ -234,16 +274,22 @@ CaptureService::Running::End CaptureService::Running::conclude(const Result<Capt
   return {.stage = stage, .test = *kept, .error = std::move(error)};
 }
 
+Result<FoundTable> CaptureService::Running::table_of(const HeardLive& heard) const {
+  const CaptureSession& session = heard.heard.session;
+  if (begun_->task) return begun_->task->lengths(session);
+  return captured_motion(session, held_->order(), heard.heard.date);
+}
+
 /// What the state shows at the end is what the table holds, as far as both are known.
-CaptureService::Running::End CaptureService::Running::conclude_lengths(const HeardLive& heard) {
+CaptureService::Running::End CaptureService::Running::conclude_table(const HeardLive& heard) {
   if (!heard.on_disk) return left_for_later(*heard.trouble);
   {
     const std::scoped_lock lock(mutex_);
     ++state_.revision;
-    take_lengths(heard.heard.session);
+    state_.lengths ? take_lengths(heard.heard.session) : take_values(*heard.heard.session.motion());
   }
-  const auto lengths = begun_->task->lengths(heard.heard.session);
-  auto kept = keeping_.keep_lengths(*held_, lengths ? std::optional(*lengths) : std::nullopt);
+  const auto table = table_of(heard);
+  auto kept = keeping_.keep_table(*held_, table ? std::optional(*table) : std::nullopt);
   if (!kept) return left_for_later(kept.error());
   const Stage stage = heard.trouble          ? (stop_ || concludes_ ? Stage::stopped : Stage::failed)
                       : heard.heard.complete ? Stage::complete
@@ -251,17 +297,17 @@ CaptureService::Running::End CaptureService::Running::conclude_lengths(const Hea
   kept->stage = stage_name(stage);
   if (heard.trouble)
     kept->error = heard.trouble->message;
-  else if (!lengths)
-    kept->error = lengths.error().message;
+  else if (!table)
+    kept->error = table.error().message;
   if (kept->raw.empty())
     held_->remove();  // nothing came
-  else if (auto noted = ended_lengths(*kept); !noted)
+  else if (auto noted = ended_table(*kept); !noted)
     return left_for_later(noted.error());
-  return {.stage = stage, .test = {}, .error = kept->error, .lengths = *kept};
+  return {.stage = stage, .test = {}, .error = kept->error, .came_to = *kept};
 }
 
 /// In the archive before the folder says so: what was noted in both once is noted in both again.
-Result<void> CaptureService::Running::ended_lengths(const LengthEnd& end) {
+Result<void> CaptureService::Running::ended_table(const TableEnd& end) {
   if (keeping_.keep_capture) AXIOMETRY_TRY_VOID(keeping_.keep_capture({held_->order(), end}));
   return held_->end(end);
 }
@@ -269,10 +315,13 @@ Result<void> CaptureService::Running::ended_lengths(const LengthEnd& end) {
 void CaptureService::Running::tell(End end) {
   const std::scoped_lock lock(mutex_);
   ++state_.revision;
-  if (state_.lengths) {
-    if (end.stage != Stage::interrupted) state_.lengths->due.reset();
-    state_.lengths->end = std::move(end.lengths);
+  if (state_.lengths && end.stage != Stage::interrupted) state_.lengths->due.reset();
+  if (state_.motion) {
+    if (end.stage != Stage::interrupted) state_.due.reset();
+    state_.motion->now.reset();
+    state_.motion->is_reading = state_.motion->waits_for_key = false;
   }
+  state_.came_to = std::move(end.came_to);
   state_.stage = end.stage;
   state_.now.reset();
   state_.test = end.test;

@@ -32,6 +32,7 @@ class CaptureService::Running {
 
   void stop() { stop_ = true; }
   void interrupt() { interrupt_ = true; }
+  void press(capture::StopKey key);
   void wait_for_end(std::chrono::milliseconds longest);
   CaptureState state(std::optional<CaptureRevision> after) const;  ///< nothing: without readings, events and evaluation
 
@@ -45,7 +46,7 @@ class CaptureService::Running {
     CaptureState::Stage stage;
     std::optional<store::Id> test;
     std::string error;
-    std::optional<LengthEnd> lengths{};
+    std::optional<TableEnd> came_to{};
   };
 
   void run();
@@ -54,11 +55,14 @@ class CaptureService::Running {
   void now(const CaptureSession& session);
   void take_readings(const CaptureSession& session);
   void take_lengths(const CaptureSession& session);
+  void take_values(const MotionListener& motion);
+  std::vector<capture::StopKey> take_keys();
   void evaluate(Test test);
   End conclude(const Result<CaptureOutcome>& outcome);
   static End left_for_later(const Error& error);
-  End conclude_lengths(const HeardLive& heard);
-  Result<void> ended_lengths(const LengthEnd& end);
+  Result<FoundTable> table_of(const HeardLive& heard) const;
+  End conclude_table(const HeardLive& heard);
+  Result<void> ended_table(const TableEnd& end);
   void tell(End end);
 
   const std::string source_;
@@ -77,6 +81,8 @@ class CaptureService::Running {
   std::size_t notices_left_out_ = 0;
   CaptureRevision anew_at_ = 0;  // readings before it hold no longer
   std::size_t standstills_ = 0;  // of lengths, that the state knows
+  std::size_t told_ = 0;         // of a motion, readings given and events, which change what is read
+  std::vector<capture::StopKey> keys_;
   std::jthread thread_;          // last: it uses all of the above
 };
 

@@ -13,8 +13,9 @@
 #include "axiometry/app/live/capture_running.h"
 #include "axiometry/app/live/own_options.h"
 #include "axiometry/app/live/simulated_lengths.h"
+#include "axiometry/app/live/stop_marks.h"
 #include "axiometry/app/plan/plan.h"
-#include "axiometry/app/recordings/capture_text.h"
+#include "axiometry/app/recordings/stop_options.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/store/database/clock.h"
@@ -42,6 +43,13 @@ Result<Plan> part_of(const Plan& whole, std::size_t part) {
 /// A source that is no longer named: what was heard of it can still be kept.
 CaptureSource without_address(const std::string& id) {
   return {.id = id, .kind = CaptureSource::Kind::tcp, .title = id, .address = {}};
+}
+
+/// Bytes; none of a file that is not there.
+std::uint64_t size_of_recorded(const std::string& recorded) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(recorded, none);
+  return none ? 0 : size;
 }
 
 /// A connection that is there already is handed out first.
@@ -87,14 +95,20 @@ Result<const CaptureSource*> CaptureService::source_named(const std::string& id)
 }
 
 /// Checks everything and reaches the source, but for one that is concluded without it.
-Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, Way way, std::uint64_t heard,
+Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, Way way, const std::string& recorded,
                                                     std::optional<LengthTask> task) const {
   auto named = source_named(order.source);
   if (!named && way != Way::conclude) return std::unexpected(std::move(named).error());
   CaptureSource source = named ? **named : without_address(order.source);
   const bool simulated = source.id == simulator_source().id;
   AXIOMETRY_TRY(const OwnOptions own, own_options(order.options, source.kind));
-  AXIOMETRY_TRY(CaptureOptions options, capture_options_from(own.others));
+  AXIOMETRY_TRY(CaptureOptions options, live_options_from(own.others));
+  if (options.motion && simulated)
+    return fail("found the simulator as source of an error motion, expected an instrument: it plays positions");
+  if (options.motion && !recorded.empty()) {
+    AXIOMETRY_TRY(options.motion->marks, marks_beside(recorded));
+  }
+  const std::uint64_t heard = recorded.empty() ? 0 : size_of_recorded(recorded);
   options.stream = order.layout;
   options.recording.skip_damaged = true;
   if (order.lengths && !task) {
@@ -171,7 +185,7 @@ CaptureState CaptureService::launch(HeldCapture held, Begun begun, Way way) {
 Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
   AXIOMETRY_TRY(const CaptureSource* const source, source_named(wish.source));
   AXIOMETRY_TRY(const OwnOptions own, own_options(wish.options, source->kind));
-  AXIOMETRY_TRY(const CaptureOptions options, capture_options_from(own.others));
+  AXIOMETRY_TRY(const CaptureOptions options, live_options_from(own.others));
   CaptureOrder order{.plan = wish.plan,
                      .part = options.part.value_or(1),
                      .walked = {},
@@ -180,7 +194,10 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
                      .options = wish.options,
                      .actor = wish.actor,
                      .started = store::now_text()};
-  AXIOMETRY_TRY(order.walked, part_of(wish.whole, options.part.value_or(1)));
+  order.walked = wish.whole;  // of a motion it must have no further ones
+  if (!options.motion) {
+    AXIOMETRY_TRY(order.walked, part_of(wish.whole, options.part.value_or(1)));
+  }
   if (source->kind == CaptureSource::Kind::simulator && !own.seed) put_seed(order.options, drawn_seed());
   return start(std::move(order), *source);
 }
@@ -190,7 +207,9 @@ Result<CaptureState> CaptureService::start(CaptureOrder order, const CaptureSour
                                            std::optional<LengthTask> task) {
   AXIOMETRY_TRY_VOID(reserve(source));
   auto state = [&]() -> Result<CaptureState> {
-    AXIOMETRY_TRY(Begun begun, begin(order, Way::listen, 0, std::move(task)));
+    AXIOMETRY_TRY(Begun begun, begin(order, Way::listen, {}, std::move(task)));
+    if (const MotionListener* motion = begun.session.motion())
+      order.motion = {.error = motion->error(), .sign = motion->stated().sign};
     if (order.lengths) {
       AXIOMETRY_TRY(order.lengths->plan, keeping_.keep_plan(order, json::dump(begun.task->plan_value()) + "\n"));
     }
@@ -240,7 +259,7 @@ Result<CaptureState> CaptureService::restart(store::Id id, Way way) {
 /// Lets go of it before it comes back with a failure.
 Result<CaptureState> CaptureService::go_on(HeldCapture held) {
   std::optional<store::Id> test;
-  if (!held.order().lengths) {
+  if (!becomes_table(held.order())) {
     AXIOMETRY_TRY(test, keeping_.kept(held));
   }
   if (test) {
@@ -258,9 +277,7 @@ Result<CaptureState> CaptureService::go_on(HeldCapture held) {
 
 /// Where it is concluded it needs no place among those that listen.
 Result<CaptureState> CaptureService::play(HeldCapture held, Way way) {
-  std::error_code none;  // then it is empty
-  const auto size = std::filesystem::file_size(held.raw(), none);
-  AXIOMETRY_TRY(Begun begun, begin(held.order(), way, none ? 0 : size));
+  AXIOMETRY_TRY(Begun begun, begin(held.order(), way, held.raw()));
   return launch(std::move(held), std::move(begun), way);
 }
 
@@ -275,6 +292,20 @@ Result<CaptureState> CaptureService::stop(store::Id id) {
   if (!running) return fail(ErrorKind::not_found, fmt::format("found no capture {}", id));
   if (!running->concluding()) running->stop();
   running->wait_for_end(longest_stop);
+  return running->state(0);
+}
+
+Result<CaptureState> CaptureService::press(store::Id id, capture::StopKey key) {
+  AXIOMETRY_TRY(const CaptureState found, state(id));
+  if (!found.motion || found.motion->order.sign == capture::StopSign::position)
+    return fail(ErrorKind::conflict,
+                fmt::format("found capture {}, at whose stops nothing can be said, expected one of a straightness or a "
+                            "rotation with the stops keys, trigger or readings",
+                            id));
+  const auto running = find(id);
+  if (!running || running->ended())
+    return fail(ErrorKind::conflict, fmt::format("found capture {} not running, expected one that runs", id));
+  running->press(key);
   return running->state(0);
 }
 
@@ -298,9 +329,10 @@ CaptureState CaptureService::state_of(const CaptureOrder& order, store::Id id, S
   state.targets = order.walked.targets;
   if (order.lengths) {
     state.approaches = order.lengths->stops;
-    state.lengths = {.order = *order.lengths, .due = {}, .caught_at = 0, .caught = {}, .broken_before = {}, .end = {}};
+    state.lengths = {.order = *order.lengths, .due = {}, .caught_at = 0, .caught = {}, .broken_before = {}};
   } else {
     state.approaches = approaches(order.walked).size();
+    if (order.motion) state.motion = {.order = *order.motion};
   }
   return state;
 }
@@ -310,7 +342,7 @@ CaptureState CaptureService::state_of(const CaptureFolder::Ended& ended) const {
       state_of(ended.capture.order, ended.id, stage_named(ended.capture.end.stage).value_or(Stage::stopped));
   state.taken = ended.capture.end.found;
   state.error = ended.capture.end.error;
-  if (state.lengths) state.lengths->end = ended.capture.end;
+  state.came_to = ended.capture.end;
   return state;
 }
 

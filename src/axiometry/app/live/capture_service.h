@@ -31,7 +31,7 @@ struct CapturedEnd {
   std::optional<Test> test;  ///< absent when none can be made of what came
 };
 
-/// Captures of lengths of an archive, wherever they were made.
+/// Captures of an archive that became tables, wherever they were made.
 struct ArchivedCaptures {
   std::vector<EndedCapture> listed;
   std::vector<EndedCapture> discarded;
@@ -47,12 +47,12 @@ struct CaptureKeeping {
   std::function<Result<std::optional<store::Id>>(const HeldCapture&)> kept;
   std::function<Result<Outcome>(const CaptureOrder&, const Test&)> evaluate;
 
-  /// Of lengths: keeps the file of a plan, and gives its SHA-256; and gives bytes by that.
+  /// Of lengths: keeps the file of a plan, and gives its SHA-256. Of tables: gives bytes by that.
   std::function<Result<std::string>(const CaptureOrder&, const std::string& plan)> keep_plan{};
   std::function<Result<std::string>(const std::string& sha256)> bytes{};
-  /// Keeps the raw recording, and the table where there is one. When it fails, the files stay and the capture can be
-  /// resumed. Called twice for the same capture, it gives the same.
-  std::function<Result<LengthEnd>(const HeldCapture&, const std::optional<TaskLengths>&)> keep_lengths{};
+  /// Of tables: keeps the raw recording, and the table where there is one. When it fails, the files stay and the capture
+  /// can be resumed. Called twice for the same capture, it gives the same.
+  std::function<Result<TableEnd>(const HeldCapture&, const std::optional<FoundTable>&)> keep_table{};
   /// That it came to its end, and that it is to be listed no more.
   std::function<Result<void>(const EndedCapture&)> keep_capture{};
   std::function<Result<void>(const EndedCapture&, const std::string& actor)> discard_capture{};
@@ -77,7 +77,7 @@ struct LengthWish {
   std::string actor;
 };
 
-/// What is asked of a new capture.
+/// What is asked of a new capture: of a test, or with the option "stops" of a straightness or a rotation.
 struct CaptureWish {
   store::Id plan = 0;
   Plan whole;                                                ///< the plan, with its further ones
@@ -90,8 +90,8 @@ struct CaptureWish {
 /// May be used from many threads at once. Its end interrupts all captures; their recordings can be resumed.
 class CaptureService {
  public:
-  /// Fails on two sources of one name. Captures of lengths that the archive lists are here from now on, also where the
-  /// archive came from elsewhere.
+  /// Fails on two sources of one name. Captures that became tables and that the archive lists are here from now on,
+  /// also where the archive came from elsewhere.
   static Result<std::unique_ptr<CaptureService>> open(CaptureSettings settings, CaptureKeeping keeping);
   ~CaptureService();
   CaptureService(const CaptureService&) = delete;
@@ -116,20 +116,24 @@ class CaptureService {
   /// where as many interrupted ones as may be are being ended.
   Result<CaptureState> stop(store::Id id);
 
+  /// What a person says at a stop of a motion. Fails with not_found, and with conflict on one that is none, that has
+  /// ended, and whose stops the position tells.
+  Result<CaptureState> press(store::Id id, capture::StopKey key);
+
   /// With the readings after that revision. Fails with not_found.
   Result<CaptureState> state(store::Id id, CaptureRevision after = 0);
 
-  /// All that run, were interrupted, or ended since the program began (the last fifty), and all of lengths until they
+  /// All that run, were interrupted, or ended since the program began (the last fifty), and all of tables until they
   /// are discarded, the newest first; without readings, events and evaluation.
   std::vector<CaptureState> states();
 
   /// The part of the plan that a capture of lengths is about. Fails with not_found on one of a test, and as the archive
   /// does.
   Result<LengthTask> task_of(const CaptureState& state) const;
-  /// A file of a capture of lengths that has ended: "raw", "times" or "lengths". Fails with not_found.
-  Result<std::string> length_file(store::Id id, std::string_view role);
-  /// Forgets a capture of lengths that has ended; its files stay in the archive. Fails with not_found, and with
-  /// conflict on one that goes on or was interrupted.
+  /// A file of a capture that became a table: "raw", "times", "keys", or table_role(). Fails with not_found.
+  Result<std::string> file_of(store::Id id, std::string_view role);
+  /// Forgets a capture that became a table; its files stay in the archive. Fails with not_found, and with conflict on
+  /// one that goes on or was interrupted.
   Result<void> discard(store::Id id, const std::string& actor);
 
  private:
@@ -140,8 +144,9 @@ class CaptureService {
   CaptureService(CaptureSettings settings, CaptureKeeping keeping, CaptureFolder folder);
   Result<const CaptureSource*> source_named(const std::string& id) const;
   Result<LengthTask> task_of(const LengthOrder& order, std::size_t part) const;
-  /// `task`: of lengths, where it is at hand; else it is read from the archive.
-  Result<Begun> begin(const CaptureOrder& order, Way way, std::uint64_t heard,
+  /// `recorded`: file of what was heard before; empty: none. `task`: of lengths, where it is at hand; else it is read
+  /// from the archive.
+  Result<Begun> begin(const CaptureOrder& order, Way way, const std::string& recorded,
                       std::optional<LengthTask> task = {}) const;
   Result<void> reserve(const CaptureSource& source);
   void release(const std::string& source);

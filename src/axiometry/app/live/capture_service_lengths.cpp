@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Captures of lengths: what they wait for, and what they have become.
+// Captures of lengths: what they wait for; and what those that became tables have become.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -59,16 +59,21 @@ Result<LengthTask> CaptureService::task_of(const LengthOrder& order, std::size_t
 
 Result<LengthTask> CaptureService::task_of(const CaptureState& state) const {
   if (state.lengths) return task_of(state.lengths->order, state.part);
+  if (state.motion)
+    return fail(ErrorKind::not_found, fmt::format("found capture {} of the error {}, expected one of lengths", state.id,
+                                                  state.motion->order.error.text()));
   return fail(ErrorKind::not_found, fmt::format("found capture {} of a test, expected one of lengths", state.id));
 }
 
-Result<std::string> CaptureService::length_file(store::Id id, std::string_view role) {
+Result<std::string> CaptureService::file_of(store::Id id, std::string_view role) {
   AXIOMETRY_TRY(const CaptureState found, state(id));
   std::string sha256;
-  if (found.lengths && found.lengths->end) {
-    const LengthEnd& end = *found.lengths->end;
-    sha256 = role == "raw" ? end.raw : role == "times" ? end.times : role == "lengths" ? end.table : "";
-  }
+  if (const auto& end = found.came_to)
+    sha256 = role == "raw"               ? end->raw
+             : role == "times"           ? end->times
+             : role == "keys"            ? end->keys
+             : role == table_role(found) ? end->table
+                                         : "";
   if (!sha256.empty()) return keeping_.bytes(sha256);
   return fail(ErrorKind::not_found, fmt::format("found no file {} of capture {}", text::quoted(role), id));
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "axiometry/app/live/simulated_lengths.h"
+#include "axiometry/app/recordings/stop_options.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/simulation/presets.h"
 
@@ -35,6 +36,17 @@ Value reading_value(const capture::CapturedReading& reading, const CaptureState&
   value.add("samples", reading.standstill.count);
   Value remarks = Value::array();
   for (const std::string& remark : reading.remarks) remarks.push(told_to(reader, remark));
+  value.add("remarks", std::move(remarks));
+  return value;
+}
+
+Value value_read(const capture::PlannedValue& read, const CaptureState& state, const Reader& reader) {
+  Value value = captured_approach_value(read.approach, state);
+  value.add("deviation", read.still.value);
+  value.add("spread", read.still.spread);
+  value.add("samples", read.still.count);
+  Value remarks = Value::array();
+  for (const std::string& remark : read.remarks) remarks.push(told_to(reader, remark));
   value.add("remarks", std::move(remarks));
   return value;
 }
@@ -71,19 +83,48 @@ Value caught_value(const CaughtLength& caught) {
   return value;
 }
 
-Value end_value(const LengthEnd& end, const Reader& reader) {
+Value end_value(const CaptureState& state, const Reader& reader) {
+  if (!state.came_to) return {};
+  const TableEnd& end = *state.came_to;
   Value value = Value::object();
   value.add("found", end.found);
   value.add("notes", list_of(end.notes, [&](const std::string& note) { return Value(told_to(reader, note)); }));
   Value files = Value::array();
-  for (const auto& [role, sha256] :
-       {std::pair("raw", &end.raw), std::pair("times", &end.times), std::pair("lengths", &end.table)})
-    if (!sha256->empty()) files.push(role);
+  const std::pair<std::string_view, const std::string&> of_roles[] = {
+      {"raw", end.raw}, {"times", end.times}, {"keys", end.keys}, {table_role(state), end.table}};
+  for (const auto& [role, sha256] : of_roles)
+    if (!sha256.empty()) files.push(role);
   value.add("files", std::move(files));
   return value;
 }
 
-Value lengths_value(const LengthsState& lengths, const Reader& reader) {
+std::string_view unit_name(const CaptureState& state) {
+  if (!state.motion) return state.kind == AxisKind::linear ? "um" : "arcsec";
+  const bool rotation = state.motion->order.error.rotation();
+  return motion_unit_name(state.motion->unit.value_or(rotation ? MotionUnit::urad : MotionUnit::um));
+}
+
+Value motion_value(const CaptureState& state, const Reader& reader) {
+  const MotionState& motion = *state.motion;
+  Value value = Value::object();
+  value.add("error", motion.order.error.text());
+  value.add("stops", stop_sign_word(motion.order.sign));
+  value.add("now", motion.now ? Value(*motion.now) : Value());
+  value.add("is_reading", motion.is_reading);
+  value.add("waits_for_key", motion.waits_for_key);
+  value.add("end", end_value(state, reader));
+  return value;
+}
+
+/// All of a motion where any has changed: one may have been taken back.
+Value readings_value(const CaptureState& state, const Reader& reader) {
+  if (state.motion && state.motion->values)
+    return list_of(*state.motion->values, [&](const auto& read) { return value_read(read, state, reader); });
+  return list_of(state.readings, [&](const StampedReading& r) { return reading_value(r.reading, state, reader); });
+}
+
+Value lengths_value(const CaptureState& state, const Reader& reader) {
+  const LengthsState& lengths = *state.lengths;
   Value value = Value::object();
   value.add("kind", kind_name(lengths.order.kind));
   value.add("plan_id", lengths.order.plan_id);
@@ -91,7 +132,7 @@ Value lengths_value(const LengthsState& lengths, const Reader& reader) {
   value.add("due", lengths.due ? Value(*lengths.due + 1) : Value());
   value.add("caught", lengths.caught ? list_of(*lengths.caught, caught_value) : Value());
   value.add("broken_before", list_of(lengths.broken_before, [](std::size_t stop) { return Value(stop + 1); }));
-  value.add("end", lengths.end ? end_value(*lengths.end, reader) : Value());
+  value.add("end", end_value(state, reader));
   return value;
 }
 
@@ -115,6 +156,8 @@ std::optional<CaptureState::Stage> stage_named(std::string_view name) {
     if (stage_name(stage) == name) return stage;
   return {};
 }
+
+std::string_view table_role(const CaptureState& state) { return state.motion ? "readings" : "lengths"; }
 
 bool has_ended(CaptureState::Stage stage) {
   return stage != CaptureState::Stage::waiting && stage != CaptureState::Stage::running;
@@ -150,21 +193,21 @@ Value to_json(const CaptureState& state, const Reader& reader) {
   value.add("revision", static_cast<double>(state.revision));
   value.add("state", stage_name(state.stage));
   value.add("kind", axis_kind_name(state.kind));
-  value.add("unit", state.kind == AxisKind::linear ? "um" : "arcsec");
+  value.add("unit", unit_name(state));
   value.add("targets", list_of(state.targets, [](Position x) { return Value(x.in_native()); }));
   value.add("approaches", state.approaches);
   value.add("due", state.due ? captured_approach_value(*state.due, state) : Value());
   value.add("now", state.now ? now_value(*state.now) : Value());
   value.add("taken", state.taken);
   value.add("anew", state.anew);
-  value.add("readings",
-            list_of(state.readings, [&](const StampedReading& r) { return reading_value(r.reading, state, reader); }));
+  value.add("readings", readings_value(state, reader));
   value.add("events",
             list_of(state.events, [&](const capture::CaptureEvent& event) { return event_value(event, reader); }));
   value.add("notices", list_of(state.notices, [&](const std::string& text) { return Value(told_to(reader, text)); }));
   value.add("so_far", state.so_far ? to_json(*state.so_far, reader) : Value());
   value.add("test", state.test ? Value(static_cast<double>(*state.test)) : Value());
-  value.add("lengths", state.lengths ? lengths_value(*state.lengths, reader) : Value());
+  value.add("lengths", state.lengths ? lengths_value(state, reader) : Value());
+  value.add("motion", state.motion ? motion_value(state, reader) : Value());
   value.add("error", state.error.empty() ? Value() : Value(told_to(reader, state.error)));
   return value;
 }

@@ -9,7 +9,7 @@
 
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/live/capture_source.h"
-#include "axiometry/app/live/length_order.h"
+#include "axiometry/app/live/table_order.h"
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/json.h"
 #include "axiometry/capture/capture_result.h"
@@ -45,7 +45,17 @@ struct LengthsState {
   CaptureRevision caught_at = 0;                            ///< with which the following changed
   std::shared_ptr<const std::vector<CaughtLength>> caught;  ///< nullptr where it is known already
   std::vector<std::size_t> broken_before;  ///< stops before which the beam was broken though the plan keeps it
-  std::optional<LengthEnd> end;
+};
+
+/// Of a straightness or a rotation, in place of readings of positions.
+struct MotionState {
+  MotionOrder order;
+  std::optional<MotionUnit> unit{};  ///< of all values; nothing before the first reading
+  std::optional<double> now{};       ///< the last reading
+  bool is_reading = false;           ///< within a window behind a key or a trigger
+  bool waits_for_key = false;        ///< for somebody to say whose a late reading is
+  CaptureRevision read_at = 0;       ///< with which the following changed
+  std::shared_ptr<const std::vector<capture::PlannedValue>> values{};  ///< nullptr where they are known already
 };
 
 struct CaptureState {
@@ -78,12 +88,15 @@ struct CaptureState {
   std::shared_ptr<const Outcome> so_far;
   std::optional<store::Id> test;  ///< it was kept as
   std::optional<LengthsState> lengths{};
+  std::optional<MotionState> motion{};
+  std::optional<TableEnd> came_to{};  ///< of both, when it has ended
   std::string error;
 };
 
 std::string_view stage_name(CaptureState::Stage stage);
 std::optional<CaptureState::Stage> stage_named(std::string_view name);
 bool has_ended(CaptureState::Stage stage);
+std::string_view table_role(const CaptureState& state);  ///< of the file that came_to has: "lengths" or "readings"
 
 /// Capture and Source of apps/server/openapi.json.
 json::Value to_json(const CaptureState& state, const Reader& reader);

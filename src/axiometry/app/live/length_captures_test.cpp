@@ -7,22 +7,17 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "axiometry/app/files/source.h"
-#include "axiometry/app/live/capture_keeping.h"
-#include "axiometry/app/live/capture_service.h"
 #include "axiometry/app/live/length_plans_test_support.h"
 #include "axiometry/app/live/piece_server_test_support.h"
 #include "axiometry/app/live/simulated_lengths.h"
+#include "axiometry/app/live/table_captures_test_support.h"
 #include "axiometry/app/recordings/length_capture.h"
 #include "axiometry/app/volumetric/part_lengths.h"
-#include "axiometry/app/workbench/workbench.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
-#include "tests/support/archive.h"
 
 namespace axiometry::app {
 namespace {
@@ -38,33 +33,13 @@ using testing_support::volume_task;
 using Stage = CaptureState::Stage;
 using namespace std::chrono_literals;
 
-class LengthCaptures : public testing::Test {
+class LengthCaptures : public testing_support::TableCaptures {
  protected:
-  std::unique_ptr<CaptureService> open(std::vector<CaptureSource> sources = {}) {
-    auto service = CaptureService::open({.folder = folder_, .sources = std::move(sources)}, keeping_in(workbench_));
-    EXPECT_TRUE(service);
-    return *std::move(service);
-  }
-
   static LengthWish wish(LengthTask task, std::vector<std::pair<std::string, std::string>> options = {},
                          const std::string& source = "simulator") {
     const bool has_speed = std::ranges::any_of(options, [](const auto& option) { return option.first == "speed"; });
     if (source == "simulator" && !has_speed) options.emplace_back("speed", "60");
     return {.task = std::move(task), .source = source, .layout = {}, .options = std::move(options), .actor = "me"};
-  }
-
-  static CaptureState wait_for(CaptureService& service, store::Id id,
-                               const std::function<bool(const CaptureState&)>& so) {
-    for (int k = 0; k < 6000; ++k) {
-      if (auto state = service.state(id); !state || so(*state)) return state.value_or(CaptureState());
-      std::this_thread::sleep_for(10ms);
-    }
-    return *service.state(id);
-  }
-  static CaptureState end_of(CaptureService& service, const Result<CaptureState>& started) {
-    EXPECT_TRUE(started) << started.error().to_string();
-    if (!started) return {};
-    return wait_for(service, started->id, [](const CaptureState& state) { return has_ended(state.stage); });
   }
 
   /// All that the simulator says of a part.
@@ -79,10 +54,6 @@ class LengthCaptures : public testing::Test {
       whole.append(bytes, 0, got.count);
     }
   }
-
-  testing_support::Archive archive_;
-  Workbench workbench_{archive_.store()};
-  std::string folder_ = archive_.folder() + "/captures";
 };
 
 TEST_F(LengthCaptures, KeepsAPartOfAVolumeAsItsRecordingAndTheTableThatItGives) {
@@ -94,23 +65,23 @@ TEST_F(LengthCaptures, KeepsAPartOfAVolumeAsItsRecordingAndTheTableThatItGives) 
   const CaptureState end = end_of(*service, started);
   EXPECT_EQ(end.stage, Stage::complete) << end.error;
   EXPECT_FALSE(end.test);
-  ASSERT_TRUE(end.lengths->end);
-  EXPECT_EQ(end.lengths->end->found, volume_points);
+  ASSERT_TRUE(end.came_to);
+  EXPECT_EQ(end.came_to->found, volume_points);
   ASSERT_TRUE(end.lengths->caught);
   EXPECT_EQ(end.lengths->caught->size(), volume_points);
   EXPECT_EQ(end.taken, volume_points);
 
-  const std::string raw = service->length_file(end.id, "raw").value_or("");
-  const std::string table = service->length_file(end.id, "lengths").value_or("");
+  const std::string raw = service->file_of(end.id, "raw").value_or("");
+  const std::string table = service->file_of(end.id, "lengths").value_or("");
   Source source = Source::of_bytes("run.csv", raw);
   const auto again = read_part_recording(source, *volume_task(2).volume(), PartRange{2, 2}, false, {});
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_THAT(table, HasSubstr(formats::write_volumetric_lengths(again->lengths))) << "as from the file";
   EXPECT_THAT(table, HasSubstr("Simulated, not measured"));
-  EXPECT_THAT(table, HasSubstr("raw recording: SHA-256 " + end.lengths->end->raw));
+  EXPECT_THAT(table, HasSubstr("raw recording: SHA-256 " + end.came_to->raw));
   for (std::size_t k = 0; k < volume_points; ++k)
     EXPECT_NEAR((*end.lengths->caught)[k].length_mm, again->lengths.readings[k].length_mm, 1e-9);
-  EXPECT_FALSE(service->length_file(end.id, "plan"));
+  EXPECT_FALSE(service->file_of(end.id, "plan"));
 }
 
 /// The last two points are equally far from the station but for 0.2 mm.
@@ -131,7 +102,7 @@ TEST_F(LengthCaptures, DoesNotEndAtAPointThatOnlyLooksLikeTheLast) {
   const auto service = open();
   const CaptureState end = end_of(*service, service->start(wish(volume_task(1, plan))));
   EXPECT_EQ(end.stage, Stage::complete) << end.error;
-  EXPECT_EQ(end.lengths->end->found, 8u) << testing::PrintToString(end.lengths->end->notes);
+  EXPECT_EQ(end.came_to->found, 8u) << testing::PrintToString(end.came_to->notes);
 }
 
 TEST_F(LengthCaptures, KeepsALineAndAllLinesOfATrackingPlan) {
@@ -141,22 +112,22 @@ TEST_F(LengthCaptures, KeepsALineAndAllLinesOfATrackingPlan) {
   EXPECT_EQ(one.stage, Stage::complete) << one.error;
   EXPECT_EQ(all.stage, Stage::complete) << all.error;
   EXPECT_EQ(one.lengths->order.plan_id, all.lengths->order.plan_id);
-  const auto joined = joined_tables(lines_task(0), {{"capture 1", *service->length_file(one.id, "lengths")},
-                                                    {"capture 2", *service->length_file(all.id, "lengths")}});
+  const auto joined = joined_tables(lines_task(0), {{"capture 1", *service->file_of(one.id, "lengths")},
+                                                    {"capture 2", *service->file_of(all.id, "lengths")}});
   ASSERT_TRUE(joined) << joined.error().message;
   EXPECT_THAT(*joined, HasSubstr("line xz: the lengths of capture 1 are left out"));
-  EXPECT_EQ(one.lengths->end->found, lines_task(2).stop_count());
-  EXPECT_EQ(all.lengths->end->found, lines_task(0).stop_count());
+  EXPECT_EQ(one.came_to->found, lines_task(2).stop_count());
+  EXPECT_EQ(all.came_to->found, lines_task(0).stop_count());
 }
 
 TEST_F(LengthCaptures, TellsWhereTheBeamWasBroken) {
   const auto service = open();
   const CaptureState end = end_of(*service, service->start(wish(volume_task(1), {{"preset", "broken-beam"}})));
   EXPECT_EQ(end.stage, Stage::complete) << end.error;
-  ASSERT_EQ(end.lengths->broken_before.size(), 1u) << testing::PrintToString(end.lengths->end->notes);
-  EXPECT_THAT(end.lengths->end->notes, Contains(HasSubstr("have another dead path")));
+  ASSERT_EQ(end.lengths->broken_before.size(), 1u) << testing::PrintToString(end.came_to->notes);
+  EXPECT_THAT(end.came_to->notes, Contains(HasSubstr("have another dead path")));
   const std::size_t broken = end.lengths->broken_before.front();
-  EXPECT_THAT(end.lengths->end->notes, Contains(HasSubstr(fmt::format("before point {} ", broken + 1))));
+  EXPECT_THAT(end.came_to->notes, Contains(HasSubstr(fmt::format("before point {} ", broken + 1))));
   const CaptureState good = end_of(*service, service->start(wish(volume_task(1))));
   EXPECT_TRUE(good.lengths->broken_before.empty());
 }
@@ -170,8 +141,8 @@ TEST_F(LengthCaptures, TheBeamIsBrokenWhateverTheSeed) {
   begun.push_back(service->start(wish(lines_task(2), {{"preset", "broken-beam"}})));
   for (const auto& one : begun) {
     const CaptureState end = end_of(*service, one);
-    EXPECT_EQ(end.lengths->broken_before.size(), 1u) << testing::PrintToString(end.lengths->end->notes);
-    EXPECT_EQ(end.lengths->end->found, end.approaches);
+    EXPECT_EQ(end.lengths->broken_before.size(), 1u) << testing::PrintToString(end.came_to->notes);
+    EXPECT_EQ(end.came_to->found, end.approaches);
   }
 }
 
@@ -203,7 +174,7 @@ TEST_F(LengthCaptures, GoesOnAfterTheProgramEndedAsIfNothingHadBeen) {
   EXPECT_EQ(service->discard(id, "me").error().kind, ErrorKind::conflict) << "not before it has ended";
   const CaptureState end = end_of(*service, service->resume(id));
   EXPECT_EQ(end.stage, Stage::complete) << end.error;
-  EXPECT_EQ(end.lengths->end->found, volume_points);
+  EXPECT_EQ(end.came_to->found, volume_points);
 }
 
 TEST_F(LengthCaptures, EndsAnInterruptedOneWithWhatCame) {
@@ -217,10 +188,10 @@ TEST_F(LengthCaptures, EndsAnInterruptedOneWithWhatCame) {
   ASSERT_TRUE(service->stop(id));
   const CaptureState end = wait_for(*service, id, [](const CaptureState& state) { return has_ended(state.stage); });
   EXPECT_EQ(end.stage, Stage::stopped) << end.error;
-  ASSERT_TRUE(end.lengths->end);
-  EXPECT_GE(end.lengths->end->found, 4u);
-  EXPECT_LT(end.lengths->end->found, volume_points);
-  EXPECT_THAT(end.lengths->end->notes, Contains(HasSubstr("the recording ended before")));
+  ASSERT_TRUE(end.came_to);
+  EXPECT_GE(end.came_to->found, 4u);
+  EXPECT_LT(end.came_to->found, volume_points);
+  EXPECT_THAT(end.came_to->notes, Contains(HasSubstr("the recording ended before")));
 }
 
 TEST_F(LengthCaptures, IsFoundByLaterProgramsUntilItIsDiscarded) {
@@ -233,8 +204,8 @@ TEST_F(LengthCaptures, IsFoundByLaterProgramsUntilItIsDiscarded) {
   const auto found = service->state(end.id);
   ASSERT_TRUE(found) << found.error().to_string();
   EXPECT_EQ(found->stage, Stage::complete);
-  EXPECT_EQ(found->lengths->end->table, end.lengths->end->table);
-  EXPECT_EQ(found->lengths->end->notes, end.lengths->end->notes);
+  EXPECT_EQ(found->came_to->table, end.came_to->table);
+  EXPECT_EQ(found->came_to->notes, end.came_to->notes);
   EXPECT_EQ(service->task_of(*found)->plan_id(), volume_task(1).plan_id());
   EXPECT_EQ(service->states().size(), 1u);
   EXPECT_EQ(service->resume(end.id).error().kind, ErrorKind::not_found) << "nothing is to be gone on with";
@@ -243,7 +214,7 @@ TEST_F(LengthCaptures, IsFoundByLaterProgramsUntilItIsDiscarded) {
   ASSERT_TRUE(service->discard(end.id, "me"));
   EXPECT_TRUE(service->states().empty());
   EXPECT_EQ(service->discard(end.id, "me").error().kind, ErrorKind::not_found);
-  EXPECT_TRUE(archive_.store().content(end.lengths->end->raw)) << "the archive only grows";
+  EXPECT_TRUE(archive_.store().content(end.came_to->raw)) << "the archive only grows";
 }
 
 TEST_F(LengthCaptures, ANoteThatAPowerFailureCutOffIsNone) {
@@ -255,13 +226,13 @@ TEST_F(LengthCaptures, ANoteThatAPowerFailureCutOffIsNone) {
   const std::string order = fmt::format("{}/capture-{}.json", folder_, end.id);
   std::filesystem::resize_file(order, std::filesystem::file_size(order) - 10);
   std::ofstream(fmt::format("{}/capture-{}.raw", folder_, end.id))
-      << archive_.store().content(end.lengths->end->raw)->bytes;
+      << archive_.store().content(end.came_to->raw)->bytes;
   const auto service = open();
   EXPECT_EQ(service->state(end.id)->stage, Stage::interrupted) << "its files are all there then";
   ASSERT_TRUE(service->stop(end.id));
   const CaptureState again =
       wait_for(*service, end.id, [](const CaptureState& state) { return has_ended(state.stage); });
-  EXPECT_EQ(again.lengths->end->raw, end.lengths->end->raw);
+  EXPECT_EQ(again.came_to->raw, end.came_to->raw);
 }
 
 TEST_F(LengthCaptures, ListensToAnInstrumentWhoseConnectionBreaks) {
@@ -271,11 +242,11 @@ TEST_F(LengthCaptures, ListensToAnInstrumentWhoseConnectionBreaks) {
   const auto service = open({server.source()});
   const CaptureState end = end_of(*service, service->start(wish(lines_task(2), {{"give-up", "5"}}, "laser")));
   EXPECT_THAT(end.notices, Contains(HasSubstr("connected again")));
-  EXPECT_GE(end.lengths->end->found + 1, lines_task(2).stop_count()) << "all but the one that was cut";
-  const std::string raw = service->length_file(end.id, "raw").value_or("");
+  EXPECT_GE(end.came_to->found + 1, lines_task(2).stop_count()) << "all but the one that was cut";
+  const std::string raw = service->file_of(end.id, "raw").value_or("");
   EXPECT_TRUE(bytes.starts_with(raw)) << "what it showed behind the last stop need not have come yet";
   EXPECT_GE(raw.size(), end.stage == Stage::complete ? bytes.size() * 9 / 10 : bytes.size());
-  EXPECT_THAT(service->length_file(end.id, "lengths").value_or("Simulated"), testing::Not(HasSubstr("Simulated")));
+  EXPECT_THAT(service->file_of(end.id, "lengths").value_or("Simulated"), testing::Not(HasSubstr("Simulated")));
 }
 
 TEST_F(LengthCaptures, SaysThatAnotherPartWasMeasuredAndKeepsTheRecording) {
@@ -285,10 +256,10 @@ TEST_F(LengthCaptures, SaysThatAnotherPartWasMeasuredAndKeepsTheRecording) {
   const CaptureState end = end_of(*service, service->start(wish(volume_task(1), {{"give-up", "0"}}, "laser")));
   EXPECT_EQ(end.stage, Stage::stopped);
   EXPECT_THAT(end.error, HasSubstr("fit part 2 (station B, tool T1) far better"));
-  ASSERT_TRUE(end.lengths->end);
-  EXPECT_TRUE(end.lengths->end->table.empty());
-  EXPECT_EQ(service->length_file(end.id, "raw"), bytes);
-  EXPECT_FALSE(service->length_file(end.id, "lengths"));
+  ASSERT_TRUE(end.came_to);
+  EXPECT_TRUE(end.came_to->table.empty());
+  EXPECT_EQ(service->file_of(end.id, "raw"), bytes);
+  EXPECT_FALSE(service->file_of(end.id, "lengths"));
 }
 
 TEST_F(LengthCaptures, WhatIsNoRecordingIsKeptAsItCame) {
@@ -298,7 +269,7 @@ TEST_F(LengthCaptures, WhatIsNoRecordingIsKeptAsItCame) {
   const CaptureState end = end_of(*service, service->start(wish(lines_task(0), {{"give-up", "0"}}, "laser")));
   EXPECT_EQ(end.stage, Stage::failed);
   EXPECT_FALSE(end.error.empty());
-  const std::string raw = service->length_file(end.id, "raw").value_or("");
+  const std::string raw = service->file_of(end.id, "raw").value_or("");
   EXPECT_GT(raw.size(), 60'000u);
   EXPECT_THAT(bytes, StartsWith(raw)) << "all that came until it was given up";
 }
@@ -333,7 +304,7 @@ TEST_F(LengthCaptures, OneThatIsStoppedBeforeAnythingCameLeavesNothing) {
   const auto service = open({server.source()});
   const CaptureState end = end_of(*service, service->start(wish(lines_task(0), {{"give-up", "0"}}, "laser")));
   EXPECT_TRUE(has_ended(end.stage));
-  EXPECT_TRUE(end.lengths->end->raw.empty());
+  EXPECT_TRUE(end.came_to->raw.empty());
   EXPECT_FALSE(std::filesystem::exists(fmt::format("{}/capture-{}.json", folder_, end.id)));
 }
 
@@ -353,12 +324,12 @@ TEST_F(LengthCaptures, are_listed_where_the_archive_is) {
   const auto listed = elsewhere();
   ASSERT_TRUE(listed);
   EXPECT_EQ(listed->lengths->order.title, end.lengths->order.title);
-  EXPECT_EQ(listed->lengths->end->table, end.lengths->end->table);
+  EXPECT_EQ(listed->came_to->table, end.came_to->table);
   EXPECT_EQ(listed->taken, end.taken);
   EXPECT_TRUE(elsewhere()) << "once, however often the program begins";
   {
     const auto service = open();
-    EXPECT_THAT(service->length_file(listed->id, "lengths").value_or(""), HasSubstr("# captured on"));
+    EXPECT_THAT(service->file_of(listed->id, "lengths").value_or(""), HasSubstr("# captured on"));
     ASSERT_TRUE(service->task_of(*listed));
     ASSERT_TRUE(service->discard(listed->id, "you"));
   }

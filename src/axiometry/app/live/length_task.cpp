@@ -117,13 +117,13 @@ Result<CaptureSession> LengthTask::open(const CaptureOptions& options) const {
   return volume() ? open_parts(*volume(), {part_, part_}, options) : CaptureSession::open(*lines(), options);
 }
 
-Result<TaskLengths> LengthTask::lengths(const CaptureSession& session) const {
+Result<FoundTable> LengthTask::lengths(const CaptureSession& session) const {
   if (volume()) {
     AXIOMETRY_TRY(PartLengths found, part_lengths(*volume(), PartRange{part_, part_}, false, session));
-    return TaskLengths{part_lengths_table(found), found.lengths.readings.size(), found.planned, std::move(found.notes)};
+    return FoundTable{part_lengths_table(found), found.lengths.readings.size(), found.planned, std::move(found.notes)};
   }
   AXIOMETRY_TRY(CapturedLengths found, captured_lengths(*lines(), session));
-  return TaskLengths{length_capture_table(found), found.readings.size(), found.approaches, std::move(found.notes)};
+  return FoundTable{length_capture_table(found), found.readings.size(), found.approaches, std::move(found.notes)};
 }
 
 }  // namespace axiometry::app

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "axiometry/app/live/found_table.h"
 #include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
@@ -41,14 +42,6 @@ struct TaskPart {
   std::size_t stops = 0;
 };
 
-/// What a recording gave for a part.
-struct TaskLengths {
-  std::string table;  ///< as `tracking evaluate` and `volumetric identify` read it, what was noted above it
-  std::size_t found = 0;
-  std::size_t planned = 0;
-  std::vector<std::string> notes;  ///< sentences: what could not be matched, where the beam was broken, …
-};
-
 class LengthTask {
  public:
   /// Of {"plan": …} as the workbench takes plans: fails as requested_lines() and given_calibration() do, on a part that
@@ -76,7 +69,7 @@ class LengthTask {
   Result<CaptureSession> open(const CaptureOptions& options) const;
   /// What such a session has found. Fails as captured_lengths() and part_lengths() do: where another part of a
   /// volumetric plan fits far better, too.
-  Result<TaskLengths> lengths(const CaptureSession& session) const;
+  Result<FoundTable> lengths(const CaptureSession& session) const;
 
  private:
   using AnyPlan = std::variant<TrackingPlan, volumetric::CalibrationPlan>;

@@ -246,6 +246,11 @@ TEST(StopMarks, AreKeptInTheirOrderAndReadAgain) {
   EXPECT_EQ((*marks)[2].key, capture::StopKey::skip);
   ASSERT_TRUE(append_mark(raw, {capture::StopKey::take, 3.0}));
   EXPECT_THAT(read_marks(marks_name(raw)).error().message, HasSubstr("found 3 s after 12.5 s"));
+  ASSERT_TRUE(write_file(marks_name(raw), "1,take\n2.5,ta"));
+  EXPECT_EQ(marks_beside(raw)->size(), 1u) << "a power failure cut the second off";
+  ASSERT_TRUE(append_mark(raw, {capture::StopKey::skip, 3.0}));
+  EXPECT_EQ(*MotionCapture::whole(marks_name(raw)), "1,take\n3,skip\n");
+  EXPECT_TRUE(marks_beside(folder.file("none"))->empty());
   ASSERT_TRUE(write_file(marks_name(raw), "1,take\n2,took\n"));
   EXPECT_THAT(read_marks(marks_name(raw)).error().to_string(), HasSubstr("keys:2:1: found \"2,took\""));
 }

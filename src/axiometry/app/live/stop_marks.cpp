@@ -29,17 +29,11 @@ std::string_view key_word(StopKey key) {
   return key == StopKey::take ? "take" : key == StopKey::skip ? "skip" : "undo";
 }
 
-std::optional<StopKey> key_of(std::string_view word) {
-  for (const StopKey key : {StopKey::take, StopKey::skip, StopKey::undo})
-    if (word == key_word(key)) return key;
-  return std::nullopt;
-}
-
 std::optional<StopMark> mark_of(std::string_view line) {
   const std::size_t comma = line.find(',');
   if (comma == line.npos) return std::nullopt;
   const std::string_view time = text::trim(line.substr(0, comma));
-  const auto key = key_of(text::trim(line.substr(comma + 1)));
+  const auto key = stop_key(text::trim(line.substr(comma + 1)));
   const auto time_s = time == before_all ? std::optional(earliest_s) : parse_number(time);
   if (!key || !time_s) return std::nullopt;
   return StopMark{*key, *time_s};
@@ -54,23 +48,10 @@ std::unexpected<Error> fail_by_system(const std::string& file) {
   return std::unexpected(Error{std::system_category().message(errno), file, {}});
 }
 
-}  // namespace
+/// Of a file of whole lines, or one whose last a power failure cut off.
+std::size_t whole_lines_of(std::string_view bytes) { return bytes.rfind('\n') + 1; }  // npos + 1 is 0
 
-std::string marks_name(const std::string& raw) { return raw + ".keys"; }
-
-Result<void> append_mark(const std::string& raw, const StopMark& mark) {
-  const std::string file = marks_name(raw), line = line_of(mark);
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor < 0) return fail_by_system(file);
-  const bool written =
-      ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size()) && ::fsync(descriptor) == 0;
-  const auto failed = written ? Result<void>{} : Result<void>(fail_by_system(file));
-  ::close(descriptor);
-  return failed;
-}
-
-Result<std::vector<StopMark>> read_marks(const std::string& file) {
-  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+Result<std::vector<StopMark>> stop_marks_in(std::string_view bytes, const std::string& file) {
   std::vector<StopMark> marks;
   std::size_t number = 0;
   for (std::string_view line : text::split(bytes, '\n')) {
@@ -95,21 +76,62 @@ Result<std::vector<StopMark>> read_marks(const std::string& file) {
   return marks;
 }
 
-Result<void> take_marks(const CaptureRun& run, MotionStatement& stated) {
+bool has_marks(const std::string& raw) {
   std::error_code unknown;
-  const auto exists = [&](const std::string& name) { return std::filesystem::exists(name, unknown); };
+  return std::filesystem::exists(marks_name(raw), unknown);
+}
+
+}  // namespace
+
+std::optional<StopKey> stop_key(std::string_view word) {
+  for (const StopKey key : {StopKey::take, StopKey::skip, StopKey::undo})
+    if (word == key_word(key)) return key;
+  return std::nullopt;
+}
+
+std::string marks_name(const std::string& raw) { return raw + ".keys"; }
+
+Result<void> append_mark(const std::string& raw, const StopMark& mark) {
+  const std::string file = marks_name(raw), line = line_of(mark);
+  if (const auto before = has_marks(raw) ? whole_file(file) : Result<std::string>(); before && !before->empty()) {
+    std::error_code failed;
+    if (const std::size_t whole = whole_lines_of(*before); whole < before->size())
+      std::filesystem::resize_file(file, whole, failed);
+    if (failed) return std::unexpected(Error{failed.message(), file, {}});
+  }
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (descriptor < 0) return fail_by_system(file);
+  const bool written =
+      ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size()) && ::fsync(descriptor) == 0;
+  const auto failed = written ? Result<void>{} : Result<void>(fail_by_system(file));
+  ::close(descriptor);
+  return failed;
+}
+
+Result<std::vector<StopMark>> read_marks(const std::string& file) {
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  return stop_marks_in(bytes, file);
+}
+
+Result<std::vector<StopMark>> marks_beside(const std::string& raw) {
+  if (!has_marks(raw)) return std::vector<StopMark>();
+  const std::string file = marks_name(raw);
+  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
+  return stop_marks_in(std::string_view(bytes).substr(0, whole_lines_of(bytes)), file);
+}
+
+Result<void> take_marks(const CaptureRun& run, MotionStatement& stated) {
   AXIOMETRY_TRY(const auto live, parse_live(run.from));
   if (live && !run.keys.empty())
     return fail("found a file of keys with a live source, expected one with a finished recording");
-  if (live && run.resume.empty() && exists(marks_name(run.raw)))
+  if (live && run.resume.empty() && has_marks(run.raw))
     return std::unexpected(
         Error{"found keys of another recording, expected none before this one begins", marks_name(run.raw), {}});
   const std::string& played = run.resume.empty() ? run.from : run.resume;
-  const std::string file = !run.keys.empty()                              ? run.keys
-                           : is_raw(played) && exists(marks_name(played)) ? marks_name(played)
-                                                                          : std::string();
-  if (!file.empty()) {
-    AXIOMETRY_TRY(stated.marks, read_marks(file));
+  if (!run.keys.empty()) {
+    AXIOMETRY_TRY(stated.marks, read_marks(run.keys));
+  } else if (is_raw(played)) {
+    AXIOMETRY_TRY(stated.marks, marks_beside(played));
   }
   if (stated.sign != capture::StopSign::keys || live || !stated.marks.empty()) return {};
   return std::unexpected(Error{

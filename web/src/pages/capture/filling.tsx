@@ -6,6 +6,7 @@ import type { Capture } from '../../api/types';
 import { Chart, type ChartSeries } from '../../components/chart';
 import { absent, fixed } from '../../numbers';
 import type { Direction, Reading } from './live';
+import { t as t_motion } from './motion_texts';
 import { arrow } from './readout';
 import { t } from './texts';
 
@@ -18,7 +19,8 @@ const key = (direction: Direction, run: number, target: number): string => `${di
 /** By approach: one that was read again is the later one. */
 const cells_of = (readings: Reading[]): Cells => new Map(readings.map((one) => [key(one.direction, one.run, one.target), one]));
 
-export function LiveChart({ readings, targets, runs, unit, deviation_unit }: Props) {
+/** `read`: what is read where that is no deviation of positions. */
+export function LiveChart({ readings, targets, runs, unit, deviation_unit, read }: Props & { read?: string }) {
   const series = useMemo(() => {
     const cells = cells_of(readings);
     const latest = readings[readings.length - 1];
@@ -35,10 +37,10 @@ export function LiveChart({ readings, targets, runs, unit, deviation_unit }: Pro
   }, [readings, targets, runs]);
   return (
     <section class="panel" aria-labelledby="deviations">
-      <h2 id="deviations">{t('deviations')}</h2>
+      <h2 id="deviations">{read ? t_motion('read') : t('deviations')}</h2>
       <Chart
-        name={t('chart', { n: readings.length, all: targets.length })} height={340} y_zero
-        x={targets} x_label={`${t('position')} / ${unit}`} y_label={`${t('deviation')} / ${deviation_unit}`} series={series}
+        name={(read ? t_motion : t)('chart', { n: readings.length, all: targets.length })} height={340} y_zero={!read}
+        x={targets} x_label={`${t('position')} / ${unit}`} y_label={`${read ?? t('deviation')} / ${deviation_unit}`} series={series}
       />
     </section>
   );

@@ -14,6 +14,7 @@ import '../capture.css';
 import { t } from './length_texts';
 import { is_over } from './live';
 import { sent, SourceChoice, SourceOptions, type SourceForm } from './source_fields';
+import { has_table } from './table_ending';
 import { t as t_capture } from './texts';
 
 const often_ms = 1500;
@@ -21,11 +22,9 @@ const often_ms = 1500;
 /** All parts are measured with one instrument: what was said of it once is said of the next part too. */
 let said_last: SourceForm = { source: '', layout: '', options: { speed: '10', preset: 'good' } };
 
-const has_lengths = ({ lengths }: Capture): boolean => lengths?.end?.files.includes('lengths') ?? false;
-
 /** Of a part: the latest that is complete, else the one with most lengths. */
 function used_of(captures: readonly Capture[]): Capture | null {
-  const all = captures.filter(has_lengths);
+  const all = captures.filter(has_table);
   const most = (a: Capture, b: Capture) => ((b.lengths?.end?.found ?? 0) > (a.lengths?.end?.found ?? 0) ? b : a);
   return all.find(({ state }) => state === 'complete') ?? (all.length === 0 ? null : all.reduce(most));
 }
@@ -139,8 +138,8 @@ function Captured({ captures, used }: { captures: readonly Capture[]; used: read
         return (
           <li key={capture.id} class={end && !is_used ? 'quiet' : ''}>
             <a href={`/captures/${capture.id}`}>{t_capture(capture.state)}</a>{' '}
-            <span class="number">{end && !has_lengths(capture) ? t('nothing') : t('found_of', { n: end?.found ?? capture.taken, all: capture.approaches })}</span>
-            {has_lengths(capture) && !is_used && ` (${t('not_used')})`}
+            <span class="number">{end && !has_table(capture) ? t('nothing') : t('found_of', { n: end?.found ?? capture.taken, all: capture.approaches })}</span>
+            {has_table(capture) && !is_used && ` (${t('not_used')})`}
           </li>
         );
       })}

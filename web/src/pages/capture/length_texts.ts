@@ -66,18 +66,11 @@ export const t = texts({
   ],
   kept: ['{n} of {all} lengths are kept.', '{n} von {all} Längen sind behalten.'],
   only_raw: ['The recording is kept; no lengths could be made of it.', 'Die Aufzeichnung ist behalten; Längen ließen sich daraus nicht machen.'],
-  nothing_came: ['Nothing came, so nothing is kept.', 'Es kam nichts, also ist nichts behalten.'],
-  what_is_noted: ['What is to be known of it', 'Was dazu zu wissen ist'],
-  raw_file: ['Raw recording', 'Rohaufzeichnung'],
-  times_file: ['Times', 'Zeiten'],
   table_file: ['Lengths CSV', 'Längen CSV'],
-  discard: ['Discard', 'Verwerfen'],
-  discard_ask: ['Discard this capture?', 'Diese Erfassung verwerfen?'],
   discard_what: [
     'Its lengths are no longer used or listed. Recording and lengths stay in the archive, which forgets nothing.',
     'Ihre Längen werden nicht mehr verwendet und nicht mehr aufgeführt. Aufzeichnung und Längen bleiben im Archiv, das nichts vergisst.',
   ],
-  keep_it: ['Keep it', 'Behalten'],
   simulated: ['These lengths are simulated, not measured.', 'Diese Längen sind simuliert, nicht gemessen.'],
   from_captures: ['Lengths of {n} captures', 'Längen aus {n} Erfassungen'],
 });

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A capture of lengths while it goes on, what came of it, and the way to the next part.
-import { useMemo, useState } from 'preact/hooks';
-import { ApiError, query, send } from '../../api/client';
+import { useMemo } from 'preact/hooks';
+import { query } from '../../api/client';
 import type { Capture, CapturedLengths, CapturedPlan } from '../../api/types';
 import { use_get } from '../../api/use';
-import { Dialog } from '../../components/dialog';
 import { FailureNotice } from '../../components/failure';
-import { sentence } from '../../components/findings';
 import { Scene } from '../../components/scene';
 import { DataTable } from '../../components/table';
 import { absent, fixed, shortest, when } from '../../numbers';
-import { go } from '../../router';
 import { decimal, language } from '../../settings';
 import { LengthPartsPanel } from './length_parts';
 import { expected_length, length_scene, type Stop } from './length_scene';
@@ -18,6 +15,7 @@ import { t } from './length_texts';
 import { is_over, use_screen_on, type Caught, type Live } from './live';
 import { Progress, Where } from './readout';
 import { StopButton } from './stop';
+import { TableEnding } from './table_ending';
 import { t as t_capture } from './texts';
 
 interface Props { live: Live; capture: Capture; lengths: CapturedLengths; again: () => void }
@@ -43,7 +41,12 @@ export function LengthsCapture({ live, capture, lengths, again }: Props) {
       {captured.error && <FailureNotice error={captured.error} retry={captured.reload} />}
       {live.lost && <p class="notice caution offline" role="status">{t_capture('lost')}</p>}
       {capture.source.kind === 'simulator' && <p class="notice">{t('simulated')}</p>}
-      {!running && <LengthsEnding capture={capture} lengths={lengths} again={again} />}
+      {!running && (
+        <TableEnding
+          capture={capture} again={again} only_raw={t('only_raw')} table={t('table_file')} discard_what={t('discard_what')}
+          kept={t('kept', { n: lengths.end?.found ?? 0, all: capture.approaches })}
+        />
+      )}
       {lengths.broken_before.length > 0 && (
         <div class="notice caution" role="status">
           <p class="heading">{t('broken')}</p>
@@ -144,62 +147,5 @@ function Notices({ notices }: { notices: readonly string[] }) {
       <h2 id="events">{t_capture('events')}</h2>
       <ul class="event-list" tabIndex={0} aria-labelledby="events">{notices.map((notice, k) => <li key={k}>{notice}</li>)}</ul>
     </section>
-  );
-}
-
-function LengthsEnding({ capture, lengths, again }: { capture: Capture; lengths: CapturedLengths; again: () => void }) {
-  const [error, set_error] = useState<ApiError | null>(null);
-  const [asking, set_asking] = useState(false);
-  const failed = (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
-  const after = (request: Promise<Capture>) => void request.then(again, failed);
-  const { end } = lengths;
-  const has = (role: 'raw' | 'times' | 'lengths') => end?.files.includes(role) ?? false;
-  const tone = capture.state === 'failed' ? 'bad' : capture.state === 'complete' && has('lengths') ? 'good' : 'caution';
-  const told = capture.state === 'interrupted' ? t_capture('broken_off') : has('lengths') ? t('kept', { n: end?.found ?? 0, all: capture.approaches }) : has('raw') ? t('only_raw') : t('nothing_came');
-  const discard = () => {
-    set_asking(false);
-    send<Capture>('POST', `/api/captures/${capture.id}/discard`, {}).then(() => go('/captures'), failed);
-  };
-  const file = (role: 'raw' | 'times' | 'lengths', text: string) => has(role) && <a class="button" href={`/api/captures/${capture.id}/files/${role}`} download>{text}</a>;
-  return (
-    <div class={`notice ${tone} ending`} role="status">
-      <div>
-        <h2>{t_capture(capture.state)}</h2>
-        {capture.error !== null && <p>{sentence(capture.error)}</p>}
-        <p>{told}</p>
-        {end && end.notes.length > 0 && (
-          <details open={end.notes.length > 1}>
-            <summary>{t('what_is_noted')}</summary>
-            <ul>{end.notes.map((note, k) => <li key={k}>{sentence(note)}</li>)}</ul>
-          </details>
-        )}
-        {error && <FailureNotice error={error} />}
-      </div>
-      <div class="row">
-        {capture.state === 'interrupted' ? (
-          <>
-            <button type="button" onClick={() => after(send<Capture>('POST', `/api/captures/${capture.id}/stop`, {}))}>{t_capture('keep_so_far')}</button>
-            <button type="button" class="primary" onClick={() => after(send<Capture>('POST', '/api/captures', { resume: capture.id }))}>{t_capture('resume')}</button>
-          </>
-        ) : (
-          <>
-            {file('lengths', t('table_file'))}
-            {file('raw', t('raw_file'))}
-            {file('times', t('times_file'))}
-            {has('raw') && <button type="button" onClick={() => set_asking(true)}>{t('discard')}</button>}
-          </>
-        )}
-      </div>
-      {asking && (
-        <Dialog title={t('discard_ask')} on_close={() => set_asking(false)} actions={(
-          <>
-            <button type="button" data-first onClick={() => set_asking(false)}>{t('keep_it')}</button>
-            <button type="button" class="stop" onClick={discard}>{t('discard')}</button>
-          </>
-        )}>
-          <p>{t('discard_what')}</p>
-        </Dialog>
-      )}
-    </div>
   );
 }

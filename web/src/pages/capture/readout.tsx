@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is read from two metres away: where the axis is, whether it rests, where it goes next.
+import type { ComponentChildren } from 'preact';
 import type { Capture } from '../../api/types';
 import { fixed } from '../../numbers';
 import { lasting } from '../plan/outcome';
@@ -8,15 +9,18 @@ import { t } from './texts';
 
 export const arrow = (direction: 'up' | 'down'): string => (direction === 'up' ? '↑' : '↓');
 
-interface Props { capture: Capture; readings: Reading[]; targets: number[]; runs: number; unit: string; deviation_unit: string }
+interface Props {
+  capture: Capture; readings: Reading[]; targets: number[]; runs: number; unit: string; deviation_unit: string;
+  where?: ComponentChildren; // in place of the position
+}
 
-export function Readout({ capture, readings, targets, runs, unit, deviation_unit }: Props) {
+export function Readout({ capture, readings, targets, runs, unit, deviation_unit, where }: Props) {
   const { now, due } = capture;
   const target = due ? (due.position ?? targets[due.target - 1]) : undefined;
   const last = readings[readings.length - 1];
   return (
     <section class={`panel readout ${now === null && is_over(capture) ? 'ended' : ''}`} aria-label={t('position')}>
-      {now
+      {where !== undefined ? where : now
         ? <Where position={now.position} unit={unit} rest={now.at_rest} />
         : !is_over(capture) && <p class="where motion">{t('no_position')}</p>}
       <div class="next">

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a capture listens, and what it is told of the stream.
-import type { Source } from '../../api/types';
+import type { Source, StopSign } from '../../api/types';
 import { Field } from '../../components/field';
 import { parsed, shortest } from '../../numbers';
-import { layouts, of_option, option_keys, t } from './texts';
+import { layouts, layouts_of_readings, of_option, option_keys, t } from './texts';
 
 type Texts = Record<string, string>;
 export interface SourceForm { source: string; layout: string; options: Texts }
@@ -29,7 +29,11 @@ export function SourceChoice({ sources, source, choose }: { sources: readonly So
   );
 }
 
-interface OptionsProps { source: Source; form: SourceForm; change: (part: Partial<SourceForm>) => void; unit: string; of_lengths?: boolean }
+interface OptionsProps {
+  source: Source; form: SourceForm; change: (part: Partial<SourceForm>) => void; unit: string;
+  of_lengths?: boolean;
+  of_motion?: StopSign; // what tells its stops
+}
 
 /** What the chosen source is told, or what its stream does not say itself. */
 export function SourceOptions(props: OptionsProps) {
@@ -64,15 +68,20 @@ function SimulatorFields({ source, form: { options }, option, of_lengths }: Fiel
   );
 }
 
-function StreamFields({ form, change, option, unit, of_lengths }: FieldsProps) {
-  const keys = option_keys.filter((key) => !(of_lengths && key === 'datum'));
+/** Of a motion the column of its readings stands elsewhere, and only where the position tells the stops it has to rest. */
+const of_a_motion = (stops: StopSign) => option_keys.filter((key) => key === 'rate' || (stops === 'position' && /rest|settling|window|datum/.test(key)));
+
+function StreamFields({ form, change, option, unit, of_lengths, of_motion }: FieldsProps) {
+  const keys = of_motion ? of_a_motion(of_motion) : option_keys.filter((key) => !(of_lengths && key === 'datum'));
+  const possible = of_motion ? layouts_of_readings : layouts;
+  const turns = of_motion === undefined || of_motion === 'position';
   return (
     <>
       <Field label={t('layout')}>
         {(ids) => (
           <select {...ids} value={form.layout} onChange={(event) => change({ layout: event.currentTarget.value })}>
             <option value="">{t('recognised')}</option>
-            {layouts.map((id) => <option key={id} value={id}>{id}</option>)}
+            {possible.map((id) => <option key={id} value={id}>{id}</option>)}
           </select>
         )}
       </Field>
@@ -89,11 +98,13 @@ function StreamFields({ form, change, option, unit, of_lengths }: FieldsProps) {
           ))}
         </div>
         <div class="boxes">
-          <label>
-            <input type="checkbox" checked={form.options['reverse'] === '1'} onChange={(event) => option('reverse', event.currentTarget.checked ? '1' : '')} />
-            {of_option(of_lengths ? 'reverse_lengths' : 'reverse')}
-          </label>
-          {!of_lengths && (
+          {turns && (
+            <label>
+              <input type="checkbox" checked={form.options['reverse'] === '1'} onChange={(event) => option('reverse', event.currentTarget.checked ? '1' : '')} />
+              {of_option(of_lengths ? 'reverse_lengths' : 'reverse')}
+            </label>
+          )}
+          {!of_lengths && !of_motion && (
             <label>
               <input type="checkbox" checked={form.options['zero'] === 'first-target'} onChange={(event) => option('zero', event.currentTarget.checked ? 'first-target' : '')} />
               {of_option('zero')}

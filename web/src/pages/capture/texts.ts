@@ -20,7 +20,7 @@ export const t = texts({
   found_of: ['{n} of {all} lengths', '{n} von {all} Längen'],
   raw_recording: ['raw recording', 'Rohaufzeichnung'],
   became: ['Became', 'Wurde zu'],
-  waiting: ['waiting for the first position', 'wartet auf die erste Position'],
+  waiting: ['waiting for the first reading', 'wartet auf den ersten Messwert'],
   running: ['running', 'läuft'],
   complete: ['complete', 'vollständig'],
   stopped: ['stopped', 'vorzeitig beendet'],
@@ -83,6 +83,14 @@ export const t = texts({
   resume: ['Resume', 'Fortsetzen'],
   keep_so_far: ['Keep what there is', 'Behalten, was da ist'],
   to_test: ['To the test', 'Zur Prüfung'],
+  nothing_came: ['Nothing came, so nothing is kept.', 'Es kam nichts, also ist nichts behalten.'],
+  what_is_noted: ['What is to be known of it', 'Was dazu zu wissen ist'],
+  raw_file: ['Raw recording', 'Rohaufzeichnung'],
+  times_file: ['Times', 'Zeiten'],
+  keys_file: ['What was said', 'Was eingegeben wurde'],
+  discard: ['Discard', 'Verwerfen'],
+  discard_ask: ['Discard this capture?', 'Diese Erfassung verwerfen?'],
+  keep_it: ['Keep it', 'Behalten'],
   nothing_kept: ['There were no readings to keep.', 'Es gab keine Messwerte zu behalten.'],
   said: ['Target {i} {direction}, run {run}: {value}', 'Zielposition {i} {direction}, Durchlauf {run}: {value}'],
   up: ['up', 'aufwärts'],
@@ -112,3 +120,4 @@ export const option_keys = [
   'counts-per-wavelength', 'rate', 'stream-axis',
 ] as const;
 export const layouts = ['umd', 'hpi-3d', 'time-position', 'npy', 'camonitor-stream'] as const;
+export const layouts_of_readings = ['time-position', 'camonitor-stream'] as const;

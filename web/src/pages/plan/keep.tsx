@@ -93,7 +93,7 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
             </button>
           ))}
           {kept && <PlanFile id={kept.id} />}
-          {kept && is_of_positions(kept.plan) && <a class="button" href={`/captures/new${query({ plan: kept.id })}`}>{t('capture_with')}</a>}
+          {kept && <a class="button" href={`/captures/new${query({ plan: kept.id })}`}>{t('capture_with')}</a>}
         </div>
       </header>
       {kept && (

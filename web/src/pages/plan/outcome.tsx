@@ -6,7 +6,7 @@ import { FindingList } from '../../components/findings';
 import { fixed, shortest } from '../../numbers';
 import { t } from './texts';
 
-/** Whether positions (EXX) are among what is read at its stops; of others the standard says nothing, and no capture reads them. */
+/** Whether positions (EXX) are among what is read at its stops; of others the standard says nothing, and their readings do not show the stops. */
 export const is_of_positions = ({ errors }: PlanFile): boolean => !errors || errors.length === 0 || errors.some((name) => name[1] === name[2]);
 
 /** What a plan comes to: the figures first, then what the standard says, then the way of the axis in the chosen test. */

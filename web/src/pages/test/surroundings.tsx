@@ -14,7 +14,7 @@ import { failure_of, type TestState } from './state';
 
 const t = texts({
   title: ['Temperatures before and during the test', 'Temperaturen vor und während der Prüfung'],
-  none: ['No log of temperatures.', 'Keine Temperaturaufzeichnung.'],
+  no_log: ['No log of temperatures.', 'Keine Temperaturaufzeichnung.'],
   hint: ['or drop it here: time and one or more sensors in columns. It is kept with the test at once.', 'oder hier ablegen: Zeit und ein oder mehrere Sensoren in Spalten. Sie wird sofort mit der Prüfung aufbewahrt.'],
   add: ['Add a temperature log', 'Temperaturaufzeichnung hinzufügen'],
   adding: ['Adding …', 'Wird hinzugefügt …'],
@@ -46,6 +46,12 @@ const t = texts({
   limit_rate: ['Agreed change, °C/h', 'Vereinbart: Änderung, °C/h'],
   limit_gradient: ['Agreed gradient, °C', 'Vereinbart: Unterschied, °C'],
   number: ['Expected: a number', 'Erwartet: eine Zahl'],
+  sensor: ['Sensor {name} is of', 'Sensor {name} gehört zu'],
+  by_name: ['as its name says', 'wie sein Name sagt'],
+  machine: ['the machine', 'der Maschine'],
+  equipment: ['the measuring equipment', 'dem Messmittel'],
+  air: ['the air', 'der Luft'],
+  none: ['nothing that takes part', 'nichts, was beteiligt ist'],
 });
 
 type Log = NonNullable<Options['temperatures']>;
@@ -88,13 +94,13 @@ export function Surroundings({ state }: { state: TestState }) {
       </header>
       {failure && <FailureNotice error={failure} />}
       {newest && <div class="foot no-print"><FileDrop label={busy ? t('adding') : t('add')} hint={t('hint')} take={(file) => void add(file)} /></div>}
-      {!log && !newest && <p class="quiet foot">{t('none')}</p>}
+      {!log && !newest && <p class="quiet foot">{t('no_log')}</p>}
       {log && <p class="quiet foot">{t('log', { name: log.name })}</p>}
       {found && log && <Quantities found={found} />}
       {found?.ended_by_readings && <p class="quiet foot">{t('ended_by_readings', { moment: found.ended_by_readings })}</p>}
       {found && found.gaps.length > 0 && <ul class="small caution foot">{found.gaps.map((gap) => <li key={gap}>{sentence(gap)}</li>)}</ul>}
       {state.test.value.options.temperatures && <Drawn state={state} />}
-      {log && state.editing.value && <Agreed log={log} put={put} blame={(name, fault) => state.blame(`temperatures.${name}`, fault)} />}
+      {log && state.editing.value && <Agreed log={log} found={found} put={put} blame={(name, fault) => state.blame(`temperatures.${name}`, fault)} />}
     </section>
   );
 }
@@ -140,7 +146,7 @@ function Drawn({ state }: { state: TestState }) {
 const limits = [['lowest_C', 'limit_low'], ['highest_C', 'limit_high'], ['rate_C_per_h', 'limit_rate'], ['gradient_C', 'limit_gradient']] as const;
 
 /** When the test was, and what the parties agreed on. */
-function Agreed({ log, put, blame }: { log: Log; put: (part: Partial<Log>) => void; blame: (name: string, fault: string | null) => void }) {
+function Agreed({ log, found, put, blame }: { log: Log; found: Found | null | undefined; put: (part: Partial<Log>) => void; blame: (name: string, fault: string | null) => void }) {
   return (
     <div class="sampling-fields">
       {(['began', 'ended'] as const).map((name) => (
@@ -149,7 +155,36 @@ function Agreed({ log, put, blame }: { log: Log; put: (part: Partial<Log>) => vo
         </Field>
       ))}
       {limits.map(([name, label]) => <Limit key={name} label={t(label)} value={log[name]} put={(x) => put({ [name]: x })} blame={(fault) => blame(name, fault)} />)}
+      <SensorRoles log={log} found={found} put={put} />
     </div>
+  );
+}
+
+type Role = NonNullable<Log['sensors']>[number]['role'];
+const sensor_roles: readonly Role[] = ['machine', 'equipment', 'air', 'none'];
+
+/** What each sensor is of where its name says it wrongly; one that takes no part is judged no more, but stays to be chosen. */
+function SensorRoles({ log, found, put }: { log: Log; found: Found | null | undefined; put: (part: Partial<Log>) => void }) {
+  const stated = log.sensors ?? [];
+  const names = [...new Set([...(found?.sensors ?? []), ...stated].map(({ name }) => name))].sort();
+  const choose = (name: string, role: Role | undefined) => {
+    const chosen = [...stated.filter((other) => other.name !== name), ...(role ? [{ name, role }] : [])];
+    put({ ['sensors' as string]: chosen.length > 0 ? chosen : undefined });
+  };
+  return (
+    <>
+      {names.map((name) => (
+        <Field key={name} label={t('sensor', { name })}>
+          {(ids) => (
+            <select {...ids} value={stated.find((one) => one.name === name)?.role ?? ''}
+              onChange={(event) => choose(name, sensor_roles.find((role) => role === event.currentTarget.value))}>
+              <option value="">{t('by_name')}</option>
+              {sensor_roles.map((role) => <option key={role} value={role}>{t(role)}</option>)}
+            </select>
+          )}
+        </Field>
+      ))}
+    </>
   );
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/live/length_order.h"
+#include "axiometry/app/live/table_order.h"
 
 #include <string_view>
+
+#include "axiometry/app/recordings/stop_options.h"
 
 namespace axiometry::app {
 namespace {
@@ -33,11 +35,19 @@ Value to_json(const LengthOrder& order) {
   return value;
 }
 
-Value to_json(const LengthEnd& end) {
+Value to_json(const MotionOrder& order) {
+  Value value = Value::object();
+  value.add("error", order.error.text());
+  value.add("stops", stop_sign_word(order.sign));
+  return value;
+}
+
+Value to_json(const TableEnd& end) {
   Value value = Value::object();
   value.add("stage", end.stage);
   value.add("raw", end.raw);
   value.add("times", end.times);
+  if (!end.keys.empty()) value.add("keys", end.keys);
   value.add("table", end.table);
   value.add("found", end.found);
   Value notes = Value::array();
@@ -58,11 +68,20 @@ std::optional<LengthOrder> length_order_from(const Value& value) {
                      .stops = noted_count(value, "stops")};
 }
 
-std::optional<LengthEnd> length_end_from(const Value& value) {
+std::optional<MotionOrder> motion_order_from(const Value& value) {
   if (!value.is(Kind::object)) return {};
-  LengthEnd end{.stage = noted_text(value, "stage"),
+  const auto error = motion_name(noted_text(value, "error"));
+  const auto sign = stop_sign(noted_text(value, "stops"));
+  if (!error || !sign) return {};
+  return MotionOrder{*error, *sign};
+}
+
+std::optional<TableEnd> table_end_from(const Value& value) {
+  if (!value.is(Kind::object)) return {};
+  TableEnd end{.stage = noted_text(value, "stage"),
                 .raw = noted_text(value, "raw"),
                 .times = noted_text(value, "times"),
+                .keys = noted_text(value, "keys"),
                 .table = noted_text(value, "table"),
                 .found = noted_count(value, "found"),
                 .notes = {},

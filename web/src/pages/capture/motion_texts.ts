@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Captures of error motions: a straightness or a rotation, stop by stop.
+import { texts } from '../../i18n/texts';
+
+export const t = texts({
+  // a new one
+  stops: ['What tells the stops', 'Was die Halte anzeigt'],
+  keys: ['I do, at each target', 'ich selbst, an jeder Zielposition'],
+  trigger: ['a column of the stream that is not 0', 'eine Spalte des Stroms, die nicht 0 ist'],
+  readings: ['the instrument sends one reading at each', 'das Messmittel sendet an jedem einen Messwert'],
+  position: ['a column of positions', 'eine Spalte mit Positionen'],
+  stops_hint: ['Readings of {errors} do not show where the axis stops.', 'Messwerte von {errors} zeigen nicht, wo die Achse hält.'],
+  error: ['What is read', 'Was gelesen wird'],
+  unit: ['Unit of the stream', 'Einheit des Stroms'],
+  unit_named: ['as its header names it', 'wie sein Kopf sie nennt'],
+  reading_column: ['Column of the readings', 'Spalte der Messwerte'],
+  stop_column: ['Column of the stops', 'Spalte der Halte'],
+  column_hint: ['beside the time; 1 is the first', 'neben der Zeit; 1 ist die erste'],
+  positive: ['Positive towards', 'Positiv in Richtung'],
+  positive_hint: ['in axes of the machine, such as +Y or -A; empty: not known', 'in Achsen der Maschine, etwa +Y oder -A; leer: nicht bekannt'],
+  'reading-window': ['Averaged behind a key or a trigger (s)', 'Gemittelt nach Eingabe oder Trigger (s)'],
+  still: ['Readings stand still within (µm, ″ or µrad)', 'Messwerte stehen still innerhalb (µm, ″ oder µrad)'],
+  equipment: ['Measuring instrument', 'Messmittel'],
+  equipment_hint: ['Laser head | Maker | Type | Serial number', 'Laserkopf | Hersteller | Typ | Seriennummer'],
+  no_source: ['The simulator plays positions alone, and no other source is named: start the program with --source NAME=tcp://HOST:PORT.',
+    'Der Simulator spielt nur Positionen, und keine andere Quelle ist benannt: das Programm mit --source NAME=tcp://HOST:PORT starten.'],
+  // live
+  title: ['Readings of {error}', 'Messwerte von {error}'],
+  no_reading: ['no reading yet', 'noch kein Messwert'],
+  running_value: ['running', 'laufend'],
+  is_reading: ['reading …', 'wird gelesen …'],
+  waits: ['whose is it?', 'wozu gehört er?'],
+  waits_what: ['A reading came so late that the next target may have been passed without one. It and all behind it wait: is it of the next target, or is that one missing?',
+    'Ein Messwert kam so spät, dass die nächste Zielposition ohne einen durchfahren sein kann. Er und alle danach warten: Gehört er zur nächsten Zielposition, oder fehlt diese?'],
+  what_is_said: ['At the stop', 'Am Halt'],
+  take: ['Take this reading', 'Diesen Messwert nehmen'],
+  take_hint: ['Enter takes it too, when the axis stands at the next target.', 'Die Eingabetaste nimmt ihn auch, wenn die Achse an der nächsten Zielposition steht.'],
+  is_this: ['It is of the next target', 'Er gehört zur nächsten Zielposition'],
+  skip: ['The next target has no reading', 'Die nächste Zielposition hat keinen Messwert'],
+  undo: ['Take back the last', 'Den letzten zurücknehmen'],
+  read: ['Readings as they come', 'Messwerte, wie sie eintreffen'],
+  chart: ['{n} readings over {all} targets', '{n} Messwerte über {all} Zielpositionen'],
+  // end
+  stop_what: ['{n} of {all} readings have come; they are kept with the recording. It cannot be continued.',
+    '{n} von {all} Messwerten sind da; sie werden mit der Aufzeichnung behalten. Fortsetzen ist nicht möglich.'],
+  kept: ['{n} of {all} readings are kept.', '{n} von {all} Messwerten sind behalten.'],
+  only_raw: ['The recording is kept; there is no reading in it.', 'Die Aufzeichnung ist behalten; darin ist kein Messwert.'],
+  table_file: ['Readings CSV', 'Messwerte CSV'],
+  discard_what: ['Its readings are no longer listed. Recording and readings stay in the archive, which forgets nothing.',
+    'Ihre Messwerte werden nicht mehr aufgeführt. Aufzeichnung und Messwerte bleiben im Archiv, das nichts vergisst.'],
+  evaluate: ['Evaluate these readings', 'Diese Messwerte auswerten'],
+  found_of: ['{n} of {all} readings', '{n} von {all} Messwerten'],
+});

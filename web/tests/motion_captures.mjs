@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// A straightness captured live: what is said at each stop, taken back, kept and evaluated.
+import assert from 'node:assert/strict';
+import { createServer } from 'node:net';
+import { downloaded, shows } from './world.mjs';
+import { start_server } from './server.mjs';
+
+/** An instrument that sends a reading a hundred times a second to whoever connects: 1.5 µm, and a little noise. */
+async function instrument() {
+  const server = createServer((socket) => {
+    const began = Date.now();
+    let sent = 0;
+    socket.write('time_s,straightness_um\n');
+    const timer = setInterval(() => {
+      for (; sent < (Date.now() - began) / 10; sent++) socket.write(`${(sent / 100).toFixed(2)},${(1.5 + 0.01 * Math.sin(sent)).toFixed(4)}\n`);
+    }, 20);
+    socket.on('error', () => undefined);
+    socket.on('close', () => clearInterval(timer));
+  });
+  await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
+  return server;
+}
+
+/** The program again, with that instrument as a source. */
+async function listening(world, server) {
+  const { port } = world.server;
+  await world.server.stop();
+  const flags = ['--source', `laser=tcp://127.0.0.1:${server.address().port}`];
+  world.server = await start_server(world.program, { store: world.store, port, flags });
+}
+
+const request = { axis: 'X', kind: 'linear', from: 0, to: 220, positions: [10, 100, 200], cycle: 'unidirectional', runs: 1, feed: 20000, dwell_s: 1, seed: 7, further: { error: 'EYX' } };
+
+export const motion_captures = {
+  async 'motion captures: readings are taken and taken back at the stops, and their evaluation opens'(world) {
+    const server = await instrument();
+    try {
+      await listening(world, server);
+      await world.api('POST', '/api/plans', { title: 'Straightness of X', axis: null, request });
+      const page = await world.page();
+      await page.goto('/plans/1');
+      await page.getByRole('link', { name: 'Capture with this plan' }).click();
+      await shows(page.locator('form'), 'Readings of EYX do not show where the axis stops.');
+      assert.equal(await page.getByLabel('Source', { exact: true }).locator('option').count(), 1, 'the simulator plays positions');
+      await page.getByLabel('Positive towards').fill('+Y');
+      await page.getByRole('button', { name: 'Start' }).click();
+      await page.waitForURL(/\/captures\/\d+$/);
+      await shows(page.locator('h1'), 'Readings of EYX');
+      await shows(page.locator('.readout .position'), /1\.[45]\d\s*µm/, 20_000);
+      await shows(page.locator('.readout .next'), /1 ↑\s*10\.000 mm/);
+      const take = page.getByRole('button', { name: 'Take this reading' });
+      await take.click();
+      await shows(page.locator('.readout'), '1 of 3', 20_000);
+      await page.getByRole('button', { name: 'Take back the last' }).click();
+      await shows(page.locator('.readout'), '0 of 3');
+      await shows(page.locator('.event-list'), 'target 1↑ run 1 is due again');
+      for (const [n, how] of [[1, 'click'], [2, 'enter'], [3, 'click']]) {
+        await page.waitForTimeout(1_500);  // as long as the axis is on its way
+        if (how === 'click') await take.click();
+        else {
+          await page.locator('h1').focus();
+          await page.keyboard.press('Enter');
+        }
+        if (n < 3) await shows(page.locator('.readout'), `${n} of 3`, 20_000);
+      }
+      await page.waitForURL(/\/motions\?capture=\d+$/, { timeout: 20_000 });
+      await shows(page.locator('main'), /EYX.*positive towards \+Y/s);
+      await shows(page.locator('main'), /Straightness, range of the residuals\s*↑\s*0\.0/);
+      await page.goto('/captures');
+      await shows(page.locator('main'), /Straightness of X[\s\S]*3 of 3 readings/);
+      const raw = await downloaded(page, () => page.getByRole('link', { name: 'raw recording' }).click());
+      assert.match(raw.bytes.toString(), /^time_s,straightness_um\n/);
+    } finally {
+      server.close();
+    }
+  },
+
+  async 'motion captures: one that is ended early keeps its readings, and is discarded'(world) {
+    const server = await instrument();
+    try {
+      await listening(world, server);
+      const { id: plan } = await world.api('POST', '/api/plans', { title: 'Straightness of X', axis: null, request });
+      const { id } = await world.api('POST', '/api/captures', { plan, source: 'laser', options: { stops: 'keys' } });
+      const page = await world.page();
+      await page.goto(`/captures/${id}`);
+      await shows(page.locator('.readout .position'), /µm/, 20_000);
+      await page.getByRole('button', { name: 'The next target has no reading' }).click();
+      await shows(page.locator('.readout .next'), /2 ↑/);
+      await page.getByRole('button', { name: 'Take this reading' }).click();
+      await shows(page.locator('.readout'), '1 of 3', 20_000);
+      await page.getByRole('button', { name: 'Stop' }).first().click();
+      await page.getByRole('dialog').getByRole('button', { name: 'Stop', exact: true }).click();
+      await shows(page.locator('.ending'), /stopped[\s\S]*1 of 3 readings are kept/, 20_000);
+      await shows(page.locator('.ending'), 'has no reading');
+      const keys = await downloaded(page, () => page.getByRole('link', { name: 'What was said' }).click());
+      assert.match(keys.bytes.toString(), /,skip\n.*,take\n/s);
+      await page.getByRole('button', { name: 'Discard' }).click();
+      await page.getByRole('dialog').getByRole('button', { name: 'Discard' }).click();
+      await page.waitForURL(/\/captures$/);
+      await shows(page.locator('main'), /Nothing is being captured/);
+    } finally {
+      server.close();
+    }
+  },
+};
