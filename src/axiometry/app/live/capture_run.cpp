@@ -18,6 +18,7 @@
 #include "axiometry/app/live/recording_room.h"
 #include "axiometry/app/live/recording_spared.h"
 #include "axiometry/app/live/stop_marks.h"
+#include "axiometry/app/recordings/piped_log.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/raw_playing.h"
 #include "axiometry/base/number_text.h"
@@ -39,7 +40,7 @@ constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
 class Run {
  public:
   Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
-      : run_(run), observer_(observer), session_(std::move(session)), telling_(run, observer) {}
+      : run_(run), observer_(observer), session_(std::move(session)), piped_(run.raw), telling_(run, observer) {}
 
   void listen(Connect connect, std::uint64_t raw_limit, FreeBytes free = free_bytes) {
     connect_ = std::move(connect);
@@ -125,23 +126,11 @@ class Run {
         end_ = CaptureSession::End::of_file;
         break;
       }
-      AXIOMETRY_TRY_VOID(keep_piped({block.data(), got}));
+      AXIOMETRY_TRY(log_, piped_.append({block.data(), got}));
       AXIOMETRY_TRY(const auto readings, session_.feed({block.data(), got}));
       AXIOMETRY_TRY_VOID(settle(readings, false));
     }
     return log_ != nullptr ? log_->sync() : Result<void>{};
-  }
-
-  /// What a pipe brings is nowhere else, so it goes to the disk first; where nothing comes no file bars the next.
-  /// Without arrivals, so that it reads the same played again: as a file.
-  Result<void> keep_piped(std::string_view bytes) {
-    if (run_.raw.empty()) return {};
-    if (!piped_) {
-      AXIOMETRY_TRY(RawLog log, RawLog::create(run_.raw));
-      log_ = &piped_.emplace(std::move(log));
-      AXIOMETRY_TRY_VOID(hold(run_.raw));
-    }
-    return piped_->append(bytes, std::nullopt);
   }
 
   /// Of a recording that is to hold some.
@@ -342,7 +331,7 @@ class Run {
   Clock::time_point connected_, shown_;
   std::optional<Outage> outage_;
   std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
-  std::optional<RawLog> piped_;
+  PipedLog piped_;
   RawLog* log_ = nullptr;
   std::optional<RawHold> hold_;
   std::optional<ArrivalNs> first_arrival_;

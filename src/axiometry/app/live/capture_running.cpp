@@ -7,7 +7,6 @@
 #include <exception>
 
 #include "axiometry/app/live/captured_motion.h"
-#include "axiometry/app/live/plan_end.h"
 #include "axiometry/app/recordings/raw_log.h"
 
 namespace axiometry::app {

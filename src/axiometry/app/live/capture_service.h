@@ -50,8 +50,8 @@ struct CaptureKeeping {
   /// Of lengths: keeps the file of a plan, and gives its SHA-256. Of tables: gives bytes by that.
   std::function<Result<std::string>(const CaptureOrder&, const std::string& plan)> keep_plan{};
   std::function<Result<std::string>(const std::string& sha256)> bytes{};
-  /// Of tables: keeps the raw recording, and the table where there is one. When it fails, the files stay and the capture
-  /// can be resumed. Called twice for the same capture, it gives the same.
+  /// Of tables: keeps the raw recording, and the table where there is one. When it fails, the files stay and the
+  /// capture can be resumed. Called twice for the same capture, it gives the same.
   std::function<Result<TableEnd>(const HeldCapture&, const std::optional<FoundTable>&)> keep_table{};
   /// That it came to its end, and that it is to be listed no more.
   std::function<Result<void>(const EndedCapture&)> keep_capture{};
