@@ -12,7 +12,7 @@ import { decimal, language, screen_theme } from '../settings';
 import { PlanFields } from './plan/fields';
 import { form_of, new_form, request_of, type PlanForm } from './plan/form';
 import { Keep, PlanFile } from './plan/keep';
-import { is_of_positions, Outcome, TargetTable } from './plan/outcome';
+import { Outcome, TargetTable } from './plan/outcome';
 import { ProgramPanel } from './plan/program';
 import { t } from './plan/texts';
 import './plan.css';

@@ -8,7 +8,6 @@ import { when } from '../../numbers';
 import { go, unsaved } from '../../router';
 import { decimal, language } from '../../settings';
 import type { PlanForm } from './form';
-import { is_of_positions } from './outcome';
 import { t } from './texts';
 
 /** The version that is to be followed by another. */
