@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "axiometry/app/files/output.h"
@@ -88,22 +89,23 @@ class MotionCaptures : public testing_support::TableCaptures {
   /// Sends the samples up to a second behind the begin of a stop, says something there, and sends those to its end.
   CaptureState at_stop(CaptureService& service, store::Id id, std::size_t stop, StopKey key) {
     const auto place = axis_.stops()[stop];
-    const double last_um = send_until(place.begin_s + 1.0);
+    const double heard_um = send_until(place.begin_s + 1.0);
     const auto heard = wait_for(service, id, [&](const CaptureState& s) {
-      return s.motion->now && std::abs(*s.motion->now - last_um) < 1e-3;
+      return s.motion->now && std::abs(*s.motion->now - heard_um) < 1e-3;
     });
     EXPECT_TRUE(service.press(id, key));
     wait_for(service, id, [&](const CaptureState& s) { return s.motion->is_reading || s.due != heard.due; });
     if (key == StopKey::take) send_until(place.end_s);
     return wait_for(service, id, [&](const CaptureState& s) { return s.due != heard.due || has_ended(s.stage); });
   }
+  /// What is heard then: the last reading waits for the time of the next.
   double send_until(double time_s) {
     server_.send(driven_lines(axis_, sent_s_, time_s));
     sent_s_ = time_s;
-    double last_um = 0.0;
+    double heard_um = 0.0, last_um = 0.0;
     for (const auto& s : axis_.samples())
-      if (s.time_s < time_s) last_um = s.value_um;
-    return last_um;
+      if (s.time_s < time_s) heard_um = std::exchange(last_um, s.value_um);
+    return heard_um;
   }
 
   FedServer server_;
