@@ -235,11 +235,11 @@ std::string_view former(std::string_view text) {
 }
 
 Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& told) {
-  if (const std::string_view why = former(text); !why.empty()) return fail(std::string(why));
   Program program;
   AxisTableOptions options = told;
   AXIOMETRY_TRY(const Motors motors, motors_of(options));
   for (const TableLine& line : lines_of(text)) AXIOMETRY_TRY_VOID(take(line, options, motors, program));
+  if (const std::string_view why = former(text); !why.empty()) return fail(std::string(why));
   if (program.buffers.empty() || !program.is_on) return fail("found no table with I51=1 behind it, expected both");
   const Buffer& comp = program.buffers.front();
   for (const Buffer& buffer : program.buffers)
