@@ -10,6 +10,7 @@ namespace axiometry::volumetric::detail {
 namespace {
 
 constexpr std::size_t breaks_most = 200;
+constexpr std::size_t heeded_from = 8;  // readings set aside, more than outliers of a short stretch
 constexpr std::size_t settling_rounds = 8;
 constexpr std::size_t rounds_to_narrow = 4;  // from then on doubt only grows
 
@@ -49,7 +50,7 @@ bool Identifier::heed_stretches_set_aside() {
   bool heeded = false;
   for (std::size_t i = 0; i < aside_.size(); ++i) {
     const std::size_t stretch = unknowns_->stretch_of[i];
-    if (!aside_[i] || 2 * aside[stretch] <= readings[stretch]) continue;
+    if (!aside_[i] || aside[stretch] < heeded_from || 2 * aside[stretch] <= readings[stretch]) continue;
     heeded = true;
     aside_[i] = false;
     weights_[i] = stated[i];
