@@ -7,10 +7,13 @@ Usage: api.py PROGRAM [--store postgresql://…]
 
 A PostgreSQL store must be empty.
 """
+import contextlib
 import json
 import math
 import pathlib
+import socket
 import sys
+import threading
 import time
 import tempfile
 
@@ -383,6 +386,38 @@ def captures(play):
     captured_lengths(play)
 
 
+@contextlib.contextmanager
+def instrument():
+    """Sends a reading of 1.5 µm fifty times a second to whoever connects; gives the source that the program is told."""
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        def serve():
+            with contextlib.suppress(OSError):
+                while True:
+                    peer, _ = listener.accept()
+                    with peer, contextlib.suppress(OSError):
+                        peer.sendall(b"time_s,straightness_um\n")
+                        for k in range(1_000_000):
+                            peer.sendall(f"{k / 50:.2f},1.5\n".encode())
+                            time.sleep(0.02)
+
+        threading.Thread(target=serve, daemon=True).start()
+        yield f"laser=tcp://127.0.0.1:{listener.getsockname()[1]}"
+
+
+def captured_readings(play):
+    """A straightness: what is said at the stops counts once the instrument is heard."""
+    request = {**PLAN, "positions": [50, 100, 150], "cycle": "unidirectional", "runs": 1, "further": {"error": "EYX"}}
+    plan = play.expect(201, "POST", "/api/plans", {"title": "EYX", "axis": None, "request": request}).json()["id"]
+    begun = play.expect(201, "POST", "/api/captures", {"plan": plan, "source": "laser", "options": {"stops": "keys"}}).json()
+    path = f"/api/captures/{begun['id']}"
+    for _ in range(600):
+        if play.server.request("GET", path).json()["state"] == "running":
+            break
+        time.sleep(0.05)
+    play.expect(200, "POST", f"{path}/keys", {"key": "skip"})
+    play.expect(200, "POST", f"{path}/stop", {})
+
+
 def captured_lengths(play):
     plan = play.expect(200, "POST", "/api/volumetric/plan", {
         "machine": {"chain": "XFYZ", "travel_mm": {"X": [0, 800], "Y": [0, 500], "Z": [-500, 0]}, "tools_mm": {"T1": [0, 0, -120]},
@@ -427,7 +462,7 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory() as folder:
         store = sys.argv[3] if sys.argv[2:3] == ["--store"] else pathlib.Path(folder) / "api.db"
-        with Served(program, store) as server:
+        with instrument() as source, Served(program, store, "--source", source) as server:
             play = Play(server, checks)
             service(play)
             faults_are_seen(play)
@@ -441,6 +476,7 @@ def main():
             compensations(play)
             volumetric(play)
             captures(play)
+            captured_readings(play)
             examples(play, program, folder)
             described = {(method.upper(), path) for path, operations in OPENAPI["paths"].items() for method in operations}
             played = {(method, path) for method, path, status in DESCRIPTION.answered if status < 400}

@@ -244,8 +244,10 @@ Result<KeptCompensation> kept_compensation(const store::Store& archive, store::I
     AXIOMETRY_TRY(store::Content bytes, t.content(table->content));
     kept.table = std::move(bytes.bytes);
     AXIOMETRY_TRY(kept.head, listed(t, std::move(compensation), kept.versions.front().change.at));
-    if (const auto& former = kept.head.former)
-      kept.findings.push_back({former->id, std::string(severity_word(*former)), former->message});
+    if (kept.head.former) {
+      const NamedFinding& former = *kept.head.former;
+      kept.findings.push_back({former.id, std::string(severity_word(former)), former.message});
+    }
     for (NamedFinding& finding : findings_since(kept.head.test, kept.head.retest))
       kept.findings.push_back({std::move(finding.id), std::string(severity_word(finding)), std::move(finding.message)});
     std::ranges::move(counting_findings(kept.result, !kept.head.retest || kept.head.retest_counts()),

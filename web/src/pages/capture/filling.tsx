@@ -46,12 +46,14 @@ export function LiveChart({ readings, targets, runs, unit, deviation_unit, read 
   );
 }
 
-/** Where not all runs have room beside each other, the one that fills in is scrolled into sight as it begins. */
+/** Where not all runs have room beside each other, the one that fills in is scrolled into sight as it begins, and columns
+ * end at the targets: of a number cut off there, "0.30", one would read the rest. */
 function use_due_in_sight(frame: RefObject<HTMLDivElement | null>, due: Capture['due'], columns: number): void {
   useLayoutEffect(() => {
     const cell = frame.current?.querySelector('td.due')?.getBoundingClientRect();
     if (!frame.current || !cell) return;
     const { left } = frame.current.getBoundingClientRect();
+    frame.current.style.scrollPaddingInlineStart = `${frame.current.querySelector<HTMLElement>('th:nth-child(2)')?.offsetWidth ?? 0}px`;
     frame.current.scrollLeft += (cell.left + cell.right) / 2 - left - frame.current.clientWidth / 2;
   }, [due?.run, due?.direction, columns]);
 }
