@@ -64,7 +64,7 @@ export const motion_captures = {
         if (n < 3) await shows(page.locator('.readout'), `${n} of 3`, 20_000);
       }
       await page.waitForURL(/\/motions\?capture=\d+$/, { timeout: 20_000 });
-      await shows(page.locator('main'), /EYX.*positive towards \+Y/s);
+      await shows(page.locator('main'), /EYX \d{4}-.*\.csv, \+Y/);
       await shows(page.locator('main'), /Straightness, range of the residuals\s*↑\s*0\.0/);
       await page.goto('/captures');
       await shows(page.locator('main'), /Straightness of X[\s\S]*3 of 3 readings/);
