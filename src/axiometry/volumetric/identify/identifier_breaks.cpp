@@ -64,12 +64,12 @@ Result<void> Identifier::take_breaks_for_drift() {
   if (!options_.find_breaks) return {};
   const double scale = robust_scale(problem(), fit_->residuals_um);
   const double cost_of_drift = cost_of_dead_paths(scale);
-  const auto with_drift = std::tuple(breaks_, places_, doubtful_);
+  const auto with_drift = std::tuple(breaks_, places_, doubtful_, aside_, weights_);
   const std::size_t before = breaks_.size();
   AXIOMETRY_TRY_VOID(fit_with_drift(false));
   AXIOMETRY_TRY_VOID(find_breaks());
   if (breaks_.size() > before && cost_of_dead_paths(scale) < cost_of_drift) return {};
-  std::tie(breaks_, places_, doubtful_) = with_drift;
+  std::tie(breaks_, places_, doubtful_, aside_, weights_) = with_drift;
   return fit_with_drift(true);
 }
 
