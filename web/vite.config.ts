@@ -18,7 +18,8 @@ function licences(packages: readonly string[]): Plugin {
 }
 
 // The bundle is kept in the repository, so that the program is built without node: the same sources must give the same
-// bytes. Plain names: the program serves it with a hash of its content as the validator.
+// bytes. What is asked for first has plain names, and the program serves it with a hash of its content as the validator;
+// what comes later is named by its content, so that a page never goes on with parts of another program.
 export default defineConfig({
   plugins: [licences(['@preact/signals', '@preact/signals-core', 'preact', 'uplot'])],
   esbuild: { jsx: 'automatic', jsxImportSource: 'preact', legalComments: 'none' },
@@ -32,7 +33,11 @@ export default defineConfig({
     assetsInlineLimit: 0,
     reportCompressedSize: false,
     rollupOptions: {
-      output: { entryFileNames: 'app.js', assetFileNames: 'app[extname]', inlineDynamicImports: true },
+      output: {
+        entryFileNames: 'app.js', chunkFileNames: '[name]-[hash].js', assetFileNames: 'app[extname]',
+        // Little that several pages share comes with one of them.
+        experimentalMinChunkSize: 60_000,
+      },
     },
   },
   // While the page is worked on: `npx vite` beside a program that serves the API.

@@ -41,7 +41,7 @@ export const capture = {
     await dialog.waitFor({ state: 'hidden' });
     await page.getByRole('button', { name: 'Stop' }).click();
     await dialog.getByRole('button', { name: 'Stop', exact: true }).click();
-    await shows(page.locator('.ending'), /stopped/, 20_000);
+    await shows(page.locator('.ending'), /stopped/);
     await page.getByRole('link', { name: 'To the test' }).waitFor();
   },
 
@@ -73,7 +73,7 @@ export const capture = {
     await world.restart();
     await other.goto(new URL(one.url()).pathname);
     await shows(other.locator('.ending'), /interrupted/);
-    await shows(one.locator('.ending'), /interrupted/, 20_000);
+    await shows(one.locator('.ending'), /interrupted/);
     await one.getByRole('button', { name: 'Resume' }).click();
     await other.getByRole('button', { name: 'Stop' }).waitFor();
     const path = `/api${new URL(one.url()).pathname}`;

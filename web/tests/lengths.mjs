@@ -71,10 +71,10 @@ export const lengths = {
         }
       }));
     await page.reload();
-    await shows(parts(page), '12 of 12 parts have lengths', 20_000);
+    await shows(parts(page), '12 of 12 parts have lengths');
     await parts(page).getByRole('link', { name: 'Find the errors' }).click();
     await page.waitForURL(/\/volume\?captures=/);
-    await shows(page.locator('section[aria-labelledby="volume-found"]'), 'All 21 errors found', 30_000);
+    await shows(page.locator('section[aria-labelledby="volume-found"]'), 'All 21 errors found');
     await shows(page.locator('section[aria-labelledby="volume-lengths"]'), 'simulated, not measured');
     await page.goto('/captures');
     await page.locator('tbody tr').first().waitFor();
@@ -87,7 +87,7 @@ export const lengths = {
 
   async 'lengths: the expected point, the running length and the points caught are shown while it goes on'(world) {
     const { page } = await watched(world, { speed: 1 });
-    await shows(page.locator('.readout .position'), /\d\.\d{3}/, 20_000);
+    await shows(page.locator('.readout .position'), /\d\.\d{3}/);
     await shows(page.locator('.readout .next'), 'point 1');
     await shows(page.locator('.scene'), 'point 1');
     await shows(page.locator('.readout'), /[2-9] of 8/, 60_000);
@@ -148,7 +148,7 @@ export const lengths = {
     await shows(page.locator('.ending'), /70 of 70 lengths are kept/);
     await parts(page).getByRole('link', { name: 'Evaluate these lengths' }).click();
     await page.waitForURL(/\/tracking\?captures=/);
-    await shows(page.locator('section[aria-labelledby="tracking-lengths"]'), 'simulated, not measured', 20_000);
+    await shows(page.locator('section[aria-labelledby="tracking-lengths"]'), 'simulated, not measured');
     await page.locator('section[aria-labelledby="tracking-lengths"]').getByRole('button', { name: 'Report PDF' }).waitFor({ timeout: 20_000 });
   },
 

@@ -46,11 +46,11 @@ export const motion_captures = {
       await page.getByRole('button', { name: 'Start' }).click();
       await page.waitForURL(/\/captures\/\d+$/);
       await shows(page.locator('h1'), 'Readings of EYX');
-      await shows(page.locator('.readout .position'), /1\.[45]\d\s*µm/, 20_000);
+      await shows(page.locator('.readout .position'), /1\.[45]\d\s*µm/);
       await shows(page.locator('.readout .next'), /1 ↑\s*30\.000 mm/);
       const take = page.getByRole('button', { name: 'Take this reading' });
       await take.click();
-      await shows(page.locator('.readout'), '1 of 3', 20_000);
+      await shows(page.locator('.readout'), '1 of 3');
       await page.getByRole('button', { name: 'Take back the last' }).click();
       await shows(page.locator('.readout'), '0 of 3');
       await shows(page.locator('.event-list'), 'target 1↑ run 1 is due again');
@@ -61,9 +61,9 @@ export const motion_captures = {
           await page.locator('h1').focus();
           await page.keyboard.press('Enter');
         }
-        if (n < 3) await shows(page.locator('.readout'), `${n} of 3`, 20_000);
+        if (n < 3) await shows(page.locator('.readout'), `${n} of 3`);
       }
-      await page.waitForURL(/\/motions\?capture=\d+$/, { timeout: 20_000 });
+      await page.waitForURL(/\/motions\?capture=\d+$/);
       await shows(page.locator('main'), /EYX \d{4}-.*\.csv, \+Y/);
       await shows(page.locator('main'), /Straightness, range of the residuals\s*↑\s*0\.0/);
       await page.goto('/captures');
@@ -83,14 +83,14 @@ export const motion_captures = {
       const { id } = await world.api('POST', '/api/captures', { plan, source: 'laser', options: { stops: 'keys' } });
       const page = await world.page();
       await page.goto(`/captures/${id}`);
-      await shows(page.locator('.readout .position'), /µm/, 20_000);
+      await shows(page.locator('.readout .position'), /µm/);
       await page.getByRole('button', { name: 'The next target has no reading' }).click();
       await shows(page.locator('.readout .next'), /2 ↑/);
       await page.getByRole('button', { name: 'Take this reading' }).click();
-      await shows(page.locator('.readout'), '1 of 3', 20_000);
+      await shows(page.locator('.readout'), '1 of 3');
       await page.getByRole('button', { name: 'Stop' }).first().click();
       await page.getByRole('dialog').getByRole('button', { name: 'Stop', exact: true }).click();
-      await shows(page.locator('.ending'), /stopped[\s\S]*1 of 3 readings are kept/, 20_000);
+      await shows(page.locator('.ending'), /stopped[\s\S]*1 of 3 readings are kept/);
       await shows(page.locator('.ending'), 'has no reading');
       const keys = await downloaded(page, () => page.getByRole('link', { name: 'What was said' }).click());
       assert.match(keys.bytes.toString(), /,skip\n.*,take\n/s);

@@ -52,11 +52,12 @@ const wanted = Object.entries(all).filter(([name]) => chosen(name));
 const flags = process.getuid() === 0 ? ['--no-sandbox'] : [];
 const browser = await chromium.launch({ executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium', args: [...flags, '--disable-background-networking'] });
 let passed = 0;
-let failed = 0;
+const failures = [];
 const report = (name, began, error) => {
-  error ? (failed += 1) : (passed += 1);
-  console.log(`${error ? 'FAILED' : 'passed'}  ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`);
-  if (error) console.log(String(error.stack ?? error).replace(/^/gm, '        '));
+  const lines = [`${error ? 'FAILED' : 'passed'}  ${name} (${((Date.now() - began) / 1000).toFixed(1)} s)`];
+  if (error) lines.push(String(error.stack ?? error).replace(/^/gm, '        '));
+  console.log(lines.join('\n'));
+  error ? failures.push(lines.join('\n')) : (passed += 1);
 };
 
 for (const [name, run] of wanted) {
@@ -80,5 +81,6 @@ for (const [name, run] of wanted) {
 }
 await browser.close();
 report('no request leaves this machine', Date.now(), strangers.length > 0 ? new Error(strangers.join('\n')) : null);
-console.log(`${passed} passed, ${failed} failed`);
-process.exit(failed === 0 ? 0 : 1);
+// Again at the end, where whoever reads a long log looks first.
+console.log([`${passed} passed, ${failures.length} failed`, ...failures].join('\n'));
+process.exit(failures.length === 0 ? 0 : 1);

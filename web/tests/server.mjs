@@ -3,7 +3,7 @@
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 
-const patience_ms = 20_000;
+const patience_ms = 60_000;
 
 /** Starts `axiometry serve`; answers when it has printed its address. */
 export async function start_server(program, { store, port = 0, flags = [] }) {

@@ -15,6 +15,9 @@ const axe_source = await readFile(fileURLToPath(new URL('../node_modules/axe-cor
 // looks before the page has what it asks for fails then, and not only on a busy machine.
 const latest_ms = Number(process.env['AXIOMETRY_LATE'] ?? 0);
 
+// Of one step. It costs nothing where the page answers, and a busy machine may keep it from answering for long.
+const patience_ms = 60_000;
+
 /** Of all tests together: requests to anywhere else than this machine's loopback. */
 export const strangers = [];
 
@@ -79,7 +82,7 @@ export class World {
       viewport: { width, height }, colorScheme: theme, locale, baseURL: this.server.address, acceptDownloads: true,
       reducedMotion: reduced ? 'reduce' : 'no-preference', timezoneId: 'Europe/Berlin',
     });
-    context.setDefaultTimeout(15_000);
+    context.setDefaultTimeout(patience_ms);
     this.contexts.push(context);
     context.on('request', (request) => {
       const url = new URL(request.url());
@@ -143,8 +146,8 @@ export class World {
 }
 
 /** Waits until the text of an element fits; says what it was instead. */
-export async function shows(locator, wanted, patience_ms = 10_000) {
-  const end = Date.now() + patience_ms;
+export async function shows(locator, wanted, patience = patience_ms) {
+  const end = Date.now() + patience;
   let found = '';
   do {
     found = (await locator.allInnerTexts().catch(() => [])).join('\n');

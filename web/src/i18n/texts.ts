@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+import { effect, signal } from '@preact/signals';
 import { language } from '../settings';
-import french_pairs from './fr.json';
+
+type FrenchPairs = typeof import('./fr.json');
 
 /** German stands beside its English. Where one English text has two meanings, a third word tells which this is. */
 type Row = readonly [english: string, german: string, meaning?: string];
@@ -9,7 +11,7 @@ type Values = Record<string, string | number>;
 /** Other languages are a file of pairs each: English, in square brackets the meaning where a row has one, to the other. */
 type Key<R extends Row> = R extends readonly [infer English extends string, string, infer Meaning extends string]
   ? `${English} [${Meaning}]` : R[0];
-type Missing<R extends Row> = Exclude<Key<R>, keyof typeof french_pairs>;
+type Missing<R extends Row> = Exclude<Key<R>, keyof FrenchPairs>;
 /** The rows, or for one without a pair its key, so that the type checker refuses it and names what is missing. */
 type Translated<Rows extends Record<string, Row>> = {
   [K in keyof Rows]: [Missing<Rows[K]>] extends [never] ? Rows[K] : { missing_in_fr_json: Missing<Rows[K]> };
@@ -18,10 +20,23 @@ type Translated<Rows extends Record<string, Row>> = {
 /** A translator writes plain spaces; before these marks and within guillemets French does not break a line. */
 const unbroken = (text: string): string => text.replace(/ (?=[:;?!%»])/g, '\u00a0').replace(/« /g, '«\u00a0');
 
-const french = new Map(Object.entries(french_pairs).map(([english, other]) => [english, unbroken(other)]));
+/** Comes when French is first chosen; English until then. */
+const french = signal<ReadonlyMap<string, string> | null>(null);
+const french_come = async (): Promise<void> => {
+  const pairs = (await import('./fr.json')).default;
+  french.value = new Map(Object.entries(pairs).map(([english, other]) => [english, unbroken(other)]));
+};
+effect(() => {
+  if (language.value === 'fr' && french.peek() === null) void french_come().catch(() => undefined);
+});
+
+/** When the language that this browser was left in can be read. */
+export async function language_known(): Promise<void> {
+  if (language.value === 'fr' && french.value === null) await french_come().catch(() => undefined);
+}
 
 function text_of(row: Row): string {
-  if (language.value === 'fr') return french.get(row[2] === undefined ? row[0] : `${row[0]} [${row[2]}]`) ?? row[0];
+  if (language.value === 'fr') return french.value?.get(row[2] === undefined ? row[0] : `${row[0]} [${row[2]}]`) ?? row[0];
   return row[language.value === 'de' ? 1 : 0];
 }
 
