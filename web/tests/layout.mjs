@@ -133,6 +133,7 @@ export const layout = {
     const on_paper = page.locator('.drawn.only-print');
     await on_paper.waitFor({ state: 'attached' });
     assert.ok(!(await on_paper.isVisible()), 'the figure for paper is on the screen');
+    await page.waitForLoadState('networkidle');  // the pages that come once this one is shown
     const fetched = [];
     page.on('request', (request) => fetched.push(request.url()));
     await page.emulateMedia({ media: 'print' });

@@ -71,7 +71,7 @@ export const surroundings = {
     await shows(panel_of(page), /Highest temperature of the air\s*22\.93 °C/);
     const air = panel_of(page).getByLabel(/^Sensor Luft.* is of$/);
     await air.selectOption('none');
-    await shows(panel_of(page), /Highest temperature of the air\s*(?!22)/);
+    await shows(panel_of(page), /Highest temperature of the air\s*(?!22)\S/);
     assert.equal(await panel_of(page).getByText('22.93 °C').count(), 0);
     await air.selectOption('air');
     await shows(panel_of(page), /Highest temperature of the air\s*22\.93 °C/);
