@@ -162,22 +162,11 @@ void CaptureService::Running::take_lengths(const CaptureSession& session) {
   standstills_ = matcher.standstills().size();
   LengthsState& lengths = *state_.lengths;
   lengths.due = matcher.due();
-  lengths.broken_before.clear();
-  std::vector<CaughtLength> caught;
-  for (const capture::StopMatch& match : matcher.matches()) {
-    const capture::Standstill& rest = matcher.standstills()[match.standstill];
-    if (!matcher.gives_length(rest)) continue;
-    const bool begins = match.begins_segment && !caught.empty();
-    if (begins && !matcher.stops()[match.stop].begins_segment) lengths.broken_before.push_back(match.stop);
-    caught.push_back({.stop = match.stop,
-                      .length_mm = rest.position.in_native(),
-                      .scatter_um = rest.spread.in_native() * 1e3,
-                      .time_s = rest.begin_s,
-                      .begins_segment = begins});
-  }
-  state_.taken = caught.size();
-  if (caught == *lengths.caught) return;
-  lengths.caught = std::make_shared<const std::vector<CaughtLength>>(std::move(caught));
+  CaughtLengths caught = caught_lengths(matcher);
+  lengths.broken_before = std::move(caught.broken_before);
+  state_.taken = caught.lengths.size();
+  if (caught.lengths == *lengths.caught) return;
+  lengths.caught = std::make_shared<const std::vector<CaughtLength>>(std::move(caught.lengths));
   lengths.caught_at = state_.revision;
 }
 

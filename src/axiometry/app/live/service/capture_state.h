@@ -9,6 +9,7 @@
 
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/live/disk/table_order.h"
+#include "axiometry/app/live/service/caught_lengths.h"
 #include "axiometry/app/live/sources/capture_source.h"
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/json.h"
@@ -25,17 +26,6 @@ using CaptureRevision = std::uint64_t;
 struct StampedReading {
   CaptureRevision revision = 0;  ///< with which it came
   capture::CapturedReading reading;
-};
-
-/// A length at a stop, as far as is known: a later standstill may show that one belongs elsewhere.
-struct CaughtLength {
-  std::size_t stop = 0;         ///< of the part, from 0
-  double length_mm = 0.0;       ///< as shown, mean over the rest
-  double scatter_um = 0.0;      ///< standard deviation of its samples
-  double time_s = 0.0;          ///< when it came to rest
-  bool begins_segment = false;  ///< with another dead path than the one before
-
-  friend bool operator==(const CaughtLength&, const CaughtLength&) = default;
 };
 
 /// Of a capture of lengths, in place of targets and readings.
