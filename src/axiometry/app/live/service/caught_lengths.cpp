@@ -9,7 +9,7 @@ CaughtLengths caught_lengths(const capture::StopMatcher& matcher) {
   bool begins = false;
   for (const capture::StopMatch& match : matcher.matches()) {
     begins = begins || match.begins_segment;
-    if (match.begins_segment && !matcher.stops()[match.stop].begins_segment) caught.broken_before.push_back(match.stop);
+    if (match.begins_segment && !match.planned) caught.broken_before.push_back(match.stop);
     const capture::Standstill& rest = matcher.standstills()[match.standstill];
     if (!matcher.gives_length(rest)) continue;
     caught.lengths.push_back({.stop = match.stop,
