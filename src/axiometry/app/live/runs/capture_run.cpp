@@ -77,8 +77,10 @@ class Run {
       keep_what_came();
       return std::unexpected(std::move(read).error());
     }
-    AXIOMETRY_TRY(const auto last, session_.finish(end_));
-    AXIOMETRY_TRY_VOID(settle(last, true));
+    const auto last = session_.finish(end_);
+    if (!last) telling_.take_back();
+    if (!last) return std::unexpected(last.error());
+    AXIOMETRY_TRY_VOID(settle(*last, true));
     for (const std::string& remark : session_.remarks()) notice(remark);
     return {};
   }

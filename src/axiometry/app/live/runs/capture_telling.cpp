@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/live/runs/capture_telling.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <filesystem>
 #include <limits>
+#include <system_error>
+#include <utility>
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/live/runs/capture_date.h"
@@ -53,20 +58,37 @@ void CaptureTelling::tell_events(const std::vector<capture::CaptureEvent>& event
 }
 
 /// A test needs two targets, so there is no file before them; and none of a recording that does not fit.
-Result<void> CaptureTelling::write_test(const CaptureSession& session, const Moment& moment) const {
+Result<void> CaptureTelling::write_test(const CaptureSession& session, const Moment& moment) {
   if (run_.out.empty() || session.stops() != nullptr || (run_.out == "-" && !moment.last)) return {};
-  const auto test = dated_test(session, run_.from, moment.first_arrival);
-  if (!test) return {};
   static const formats::Format* const json = formats::find_format("json");
-  return write_file(run_.out, json->write(*test));
+  const auto test = dated_test(session, run_.from, moment.first_arrival);
+  return put(test ? Result<std::string>(json->write(*test)) : std::unexpected(test.error()), moment);
 }
 
 /// There is no table without a reading.
-Result<void> CaptureTelling::write_table(const CaptureSession& session, const Moment& moment) const {
+Result<void> CaptureTelling::write_table(const CaptureSession& session, const Moment& moment) {
   if (run_.out.empty() || (run_.out == "-" && !moment.last)) return {};
-  const auto table =
-      motion_table(session, {run_.from, run_.raw.empty() ? run_.resume : run_.raw, arrival_date(moment.first_arrival)});
-  return table ? write_file(run_.out, *table) : Result<void>{};
+  return put(
+      motion_table(session, {run_.from, run_.raw.empty() ? run_.resume : run_.raw, arrival_date(moment.first_arrival)}),
+      moment);
+}
+
+/// A result that there was may only seem to be none until more has come.
+Result<void> CaptureTelling::put(const Result<std::string>& result, const Moment& moment) {
+  if (!result && moment.last) take_back();
+  if (!result) return {};
+  AXIOMETRY_TRY_VOID(write_file(run_.out, *result));
+  wrote_ = run_.out != "-";
+  return {};
+}
+
+/// A link stays a link, and what is no file, such as a device, stays.
+void CaptureTelling::take_back() {
+  std::error_code unknown;
+  if (!std::exchange(wrote_, false) || !std::filesystem::is_regular_file(run_.out, unknown)) return;
+  const auto file = std::filesystem::canonical(run_.out, unknown);
+  if (unknown || !std::filesystem::remove(file, unknown)) return;
+  if (observer_.notice) observer_.notice(fmt::format("{}: removed, what was written there does not hold", run_.out));
 }
 
 }  // namespace axiometry::app

@@ -25,16 +25,20 @@ class CaptureTelling {
   /// `readings` are those that the session has just handed on.
   Result<void> tell(const CaptureSession& session, const std::vector<capture::CapturedReading>& readings,
                     const Moment& moment);
+  /// Removes the file, where it has written one: the recording has proved to belong to another plan.
+  void take_back();
 
  private:
   Result<void> tell_values(const CaptureSession& session, const Moment& moment);
   void tell_events(const std::vector<capture::CaptureEvent>& events, double until_s);
-  Result<void> write_test(const CaptureSession& session, const Moment& moment) const;
-  Result<void> write_table(const CaptureSession& session, const Moment& moment) const;
+  Result<void> write_test(const CaptureSession& session, const Moment& moment);
+  Result<void> write_table(const CaptureSession& session, const Moment& moment);
+  Result<void> put(const Result<std::string>& result, const Moment& moment);
 
   const CaptureRun& run_;
   const CaptureObserver& observer_;
   std::size_t events_told_ = 0, values_told_ = 0;
+  bool wrote_ = false;
 };
 
 }  // namespace axiometry::app

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <functional>
 
 #include "axiometry/app/error_motions/motion_evaluation.h"
@@ -18,6 +19,7 @@ namespace axiometry::app {
 namespace {
 
 using capture::StopSign;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing_support::DrivenAxis;
 using testing_support::DrivenSample;
@@ -38,7 +40,7 @@ struct MotionCapture {
   Plan plan = straightness_plan();
   CaptureRun run;
   CaptureOptions options;
-  std::vector<std::string> events;
+  std::vector<std::string> events, notices;
 
   MotionCapture() {
     options.motion.emplace();
@@ -50,6 +52,17 @@ struct MotionCapture {
     run.from = path("run.csv");
     run.out = path("eyx.csv");
   }
+  /// Beyond a place the axis is elsewhere. Lines so long that the first block of the file holds two rests.
+  void displace_beyond(double from_mm) {
+    options.motion->sign = StopSign::position;
+    options.motion->stop_column = 0;
+    std::string stream = "time_s,position_mm,straightness_um,trigger\n";
+    for (const DrivenSample& s : DrivenAxis(plan).samples())
+      stream += fmt::format("{:.2f},{:.4f},{:.7f},{:.220f}\n", s.time_s,
+                            s.position_mm + (s.position_mm > from_mm ? 37.0 : 0.0), s.value_um, 0.0);
+    put("run.csv", stream);
+    put("eyx.csv", "measured before\n");
+  }
   std::string path(const std::string& name) const { return folder.file(name); }
   void put(const std::string& name, const std::string& bytes) const { EXPECT_TRUE(write_file(path(name), bytes)); }
 
@@ -58,7 +71,7 @@ struct MotionCapture {
     options.plan = path("plan.json");
     const CaptureObserver observer{.reading = {},
                                    .event = [&](const auto& event) { events.push_back(event.message); },
-                                   .notice = {},
+                                   .notice = [&](const std::string& text) { notices.push_back(text); },
                                    .now = {},
                                    .stopped = {},
                                    .abandoned = {}};
@@ -107,6 +120,22 @@ TEST(MotionCapture, FindsStopsByThePositionInTheStream) {
   capture.options.motion->sign = StopSign::position;
   capture.options.motion->stop_column = 0;
   capture.expect_whole();
+}
+
+TEST(MotionCapture, LeavesNoTableThatItBeganOfPositionsOfAnotherPlan) {
+  MotionCapture capture;
+  capture.displace_beyond(50.0);  // the first target is the same: there is a table at first
+  EXPECT_THAT(capture.refusal(), HasSubstr("the recording belongs to another plan"));
+  EXPECT_FALSE(std::filesystem::exists(capture.run.out));
+  EXPECT_THAT(capture.notices, ElementsAre(capture.run.out + ": removed, what was written there does not hold"));
+}
+
+TEST(MotionCapture, LeavesWhatWasThereBeforePositionsOfAnotherPlan) {
+  MotionCapture capture;
+  capture.displace_beyond(-10.0);
+  EXPECT_THAT(capture.refusal(), HasSubstr("the recording belongs to another plan"));
+  EXPECT_EQ(*MotionCapture::whole(capture.run.out), "measured before\n");
+  EXPECT_TRUE(capture.notices.empty());
 }
 
 TEST(MotionCapture, KeepsWhatStoodBeforeALineThatTellsNoStop) {

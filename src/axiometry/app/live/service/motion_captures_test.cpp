@@ -243,6 +243,22 @@ TEST_F(MotionCaptures, WithoutReadingsTheRecordingAloneIsKept) {
   EXPECT_TRUE(end.came_to->table.empty());
 }
 
+TEST_F(MotionCaptures, HaveNoTableOfPositionsThatBelongToAnotherPlan) {
+  std::string elsewhere = driven_head;
+  for (const auto& s : DrivenAxis(straightness_plan()).samples())
+    elsewhere += fmt::format("{:.2f},{:.4f},{:.4f},0\n", s.time_s, s.position_mm + (s.position_mm > 50.0 ? 37.0 : 0.0),
+                             s.value_um);
+  const PieceServer server({elsewhere});
+  const auto service = open({server.source()});
+  const CaptureState end = end_of(
+      *service,
+      service->start(wish(straightness_plan(), told_by("position", {{"stop-column", "1"}, {"give-up", "0"}}))));
+  EXPECT_EQ(end.stage, Stage::failed);
+  EXPECT_THAT(end.error, HasSubstr("the recording belongs to another plan"));
+  EXPECT_FALSE(end.came_to->raw.empty());
+  EXPECT_TRUE(end.came_to->table.empty());
+}
+
 TEST_F(MotionCaptures, AFailingWishBeginsNothing) {
   const auto service = open({server_.source()});
   const auto refusal = [&](const Plan& plan, const OptionTexts& options, const std::string& source = "laser") {
