@@ -21,7 +21,7 @@ import language_refusals
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
     "capture/capture_result.cpp", "capture/stop_lengths.cpp", "app/recordings/length_capture.cpp", "app/recordings/stop_notes.cpp", "capture/target_matcher.cpp",
-    "capture/values/still_values.cpp", "capture/values/value_listener.cpp", "app/recordings/motion_listener.cpp", "app/live/stop_marks.cpp",
+    "capture/values/still_values.cpp", "capture/values/value_listener.cpp", "app/recordings/motion_listener.cpp", "app/live/disk/stop_marks.cpp",
     "app/volumetric/gathered_lengths.cpp", "app/volumetric/part_lengths.cpp", "app/volumetric/part_stops.cpp", "app/volumetric/planned_points.cpp", "standards/readings/artefact.cpp",
     "standards/iso230_2/assessment/assessment.cpp", "standards/iso230_2/rules/findings.cpp", "standards/iso230_2/uncertainty/gum.cpp",
     "standards/iso230_2/inputs/inputs_items.cpp", "standards/iso230_2/periodic/findings.cpp",
@@ -65,8 +65,9 @@ SOURCES = [
     "app/cases/expression.cpp", "app/convert/convert.cpp", "app/evaluate/correction_text.cpp",
     "app/evaluate/drift_recording.cpp", "app/evaluate/evaluate.cpp", "app/evaluate/tolerance_table.cpp",
     "app/evaluate/tolerance_text.cpp", "app/files/amount_text.cpp", "app/files/number_list.cpp",
-    "app/files/store_address.cpp", "app/live/capture_service.cpp", "app/live/capture_source.cpp",
-    "app/live/live_source.cpp", "app/live/recording_spared.cpp", "app/live/simulated_lengths.cpp",
+    "app/files/store_address.cpp", "app/live/runs/marks_of_run.cpp", "app/live/runs/recording_spared.cpp",
+    "app/live/service/capture_service.cpp", "app/live/sources/capture_source.cpp",
+    "app/live/sources/live_source.cpp", "app/live/sources/simulated_lengths.cpp",
     "app/plan/nc_program.cpp", "app/recordings/capture_session.cpp", "app/recordings/raw_log.cpp",
     "app/results/outputs.cpp", "app/studies/lee_experiments.cpp", "app/tracking/evaluate_options.cpp",
     "app/tracking/tracking_request.cpp", "app/volumetric/identify_options.cpp",

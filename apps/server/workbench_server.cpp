@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "axiometry/app/live/capture_keeping.h"
+#include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/workbench/examples.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/broken_contract.h"

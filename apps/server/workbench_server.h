@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/live/capture_source.h"
+#include "axiometry/app/live/sources/capture_source.h"
 #include "axiometry/base/result.h"
 #include "server/limits.h"
 

@@ -188,10 +188,16 @@ def main():
         led.send(lines[stops[0] + 150:stops[1] + 50])
         led.type("")
         led.send(lines[stops[1] + 50:stops[1] + 150])
+        for rest in ("", "u", "skip"):  # lines longer than any key, whose rest is none either
+            led.process.stdin.write("x" * 1025)
+            led.process.stdin.flush()
+            time.sleep(0.3)
+            led.process.stdin.write(rest + "\n")
         led.process.stdin.write("e\n")
         led.process.stdin.flush()
-        out, _ = led.end(5)
+        out, err = led.end(5)
         assert "taken back" in out and "skipped" in out and "incomplete" in out, out
+        assert err.count('found "' + "x" * 40 + '…", expected Enter, s (skip), u (undo) or e (end)') == 3, err
         check(table_of(folder / "said.csv"), [whole[1]])
         play(program, folder, folder / "said.csv.raw", folder / "said-again.csv", *keys, code=5)
         assert table_of(folder / "said.csv") == table_of(folder / "said-again.csv")

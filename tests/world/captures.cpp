@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "axiometry/app/files/source.h"
-#include "axiometry/app/live/capture_keeping.h"
-#include "axiometry/app/live/capture_run.h"
+#include "axiometry/app/live/runs/capture_run.h"
+#include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/store/database/clock.h"

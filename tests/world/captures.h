@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/live/capture_folder.h"
-#include "axiometry/app/live/capture_service.h"
+#include "axiometry/app/live/disk/capture_folder.h"
+#include "axiometry/app/live/service/capture_service.h"
 #include "expect.h"
 #include "life.h"
 #include "simulated_disk.h"

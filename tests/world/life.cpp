@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/app/live/capture_keeping.h"
+#include "axiometry/app/live/service/capture_keeping.h"
 #include "expect.h"
 
 namespace axiometry::world {

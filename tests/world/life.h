@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/app/live/capture_service.h"
+#include "axiometry/app/live/service/capture_service.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/json.h"
 #include "axiometry/store/store.h"

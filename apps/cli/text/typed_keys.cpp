@@ -35,14 +35,16 @@ std::vector<capture::StopKey> TypedKeys::take() {
       begun_.erase(0, end + 1);
     }
     if (closed_ && !begun_.empty()) take_line(std::exchange(begun_, {}), keys);  // a last line without its end
-    if (begun_.size() > longest_key) begun_.clear();
+    if (begun_.size() > longest_key) begun_.resize(longest_key + 1);  // as much as tells that it is no key
   }
   return keys;
 }
 
 void TypedKeys::take_line(std::string line, std::vector<capture::StopKey>& keys) {
   const std::string word(text::trim(line));
-  if (word.empty() || word == "take")
+  if (line.size() > longest_key)
+    unknown_.push_back(word);
+  else if (word.empty() || word == "take")
     keys.push_back(capture::StopKey::take);
   else if (word == "s" || word == "skip")
     keys.push_back(capture::StopKey::skip);

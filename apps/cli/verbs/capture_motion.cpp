@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "axiometry/app/live/motion_run.h"
+#include "axiometry/app/live/runs/motion_run.h"
 #include "axiometry/app/recordings/motion_table.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"

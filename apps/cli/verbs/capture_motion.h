@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/app/live/capture_run.h"
+#include "axiometry/app/live/runs/capture_run.h"
 
 namespace axiometry::cli {
 

@@ -10,7 +10,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/files/source.h"
-#include "axiometry/app/live/length_run.h"
+#include "axiometry/app/live/runs/length_run.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/tracking/tracking_plan.h"
 #include "axiometry/app/volumetric/plan_volume.h"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/live/capture_keeping.h"
-#include "axiometry/app/live/capture_service.h"
+#include "axiometry/app/live/service/capture_keeping.h"
+#include "axiometry/app/live/service/capture_service.h"
 #include "axiometry/app/temperatures/agreed_limits.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/text.h"

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/app/live/capture_keeping.h"
-#include "axiometry/app/live/length_task.h"
-#include "axiometry/app/live/stop_marks.h"
+#include "axiometry/app/live/disk/stop_marks.h"
+#include "axiometry/app/live/lengths/length_task.h"
+#include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/plan/plan_request.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <thread>
 
-#include "axiometry/app/live/capture_keeping.h"
-#include "axiometry/app/live/length_plans_test_support.h"
-#include "axiometry/app/live/piece_server_test_support.h"
+#include "axiometry/app/live/lengths/length_plans_test_support.h"
+#include "axiometry/app/live/service/capture_keeping.h"
+#include "axiometry/app/live/service/piece_server_test_support.h"
 #include "axiometry/app/workbench/calibration_evaluation.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/formats/plan/plan_json.h"

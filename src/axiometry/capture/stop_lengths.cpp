@@ -43,10 +43,8 @@ class Outcome {
     std::size_t segment = 0;
     for (std::size_t k = 0; k < matches_.size(); ++k) {
       const StopMatch& m = matches_[k];
-      if (m.begins_segment) {
-        lengths_.segments.push_back(
-            {++segment, m.stop, standstill(m).begin_s, m.untold, stops()[m.stop].begins_segment});
-      }
+      if (m.begins_segment)
+        lengths_.segments.push_back({++segment, m.stop, standstill(m).begin_s, m.untold, m.planned});
       StopOutcome& outcome = lengths_.stops[m.stop];
       if (standstill(m).frozen_from_s)
         outcome.lack = StopLack::signal_lost;

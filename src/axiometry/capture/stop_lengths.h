@@ -53,7 +53,7 @@ struct SegmentBegin {
   std::size_t stop = 0;     ///< its first
   double time_s = 0.0;      ///< when it came to rest there
   bool untold = false;      ///< only the lengths tell: neither are samples missing nor is another station expected
-  bool planned = false;     ///< that stop begins a segment anyway
+  bool planned = false;     ///< the plan has another beam from there on, or from a stop before that was left out
 };
 
 struct StopLengths {

@@ -306,23 +306,40 @@ TEST(StopLengths, GivesNoLengthToEitherOfTwoStopsThatItMayBelongTo) {
   EXPECT_TRUE(lengths->stops[9].lack == StopLack::ambiguous || lengths->stops[10].lack == StopLack::ambiguous);
 }
 
-TEST(StopLengths, GoesOnWithAnotherStationAndTool) {
+/// A plan of one station and then another, of a recording that lost so many of the first stops of the second.
+Result<StopLengths> lengths_of_two_stations(std::size_t lost) {
   const auto points = volume_points(30);
   MadeUpLengths first, second;
   second.station_mm = {-200.0, 700.0, 50.0};
   auto samples = first.record(places_of(points));
   const double later = samples.back().time_s + 600.0;
-  for (Sample s : second.record(places_of(points))) samples.push_back({s.time_s + later, s.position});
+  Places places = places_of(points);
+  for (std::size_t k = 0; k < lost; ++k) places[k].rest_s = 0.0;
+  for (Sample s : second.record(places)) samples.push_back({s.time_s + later, s.position});
   StopPath path(first.station_mm);
   for (const Vector3 p : points) path.stop(p);
   path.begin_segment(second.station_mm + Vector3{1.0, 1.0, 1.0});
   for (const Vector3 p : points) path.stop(p);
-  const auto lengths = lengths_at_stops(samples, path.stops(), options());
+  return lengths_at_stops(samples, path.stops(), options());
+}
+
+TEST(StopLengths, GoesOnWithAnotherStationAndTool) {
+  const auto lengths = lengths_of_two_stations(0);
   ASSERT_TRUE(lengths) << lengths.error().message;
   EXPECT_EQ(lengths->found(), 60u);
   ASSERT_EQ(lengths->segments.size(), 1u);
   EXPECT_EQ(lengths->segments[0].stop, 30u);
   EXPECT_FALSE(lengths->segments[0].untold);
+  EXPECT_TRUE(lengths->segments[0].planned);
+}
+
+TEST(StopLengths, ThatAreOfAnotherStationHaveNoBrokenBeamWhereItsFirstStopWasMissed) {
+  const auto lengths = lengths_of_two_stations(1);
+  ASSERT_TRUE(lengths) << lengths.error().message;
+  EXPECT_FALSE(lengths->stops[30].length);
+  ASSERT_EQ(lengths->segments.size(), 1u);
+  EXPECT_EQ(lengths->segments[0].stop, 31u);
+  EXPECT_TRUE(lengths->segments[0].planned);
 }
 
 TEST(StopLengths, IsTheSameHoweverTheRecordingIsCut) {

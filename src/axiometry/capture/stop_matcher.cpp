@@ -114,7 +114,7 @@ void StopMatcher::try_stops(const State& state, const Standstill& s, bool no_len
     const auto taken = step(state, stop, s);
     if (!taken) continue;
     State matched{stop, state.link, standstills_.size() - 1, so_far + taken->cost, length(s), length(s)};
-    offer(matched, StopMatch{stop, standstills_.size() - 1, taken->begins_segment, taken->untold});
+    offer(matched, StopMatch{stop, standstills_.size() - 1, taken->begins_segment, taken->untold, taken->planned});
   }
 }
 
@@ -134,7 +134,7 @@ std::optional<StopMatcher::Step> StopMatcher::step(const State& state, std::size
   }
   if (state.stop == none) return result;
   if (segments_[stop] != segments_[state.stop]) {
-    result.begins_segment = true;
+    result.begins_segment = result.planned = true;
     return result;
   }
   const double shown = length(s) - length(standstills_[state.standstill]);

@@ -31,6 +31,7 @@ struct StopMatch {
   std::size_t standstill = 0;   ///< number of those taken
   bool begins_segment = false;  ///< the dead path is another one than before
   bool untold = false;          ///< and nothing but the lengths says so
+  bool planned = false;         ///< and the plan says so, there or at a stop left out before
 };
 
 /// Takes standstills in their order, keeps the likely explanations of all of them and tells the likeliest: one after
@@ -83,6 +84,7 @@ class StopMatcher {
     double cost = 0.0;
     bool begins_segment = false;
     bool untold = false;
+    bool planned = false;
   };
 
   double length(const Standstill& s) const;

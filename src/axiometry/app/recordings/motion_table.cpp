@@ -80,6 +80,7 @@ Result<std::string> motion_table(const CaptureSession& session, const MotionOrig
   const MotionListener& motion = *session.motion();
   const std::vector<PlannedValue> values = motion.values().values();
   if (values.empty()) return fail(fmt::format("found no reading for any of the {} approaches", session.expected()));
+  AXIOMETRY_TRY_VOID(motion.values().check_positions());
   const std::string_view unit = motion_unit_name(motion.unit());
   std::string text = statements(motion, origin) + notes(session, origin);
   text += fmt::format("position_mm,run,direction,{}_{},time_s,scatter_{},drift_{},samples\n", motion.error().text(),

@@ -16,8 +16,8 @@ struct MotionOrigin {
 };
 
 /// The table that `straightness`, `angles` and `squareness` evaluate: what is known of the readings above it, a row for
-/// each in the order in which it was taken, with its time and how still it was. Fails without a reading. Needs
-/// session.motion().
+/// each in the order in which it was taken, with its time and how still it was. Fails without a reading, and where the
+/// positions belong to another plan. Needs session.motion().
 Result<std::string> motion_table(const CaptureSession& session, const MotionOrigin& origin);
 
 /// "target 3↑ run 2 at 100 mm: 1.25 µm" and the like, for people who watch.

@@ -266,7 +266,7 @@ Result<void> ValueListener::finish() {
   const double end_s = last_ ? last_->time_s : 0.0;
   if (matcher_) {
     AXIOMETRY_TRY_VOID(matcher_->finish());
-    AXIOMETRY_TRY_VOID(check_fit(plan_, matcher_->result()));
+    AXIOMETRY_TRY_VOID(check_positions());
     take_events();
     return {};
   }
@@ -279,6 +279,10 @@ Result<void> ValueListener::finish() {
           fmt::format("the recording ended before {} and the {} behind it", approach_name(*first),
                       progress_.remaining() - 1));
   return {};
+}
+
+Result<void> ValueListener::check_positions() const {
+  return matcher_ ? check_fit(plan_, matcher_->result()) : Result<void>{};
 }
 
 bool ValueListener::complete() const { return matcher_ ? matcher_->complete() : progress_.complete(); }

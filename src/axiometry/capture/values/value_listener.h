@@ -72,6 +72,8 @@ class ValueListener {
   void interrupt();
   /// What is missing becomes an event. Fails where positions do not fit the plan.
   Result<void> finish();
+  /// Of what has come so far.
+  Result<void> check_positions() const;
 
   bool complete() const;
   std::size_t taken() const;

@@ -116,12 +116,17 @@ bool are_told(const ErrorModel& model, const std::vector<DenseRow>& rows) {
 std::vector<std::size_t> untold_reversals(const ErrorModel& model, const std::vector<DenseRow>& rows) {
   const Coefficients& c = model.coefficients();
   std::vector<bool> touched(axis_count * motion_count, false);
-  for (const auto& direction : model.parts().unseen)
-    for (const DenseRow& row : rows) {
-      if (std::abs(std::inner_product(row.begin(), row.end(), direction.begin(), 0.0)) <= told_most) continue;
-      for (std::size_t k = c.half(0); k < c.raw(); ++k)
-        if (std::abs(direction[k]) > told_most && row[k] != 0.0) touched[c.error_of(k)] = true;
+  for (const auto& direction : model.parts().unseen) {
+    std::vector<std::size_t> open;  // coefficients of errors that no row has touched yet
+    for (std::size_t k = c.half(0); k < c.raw(); ++k)
+      if (std::abs(direction[k]) > told_most && !touched[c.error_of(k)]) open.push_back(k);
+    for (auto row = rows.begin(); row != rows.end() && !open.empty(); ++row) {
+      if (std::abs(std::inner_product(row->begin(), row->end(), direction.begin(), 0.0)) <= told_most) continue;
+      for (const std::size_t k : open)
+        if ((*row)[k] != 0.0) touched[c.error_of(k)] = true;
+      std::erase_if(open, [&](std::size_t k) { return touched[c.error_of(k)]; });
     }
+  }
   std::vector<std::size_t> errors;
   for (std::size_t e = 0; e < touched.size(); ++e)
     if (touched[e]) errors.push_back(e);

@@ -53,13 +53,12 @@ struct SaidAtEnd {
   double variance_um2 = 0.0;
 };
 
-/// Its mean, or where stretches drift the straight line at that end: 1/Σw + (x − x̄)²/Σw(x_i − x̄)², of many readings
-/// four times that of the mean. Infinite where there are too few readings.
-SaidAtEnd said_at_end(const Problem& problem, std::size_t stretch, double along) {
+/// By its readings that count: their mean, or where stretches drift the straight line at that end:
+/// 1/Σw + (x − x̄)²/Σw(x_i − x̄)², of many readings four times that of the mean. Infinite where there are too few.
+SaidAtEnd said_at_end(const Problem& problem, std::span<const std::size_t> readings, double along) {
   SaidAtEnd said{0, std::numeric_limits<double>::infinity()};
   double weight = 0.0, first = 0.0, second = 0.0;
-  for (std::size_t i = 0; i < problem.readings.size(); ++i) {
-    if (problem.weights[i] == 0.0 || problem.unknowns.stretch_of[i] != stretch) continue;
+  for (const std::size_t i : readings) {
     const double off = problem.unknowns.along_stretch[i] - along;
     weight += problem.weights[i];
     first += problem.weights[i] * off;
@@ -73,10 +72,11 @@ SaidAtEnd said_at_end(const Problem& problem, std::size_t stretch, double along)
 }
 
 /// The jump squared over what clearest_break() asks for, in variances as stated: 1 and more is clear.
-double share_of_clear(const Problem& problem, const State& state, std::size_t before) {
+double share_of_clear(const Problem& problem, const State& state, std::span<const std::vector<std::size_t>> readings,
+                      std::size_t before) {
   const Unknowns& unknowns = problem.unknowns;
-  const SaidAtEnd from = said_at_end(problem, stretch_before(unknowns, before), 0.5);
-  const SaidAtEnd to = said_at_end(problem, unknowns.stretch_of[before], -0.5);
+  const SaidAtEnd from = said_at_end(problem, readings[stretch_before(unknowns, before)], 0.5);
+  const SaidAtEnd to = said_at_end(problem, readings[unknowns.stretch_of[before]], -0.5);
   const double jump = jump_um(unknowns, state, before);
   return jump * jump / (break_limit(from.readings + to.readings) * (from.variance_um2 + to.variance_um2));
 }
@@ -134,10 +134,11 @@ double jump_um(const Unknowns& unknowns, const State& state, std::size_t before)
 std::optional<std::size_t> least_clear_break(const Problem& problem, const State& state,
                                              std::span<const double> residuals, std::span<const std::size_t> breaks) {
   const double scale = robust_scale(problem, residuals);
+  const auto readings = by_stretch(problem);
   std::optional<std::size_t> least;
   double least_share = 1.0;
   for (const std::size_t before : breaks) {
-    const double share = share_of_clear(problem, state, before) / (scale * scale);
+    const double share = share_of_clear(problem, state, readings, before) / (scale * scale);
     if (share >= least_share) continue;
     least_share = share;
     least = before;

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <vector>
 
 #include "axiometry/volumetric/identify/identification_test_support.h"
+#include "tests/support/cpu_time.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -65,6 +67,18 @@ TEST(LeastClearBreak, IsUnclearWhereNoReadingCountsOnASide) {
   EXPECT_EQ(beam.least_clear(), 50u);
   beam.weights[52] = 0.0;
   EXPECT_EQ(beam.least_clear(), 50u);
+}
+
+TEST(LeastClearBreak, IsFoundInTimeInProportionToTheReadings) {
+  const auto seconds_of = [](std::size_t stretches) {
+    const BrokenBeam beam(std::vector<std::size_t>(stretches, 100'000 / stretches),
+                          std::vector<double>(stretches, 0.0), true);
+    const double begun = testing_support::cpu_seconds();
+    EXPECT_TRUE(beam.least_clear());
+    return testing_support::cpu_seconds() - begun;
+  };
+  const double few = seconds_of(2), many = seconds_of(1000);
+  EXPECT_LT(many, 10.0 * few + 0.02) << few;
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "axiometry/app/live/runs/capture_run.h"
+#include "axiometry/app/recordings/raw_log.h"
+
+namespace axiometry::app {
+
+/// What a capture writes and tells while readings come in: first the file of its result, then the people.
+class CaptureTelling {
+ public:
+  /// Both must outlive it.
+  CaptureTelling(const CaptureRun& run, const CaptureObserver& observer) : run_(run), observer_(observer) {}
+
+  struct Moment {
+    bool last = false;
+    std::optional<ArrivalNs> first_arrival{};
+  };
+  /// Whether there is a reading that was not told.
+  bool is_new(const CaptureSession& session, const std::vector<capture::CapturedReading>& readings) const;
+  /// `readings` are those that the session has just handed on.
+  Result<void> tell(const CaptureSession& session, const std::vector<capture::CapturedReading>& readings,
+                    const Moment& moment);
+  /// Removes the file, where it has written one: the recording has proved to belong to another plan.
+  void take_back();
+
+ private:
+  Result<void> tell_values(const CaptureSession& session, const Moment& moment);
+  void tell_events(const std::vector<capture::CaptureEvent>& events, double until_s);
+  Result<void> write_test(const CaptureSession& session, const Moment& moment);
+  Result<void> write_table(const CaptureSession& session, const Moment& moment);
+  Result<void> put(const Result<std::string>& result, const Moment& moment);
+
+  const CaptureRun& run_;
+  const CaptureObserver& observer_;
+  std::size_t events_told_ = 0, values_told_ = 0;
+  bool wrote_ = false;
+};
+
+}  // namespace axiometry::app
