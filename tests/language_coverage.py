@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
     "capture/capture_result.cpp", "capture/stop_lengths.cpp", "app/recordings/length_capture.cpp", "app/recordings/stop_notes.cpp", "capture/target_matcher.cpp",
     "capture/values/still_values.cpp", "capture/values/value_listener.cpp", "app/recordings/motion_listener.cpp", "app/live/disk/stop_marks.cpp",
-    "app/volumetric/gathered_lengths.cpp", "app/volumetric/part_lengths.cpp", "app/volumetric/part_stops.cpp", "app/volumetric/planned_points.cpp", "standards/readings/artefact.cpp",
+    "app/volumetric/assemble_singles.cpp", "app/volumetric/gathered_lengths.cpp", "app/volumetric/part_lengths.cpp", "app/volumetric/part_stops.cpp", "app/volumetric/planned_points.cpp", "standards/readings/artefact.cpp",
     "standards/iso230_2/assessment/assessment.cpp", "standards/iso230_2/rules/findings.cpp", "standards/iso230_2/uncertainty/gum.cpp",
     "standards/iso230_2/inputs/inputs_items.cpp", "standards/iso230_2/periodic/findings.cpp",
     "standards/rules/comparison.cpp", "standards/rules/comparison.h", "standards/rules/export_lists.cpp", "standards/rules/gb_t_38614_2020.cpp",

@@ -174,6 +174,10 @@ def reports(play, test):
     checks.that("the issued report is a PDF", document.body.startswith(b"%PDF"), document.body[:20])
     play.expect(201, "POST", f"/api/tests/{test}/attachments", b"\x89PNG\r\n\x1a\n",
                 {"X-File-Name": "photo.png", "Content-Type": "image/png"})
+    log = play.expect(201, "POST", f"/api/tests/{test}/attachments", b"time;Oil [C]\n2026-03-02 09:00;20\n",
+                      {"X-File-Name": "oil.csv", "Content-Type": "text/csv"}).json()
+    sensors = play.expect(200, "GET", f"/api/documents/{log['id']}/temperature-sensors").json()["sensors"]
+    checks.that("a log's sensors are told, whatever their names tell", sensors == ["Oil"], sensors)
 
 
 def equipment(play):

@@ -77,6 +77,17 @@ export const surroundings = {
     await shows(panel_of(page), /Highest temperature of the air\s*22\.93 °C/);
   },
 
+  async 'temperatures: sensors whose names tell no role are listed to be given one'(world) {
+    const id = await world.kept();
+    const page = await world.page();
+    await page.goto(`/tests/${id}`);
+    await drop(page, 'oil.csv', Buffer.from('time;Oil [C];KSS [C]\n2026-03-02 09:00;20;21\n2026-03-02 09:10;20.5;21\n'));
+    await shows(page.locator('main'), /expected one of "Oil", "KSS" to be stated as such/);
+    await panel_of(page).getByLabel('Sensor Oil is of').selectOption('air');
+    await shows(panel_of(page), /Highest temperature of the air\s*20\.50 °C/);
+    assert.equal(await panel_of(page).getByLabel('Sensor KSS is of').inputValue(), '');
+  },
+
   async 'temperatures: what is no log is told, and the test goes on without it'(world) {
     const id = await world.kept();
     const page = await world.page();

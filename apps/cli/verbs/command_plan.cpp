@@ -74,7 +74,9 @@ Result<Plan> made_plan(app::PlanRequestDraft& wish) {
     AXIOMETRY_TRY(wish.request.sequence, app::read_sequence(*wish.sequence));
   }
   AXIOMETRY_TRY(const iso230_2::PlanRequest request, app::completed(wish));
-  return iso230_2::make_plan(request);
+  AXIOMETRY_TRY(Plan plan, iso230_2::make_plan(request));
+  AXIOMETRY_TRY_VOID(app::check_seed_used(wish, plan));
+  return plan;
 }
 
 int run_plan(PlanArguments& arguments) {

@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "axiometry/base/iso_date.h"
+
 namespace axiometry::server {
 namespace {
 
@@ -15,11 +17,9 @@ constexpr std::size_t word_max = 60;  // bytes of what others said
 std::string time_text(SecurityLog::Clock::time_point now) {
   const auto second = std::chrono::floor<std::chrono::seconds>(now);
   const auto day = std::chrono::floor<std::chrono::days>(second);
-  const std::chrono::year_month_day date(day);
   const std::chrono::hh_mm_ss time(second - day);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), time.hours().count(),
-                     time.minutes().count(), time.seconds().count());
+  return fmt::format("{}T{:02}:{:02}:{:02}Z", iso_day(day), time.hours().count(), time.minutes().count(),
+                     time.seconds().count());
 }
 
 std::string word(std::string_view text) {

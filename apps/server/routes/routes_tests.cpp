@@ -2,8 +2,6 @@
 // Tests: looking at files, keeping them, evaluating them anew, their reports, figures and documents.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -19,61 +17,13 @@
 #include "axiometry/formats/text/json_members.h"
 #include "server/http/request_values.h"
 #include "server/routes/routes.h"
+#include "server/routes/test_filter.h"
 
 namespace axiometry::server {
 namespace {
 
 using app::Workbench;
 using json::Value;
-using Order = store::TestFilter::Order;
-
-constexpr std::array orders = {
-    std::pair{std::string_view("received"), Order::received},
-    std::pair{std::string_view("measured"), Order::measured},
-    std::pair{std::string_view("title"), Order::title},
-    std::pair{std::string_view("machine"), Order::machine},
-    std::pair{std::string_view("A"), Order::A},
-    std::pair{std::string_view("E"), Order::E},
-    std::pair{std::string_view("R"), Order::R},
-    std::pair{std::string_view("B"), Order::B},
-};
-
-/// Each word is looked for in every test.
-Result<std::string> searched_text(const std::string& text) {
-  constexpr std::size_t words_max = 30;
-  AXIOMETRY_TRY(std::string line, app::given_line("text", text));
-  const std::size_t words = text::words(line).size();
-  if (words <= words_max) return line;
-  return fail(fmt::format("found {} words to search for, expected at most {}", words, words_max));
-}
-
-Result<store::TestFilter> filter_of(const Request& request) {
-  constexpr std::int64_t limit_max = 1000;
-  store::TestFilter filter;
-  const auto text = [&](std::string_view name) { return std::string(request.parameter(name).value_or("")); };
-  AXIOMETRY_TRY(filter.text, searched_text(text("text")));
-  AXIOMETRY_TRY(filter.measured_from, date_of(request, "from"));
-  AXIOMETRY_TRY(filter.measured_to, date_of(request, "to"));
-  filter.verdict = text("verdict");
-  filter.sha256 = text("sha256");
-  AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", store::id_max));
-  AXIOMETRY_TRY(filter.axis, whole_of(request, "axis", store::id_max));
-  AXIOMETRY_TRY(filter.instrument, whole_of(request, "instrument", store::id_max));
-  AXIOMETRY_TRY(filter.withdrawn, flag_of(request, "withdrawn", false));
-  AXIOMETRY_TRY(filter.descending, flag_of(request, "descending", true));
-  AXIOMETRY_TRY(const auto offset, whole_of(request, "offset", store::id_max));
-  AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", limit_max));
-  filter.offset = offset.value_or(0);
-  filter.limit = limit.value_or(filter.limit);
-  const std::string order = text("order");
-  if (order.empty()) return filter;
-  const auto row = std::ranges::find(orders, order, &std::pair<std::string_view, Order>::first);
-  if (row == orders.end())
-    return fail(fmt::format("found the order {}, expected received, measured, title, machine, A, E, R or B",
-                            text::quoted(order)));
-  filter.order = row->second;
-  return filter;
-}
 
 Result<app::ReportRequest> report_request(const Request& request, std::string extension) {
   AXIOMETRY_TRY(const report::Options options, report_options_of(request));
@@ -172,7 +122,7 @@ Result<Response> load_examples(Workbench& workbench, std::mutex& turn) {
 
 Result<Response> list_tests(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
-  AXIOMETRY_TRY(const store::TestFilter filter, filter_of(request));
+  AXIOMETRY_TRY(const store::TestFilter filter, test_filter_of(request));
   AXIOMETRY_TRY(const store::TestPage page, workbench.archive().tests(filter));
   return json_response(app::to_json(page, reader));
 }
@@ -354,6 +304,16 @@ Result<Response> document(const Workbench& workbench, const Request& request) {
   return kept_as_file(std::move(rendered));
 }
 
+/// By which roles are given, also where the log is refused without any.
+Result<Response> temperature_sensors(const Workbench& workbench, const Request& request) {
+  AXIOMETRY_TRY(const store::Id id, id_of(request, "document"));
+  AXIOMETRY_TRY(const auto sensors, workbench.temperature_sensors(id));
+  Value object = Value::object();
+  Value& names = object.add("sensors", Value::array());
+  for (const std::string& name : sensors) names.push(name);
+  return json_response(object);
+}
+
 }  // namespace
 
 void add_test_routes(Router& router, const Context& context) {
@@ -393,6 +353,7 @@ void add_test_routes(Router& router, const Context& context) {
   add_read("POST", "/api/tests/{id}/reports", read_issue);
   add("POST", "/api/tests/{id}/attachments", attach, Weight::light, {.sent = Sent::files});
   add("GET", "/api/documents/{id}", document);
+  add("GET", "/api/documents/{id}/temperature-sensors", temperature_sensors, Weight::heavy);
 }
 
 }  // namespace axiometry::server

@@ -275,6 +275,20 @@ TEST_F(Routes, KeepReportsAndAttachments) {
   EXPECT_EQ(answer(send("GET", "/api/tests/1"), 200).find("documents")->items().size(), 2u);
 }
 
+TEST_F(Routes, NameTheSensorsOfALogThatTellsNoRole) {
+  upload();
+  const std::string log = "time;Oil [C];KSS [C]\n2026-03-02 09:00;20;21\n2026-03-02 09:10;20;21\n";
+  answer(send("POST", "/api/tests/1/attachments", log, {}, {{"x-file-name", "oil.csv"}}), 201);
+  const Value named = answer(send("GET", "/api/documents/1/temperature-sensors"), 200);
+  ASSERT_EQ(named.find("sensors")->items().size(), 2u);
+  EXPECT_EQ(named.find("sensors")->items()[0].text(), "Oil");
+  answer(send("POST", "/api/tests/1/attachments", "words\n", {}, {{"x-file-name", "words.txt"}}), 201);
+  const Response none = send("GET", "/api/documents/2/temperature-sensors");
+  EXPECT_EQ(none.status, 422);
+  EXPECT_THAT(none.body, HasSubstr("expected a temperature log"));
+  EXPECT_EQ(send("GET", "/api/documents/3/temperature-sensors").status, 404);
+}
+
 TEST_F(Routes, FilterAndRefuseFiltersThatAreNone) {
   upload();
   const auto total = [&](Pairs query) { return number(answer(send("GET", "/api/tests", "", query), 200), "total"); };

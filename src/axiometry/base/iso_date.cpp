@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <optional>
 
 #include "axiometry/base/number_text.h"
@@ -28,18 +27,13 @@ std::optional<year_month> month_of(std::string_view year, std::string_view month
   return named.ok() ? std::optional(named) : std::nullopt;
 }
 
-std::string date_text(const year_month_day& date) {
-  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
-                     static_cast<unsigned>(date.day()));
-}
-
 /// Empty of a day that does not exist.
 std::string date_of(const DateParts& parts) {
   const auto month = month_of(parts.year, parts.month);
   const auto d = parse_count(parts.day);
   if (!month || !d || parts.day.size() > 2) return {};
   const year_month_day date = *month / std::chrono::day(static_cast<unsigned>(*d));
-  return date.ok() ? date_text(date) : "";
+  return date.ok() ? iso_day(date) : "";
 }
 
 std::optional<year_month> named_month(std::string_view text) {
@@ -54,6 +48,11 @@ std::optional<year_month> named_month(std::string_view text) {
 
 }  // namespace
 
+std::string iso_day(const year_month_day& day) {
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
+                     static_cast<unsigned>(day.day()));
+}
+
 std::string iso_date(std::string_view raw) {
   const std::string_view text = text::trim(raw);
   const std::string_view day = text.substr(0, text.find_first_of("T ,;"));
@@ -66,7 +65,7 @@ std::string iso_date(std::string_view raw) {
   if (day.size() == 8 && date.empty()) date = date_of({day.substr(0, 4), day.substr(4, 2), day.substr(6)});
   if (!date.empty()) return date;
   const auto written = written_date(text);
-  return written ? date_text(*written) : "";
+  return written ? iso_day(*written) : "";
 }
 
 bool is_no_day(std::string_view raw) {
@@ -88,7 +87,7 @@ NamedDays named_days(std::string_view raw) {
   if (const std::string day = iso_date(raw); !day.empty()) return {day, day};
   const auto month = named_month(text::trim(raw));
   if (!month) return {};
-  return {date_text(*month / std::chrono::day(1)), date_text(*month / std::chrono::last)};
+  return {iso_day(*month / std::chrono::day(1)), iso_day(*month / std::chrono::last)};
 }
 
 }  // namespace axiometry

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
 /// Dates as people write them.
 namespace axiometry {
+
+/// "2014-05-15", as dates are written here.
+std::string iso_day(const std::chrono::year_month_day& day);
 
 /// "2014-05-15" of what begins like that, of "20140515", "15.05.2014" and "2014/5/15", and of a written_date(), such as
 /// "15 May 2014"; nothing of other text and of a day that does not exist. A date that may be read in two ways,

@@ -24,6 +24,12 @@ TEST(IsoDate, ReadsWhatIsCertainAndNothingElse) {
   EXPECT_EQ(iso_date(""), "");
 }
 
+TEST(IsoDay, HasTwoPlacesForMonthAndDay) {
+  using namespace std::chrono;
+  EXPECT_EQ(iso_day(year(2014) / 5 / 9), "2014-05-09");
+  EXPECT_EQ(iso_day(sys_days{}), "1970-01-01");
+}
+
 TEST(IsNoDay, OfWhatIsWrittenAsOneAndDoesNotExist) {
   for (const char* none : {"2026-02-30", "2026-13-45", " 2026-02-30T09:00", "30.02.2026", "2026/2/30", "2026-00-10"})
     EXPECT_TRUE(is_no_day(none)) << none;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
@@ -144,11 +145,9 @@ std::string moment_text(const Moment& moment) {
   using namespace std::chrono;
   const sys_seconds second{round<seconds>(nanoseconds(moment.ns))};
   const sys_days day = floor<days>(second);
-  const year_month_day date(day);
   const hh_mm_ss clock(second - day);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}{}", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), clock.hours().count(),
-                     clock.minutes().count(), clock.seconds().count(), moment.zoned ? "Z" : "");
+  return fmt::format("{}T{:02}:{:02}:{:02}{}", iso_day(day), clock.hours().count(), clock.minutes().count(),
+                     clock.seconds().count(), moment.zoned ? "Z" : "");
 }
 
 }  // namespace axiometry

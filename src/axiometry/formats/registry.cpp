@@ -44,13 +44,11 @@ const Format* find_format(std::string_view id) {
 Result<const Format*> recognise(std::string_view head) {
   AXIOMETRY_TRY_VOID(check_no_other_error(head));
   const auto readable = readable_text(head);
-  if (!readable) {
-    // UTF-16 and the line ends of old Macs: some readers decode them, the others say what is wrong.
-    const auto decoded = decoded_text(head.substr(0, head.size() / 2 * 2));
-    const Format* best = decoded ? best_for(decoded->text) : nullptr;
-    return best == nullptr ? Result<const Format*>(std::unexpected(readable.error())) : best;
-  }
-  const std::string_view text = *readable;
+  // UTF-16 and the line ends of old Macs: some readers decode them, the others say what is wrong. What none knows would
+  // not be known as UTF-8 either, so that nobody is told to save it as such.
+  const auto decoded = readable ? DecodedText{} : decoded_text(head.substr(0, head.size() / 2 * 2));
+  if (!decoded) return std::unexpected(readable.error());
+  const std::string_view text = readable ? *readable : decoded->text;
   if (const Format* best = best_for(text)) return best;
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())

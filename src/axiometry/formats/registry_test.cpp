@@ -57,6 +57,15 @@ TEST(Registry, SaysWhatStandsInTheWayOfATableThatIsNotRecognised) {
   std::string longer = table;
   longer.replace(longer.find("0.6\n"), 4, "0.6;9\n");
   EXPECT_EQ(answer(longer), "line 3:15: found 4 fields, expected 3 as in the rest of the table");
+  const auto in_utf16 = [](const std::string& ascii) {
+    std::string bytes = "\xFF\xFE";
+    for (const char c : ascii) bytes += {c, '\0'};
+    return bytes;
+  };
+  longer = "target [mm];way;d [µm]\n" + longer.substr(longer.find('\n') + 1);
+  longer.replace(longer.find("µ"), 2, "u");
+  EXPECT_EQ(answer(in_utf16(longer)), answer(longer));
+  EXPECT_EQ(answer(in_utf16(longer)), "line 3:15: found 4 fields, expected 3 as in the rest of the table");
   EXPECT_TRUE(answer("Dear Sir,\nours of 4 5\nwith 1 2 3\n").contains("found text that begins with \"Dear Sir,\""));
 }
 

@@ -71,6 +71,8 @@ constexpr Phrase plan_rows[] = {
      "Positionen sind nicht angewendet"},
     {"found a sampling point that is not finite, expected positions",
      "ein Stützpunkt ist nicht endlich; erwartet: Positionen"},
+    {"found a seed beside the positions of all targets, expected one of them: nothing is drawn",
+     "ein Startwert neben den Positionen aller Zielpositionen; erwartet: eins von beiden, denn nichts wird gezogen"},
     {"found a step of targets beside their positions, expected one of them: positions are taken as they are",
      "eine Schrittweite der Zielpositionen neben ihren Positionen; erwartet: eins von beiden, denn Positionen werden "
      "genommen, wie sie sind"},

@@ -94,6 +94,10 @@ constexpr Phrase temperatures_rows[] = {
      "{0} als Ende der Prüfung; erwartet: ein Zeitpunkt wie 2026-03-02T09:00"},
     {"found {0=} as what a sensor is of, expected machine, equipment, air or none",
      "{0} als Ort eines Sensors; erwartet: machine, equipment, air oder none"},
+    {"found {0=} beside the time in a temperature log, expected a column that says that it is a temperature, by its "
+     "name or by a unit such as [°C]",
+     "{0} neben der Zeit in einer Temperaturaufzeichnung; erwartet: eine Spalte, die durch ihren Namen oder eine "
+     "Einheit wie [°C] sagt, dass sie eine Temperatur ist"},
     {"found {0=}, expected a temperature", "{0}; erwartet: eine Temperatur"},
     {"found {0=}, expected a time and temperatures as in the lines before",
      "{0}; erwartet: eine Zeit und Temperaturen wie in den Zeilen davor"},

@@ -263,10 +263,15 @@ constexpr Phrase volume_refusals_rows[] = {
      "{0} aus {1} Teilen; erwartet: {2} bis {3}, durch Doppelpunkte getrennt"},
     {"found {0=} of {1#} parts, expected {2#}, separated by colons",
      "{0} aus {1} Teilen; erwartet: {2}, durch Doppelpunkte getrennt"},
+    {"found {0=} twice, expected each axis once", "{0} zweimal; erwartet: jede Achse einmal"},
     {"found {0=} twice, expected each error once", "{0} zweimal; erwartet: jede Abweichung einmal"},
     {"found {0=} twice, expected each rotation once", "{0} zweimal; erwartet: jede Drehung einmal"},
     {"found {0=} twice, expected each rule once", "{0} zweimal; erwartet: jede Regel einmal"},
     {"found {0=}, expected A or A:B", "{0}; erwartet: A oder A:B"},
+    {"found {0=}, expected AXIS=X,Y,Z@TOOL such as X=0,300,-200@T1, and behind the others, where it is known, in which "
+     "direction they came to rest: X=0,300:up,-200:down@T1",
+     "{0}; erwartet: ACHSE=X,Y,Z@WERKZEUG wie X=0,300,-200@T1, und hinter den übrigen, wo es bekannt ist, in welcher "
+     "Richtung sie zum Stillstand kamen: X=0,300:up,-200:down@T1"},
     {"found {0=}, expected DISPLACED/MOVED:PERIOD:AMPLITUDE[:PHASE]",
      "{0}; erwartet: VERSCHOBEN/BEWEGT:PERIODE:AMPLITUDE[:PHASE]"},
     {"found {0=}, expected NAME=FILE such as EYX=straightness.csv, or squareness in µrad such as C0Y=-12.5,1.2",

@@ -157,6 +157,12 @@ bool is_withheld(const Value& row) {
          !(withheld->is(Kind::text) && withheld->text().empty());
 }
 
+/// Whether the uncertainty of a row holds the truth less often than it states.
+bool holds_too_little(const Case& c, std::string_view type_a) {
+  if (c.method != "monte_carlo") return false;
+  return type_a == "resampled" || (type_a == "t-scaled" && c.parameter != Parameter::B_mean);
+}
+
 bool complete(const ExactCell& cell, bool with_scatter) { return cell.mean && (!with_scatter || cell.s); }
 
 /// Whether some target lacks a reading that the parameter is taken from.
@@ -249,6 +255,12 @@ std::string_view check_row(const Value& row, const Known& known, Ledger& ledger)
   if (is_withheld(row)) {
     expect(std::string(undecided));
     return verdict;
+  }
+  if (holds_too_little(c, known.type_a)) {
+    c.u.reset();
+    if (number_member(&row, "probability_conforming"))
+      ledger.differ(place_of(c, "probability of conformity"), "a number",
+                    fmt::format("none, since intervals of {} hold too little", known.type_a));
   }
   auto p = probability(c, known);
   if (p) p = with_the_value(c, *p, known.rounding);

@@ -18,6 +18,7 @@ struct Known {
   const Interval& rounding;  ///< of the parameters, rounding_of()
   const Drawn& drawn;
   std::span<const ExactPosition> positions{};  ///< that the parameters were taken over
+  std::string_view type_a{};                   ///< how the Monte Carlo run sampled the approaches; empty: it did not
 };
 
 /// Decides every row of `tolerances` of a result (docs/results.md) again and compares verdict, probability, risks and
@@ -30,6 +31,8 @@ struct Known {
 /// - Of B̄ the magnitude counts: y = |B̄|, P(−T ≤ Y ≤ T).
 /// - y = T is decided by decimals for parameters without roots. With roots a value up to 1e-9 of itself above its limit
 ///   may count as at it; of a probability within 1e-9 of 0.95 both decisions are right.
+/// - By an interval that held the truth less often than it states (docs/studies/coverage.md: `t-scaled` but for B̄,
+///   `resampled`) nothing is decided that asks for an uncertainty, and no probability is stated.
 /// - A row that is withheld (a known effect is not corrected) is undecided whatever its numbers are.
 /// - A value of which some target lacks a term is a lower bound: it never conforms. B̄ of a part of the targets is
 ///   decided neither way.

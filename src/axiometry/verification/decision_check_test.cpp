@@ -21,6 +21,7 @@ struct Stated {
   std::optional<double> probability{};
   bool withheld = false;
   std::vector<ExactPosition> positions{};
+  std::string_view type_a{};
 };
 
 bool agrees(const Stated& stated, std::string_view verdict, const Drawn& drawn = {}) {
@@ -39,7 +40,7 @@ bool agrees(const Stated& stated, std::string_view verdict, const Drawn& drawn =
   of(measured, *parameter_of_key(stated.parameter)) = Interval::of(stated.value);
   const Interval rounding = Interval::of(1e-13);
   Ledger ledger;
-  check_decisions(rows, verdict, {measured, rounding, drawn, stated.positions}, ledger);
+  check_decisions(rows, verdict, {measured, rounding, drawn, stated.positions, stated.type_a}, ledger);
   return ledger.agrees();
 }
 
@@ -120,6 +121,26 @@ TEST(DecisionCheck, KeepsAGuardBand) {
 TEST(DecisionCheck, LeavesOpenWhatIsWithheld) {
   EXPECT_EQ(accepted({.value = 1.0, .withheld = true}), "undecided");
   EXPECT_EQ(accepted({.value = 100.0, .rule = "simple", .withheld = true}), "undecided");
+}
+
+TEST(DecisionCheck, DecidesNothingByAnIntervalThatHoldsTooLittle) {
+  const auto by = [](std::string_view type_a, Stated stated, double probability) {
+    stated.method = "monte_carlo";
+    stated.type_a = type_a;
+    return accepted(stated, between(probability, probability));
+  };
+  for (const std::string_view type_a : {"t-scaled", "resampled"}) {
+    EXPECT_EQ(by(type_a, {.value = 1.0}, 0.99), "undecided") << type_a;
+    EXPECT_EQ(by(type_a, {.value = 100.0}, 0.01), "undecided") << type_a;
+    EXPECT_EQ(by(type_a, {.value = 1.0, .rule = "guard-band", .guard_band = 2.0}, 0.99), "undecided") << type_a;
+    EXPECT_EQ(by(type_a, {.value = 1.0, .rule = "simple"}, 0.99), "conforms") << type_a;
+    EXPECT_EQ(by(type_a, {.value = 1.0, .rule = "simple", .probability = 0.99}, 0.99), "") << type_a;
+  }
+  EXPECT_EQ(by("t-scaled", {.parameter = "B_mean", .value = 1.0}, 0.99), "conforms");
+  EXPECT_EQ(by("resampled", {.parameter = "B_mean", .value = 1.0}, 0.99), "undecided");
+  EXPECT_EQ(by("pooled", {.value = 1.0}, 0.99), "conforms");
+  EXPECT_EQ(by("", {.value = 1.0}, 0.99), "conforms");
+  EXPECT_EQ(accepted({.value = 1.0, .type_a = "resampled"}), "conforms") << "of another method";
 }
 
 TEST(DecisionCheck, LeavesOpenWhatOfWhichTermsAreMissing) {

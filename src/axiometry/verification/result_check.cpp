@@ -291,7 +291,9 @@ Found check_result(const Value& result, const Evidence& evidence, Ledger& ledger
   if (decisions == nullptr || !decisions->is(Kind::array)) return found;
   for (const Value& row : decisions->items()) check_deciding(row, uncertainty, ledger);
   check_decisions(*decisions, text_member(&result, "verdict"),
-                  {found.parameters, found.rounding, evidence.drawn, found.positions}, ledger);
+                  {found.parameters, found.rounding, evidence.drawn, found.positions,
+                   text_member(present_value(uncertainty, "monte_carlo_run"), "type_a")},
+                  ledger);
   return found;
 }
 

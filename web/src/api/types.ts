@@ -2708,6 +2708,10 @@ export interface components {
          * @enum {string}
          */
         StopSign: "keys" | "trigger" | "readings" | "position";
+        TemperatureSensors: {
+            /** @description Their names, in the order of the log's columns. */
+            sensors: string[];
+        };
         Test: {
             id: components["schemas"]["Id"];
             version: number;
@@ -3901,6 +3905,7 @@ export type StatedUncertainty = components['schemas']['StatedUncertainty'];
 export type StationKeeps = components['schemas']['StationKeeps'];
 export type StopKey = components['schemas']['StopKey'];
 export type StopSign = components['schemas']['StopSign'];
+export type TemperatureSensors = components['schemas']['TemperatureSensors'];
 export type Test = components['schemas']['Test'];
 export type TestPage = components['schemas']['TestPage'];
 export type TestRow = components['schemas']['TestRow'];

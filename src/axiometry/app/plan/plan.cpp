@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/plan/plan.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -62,7 +60,9 @@ std::string today() {
   const std::time_t now = seconds ? static_cast<std::time_t>(*seconds) : std::time(nullptr);
   std::tm parts{};
   if ((seconds ? ::gmtime_r(&now, &parts) : ::localtime_r(&now, &parts)) == nullptr) return "";
-  return fmt::format("{:04}-{:02}-{:02}", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday);
+  using namespace std::chrono;
+  return iso_day(year(parts.tm_year + 1900) / month(static_cast<unsigned>(parts.tm_mon) + 1) /
+                 day(static_cast<unsigned>(parts.tm_mday)));
 }
 
 Result<std::string> plan_date(std::string_view said) {

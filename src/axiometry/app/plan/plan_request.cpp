@@ -235,7 +235,16 @@ Result<void> check_plan_names(const Plan& plan) {
   return {};
 }
 
+bool has_drawn_targets(const Plan& plan) {
+  return plan.seed.has_value() || std::ranges::any_of(plan.further, has_drawn_targets);
+}
+
 }  // namespace
+
+Result<void> check_seed_used(const PlanRequestDraft& wish, const Plan& plan) {
+  if (!wish.seed || has_drawn_targets(plan)) return {};
+  return fail("found a seed beside the positions of all targets, expected one of them: nothing is drawn");
+}
 
 std::size_t planned_readings(const Plan& plan) {
   std::size_t all = plan.sequence.empty() ? 2 * plan.targets.size() * plan.runs : plan.sequence.size();

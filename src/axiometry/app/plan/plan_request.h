@@ -54,6 +54,10 @@ std::span<const PlanOptionPair> plan_options_apart();
 /// a sequence that the wish's request has already is left alone.
 Result<iso230_2::PlanRequest> completed(const PlanRequestDraft& wish);
 
+/// Fails where a seed was given and nothing was drawn, as where positions of targets were given. A request in JSON
+/// always has a seed, and is not asked.
+Result<void> check_seed_used(const PlanRequestDraft& wish, const Plan& plan);
+
 /// With its further plans.
 std::size_t planned_readings(const Plan& plan);
 

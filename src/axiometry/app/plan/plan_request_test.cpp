@@ -184,6 +184,26 @@ TEST(PlanRequest, CountsWhatIsAskedForBeforeItIsMade) {
               HasSubstr("positions: found 10001 of them, expected at most 10000"));
 }
 
+TEST(PlanRequest, HasNoSeedWhereNothingIsDrawn) {
+  const auto seeded = [](const char* travel, const char* targets, const char* seed) -> Result<void> {
+    PlanRequestDraft wish;
+    const std::pair<std::string_view, const char*> given[] = {
+        {"--travel", travel}, {"--targets", targets}, {"--seed", seed}};
+    for (const PlanOption& option : plan_options())
+      for (const auto& [name, text] : given)
+        if (option.name == name && *text != '\0') AXIOMETRY_TRY_VOID(option.apply(text, wish));
+    AXIOMETRY_TRY(const auto request, completed(wish));
+    AXIOMETRY_TRY(const Plan plan, iso230_2::make_plan(request));
+    return check_seed_used(wish, plan);
+  };
+  const auto refused = seeded("0:500", "20,130,240,350,460", "7");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("found a seed beside the positions of all targets"));
+  EXPECT_TRUE(seeded("0:500", "20,130,240,350,460", ""));
+  EXPECT_TRUE(seeded("0:500", "5", "7"));
+  EXPECT_TRUE(seeded("0:3000", "20,1300,2900", "7")) << "targets of the normal working area are drawn";
+}
+
 TEST(PlanRequest, TakesNoNameThatIsNoLineOfText) {
   EXPECT_THAT(asked(with("\"X\"", "\"X\\nG0 Z-1\"")).error().message, HasSubstr("U+000A in the name of the axis"));
   const std::string bottomless(100'000, 'X');

@@ -78,6 +78,8 @@ class Workbench {
   Result<store::Document> attach(store::Id test, const Attachment& attachment, const store::By& by);
   /// With a media type that no browser runs: what is no picture, PDF or plain text is octets.
   Result<Rendered> document(store::Id id) const;
+  /// Of a document that is a log of temperatures: those that may be given a role. Fails as formats::sensors_of_log().
+  Result<std::vector<std::string>> temperature_sensors(store::Id document) const;
 
   /// Titles of the figures, in order.
   Result<std::vector<std::string>> figures(store::Id test, std::optional<int> version,

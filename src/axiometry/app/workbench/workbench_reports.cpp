@@ -8,6 +8,7 @@
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/second_opinion.h"
 #include "axiometry/app/workbench/axis_limits.h"
@@ -15,6 +16,7 @@
 #include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench_state.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/report/drawing/dark_page.h"
 #include "axiometry/report/drawing/svg.h"
 #include "axiometry/report/figures/conformity.h"
@@ -199,6 +201,12 @@ Result<Rendered> Workbench::document(store::Id id) const {
   const std::string type = checked_media_type(document.media_type);
   const bool shown = std::ranges::find(harmless, type) != harmless.end();
   return Rendered{std::move(content.bytes), shown ? type : std::string(octets), document.name};
+}
+
+Result<std::vector<std::string>> Workbench::temperature_sensors(store::Id id) const {
+  AXIOMETRY_TRY(const store::Document document, state_->store.document(id));
+  AXIOMETRY_TRY(const auto bytes, state_->log_bytes(document.sha256));
+  return in_file(formats::sensors_of_log(*bytes), document.name);
 }
 
 Result<std::vector<std::string>> Workbench::figures(store::Id id, std::optional<int> version,

@@ -263,9 +263,11 @@ TEST(GenericHazards, AUnitThatMakesDeviationsImpossibleIsAskedAbout) {
     return answer_to(filed(fmt::format("Soll [mm];Abweichung [{}]\n", unit),
                            [&](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation * factor); }));
   };
-  for (const auto& answer : {with_unit("mm", 10.0), with_unit("µm", 10'000.0)})
+  for (const auto& answer : {with_unit("mm", 10.0), with_unit("µm", 10'000.0), with_unit("µm", 1e-3)})
     EXPECT_TRUE(answer.contains("\"reading_unit\"") && answer.contains("are they really in")) << answer;
   EXPECT_FALSE(with_unit("µm", 10.0).contains("really"));
+  EXPECT_FALSE(with_unit("µm", 0.1).contains("really")) << "a tenth of a micrometre over 200 mm may be";
+  EXPECT_FALSE(with_unit("µm", 0.0).contains("really")) << "nothing is no unit mistaken";
 }
 
 TEST(GenericHazards, LatinOneAndUtf16AreReadAndTold) {

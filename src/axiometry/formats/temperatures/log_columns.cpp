@@ -343,13 +343,15 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
       columns->temperatures.push_back({k, name, own.factor, own.shift});
     } else {
       columns->passed_over.push_back(head.name);
+      if (is_number(k)) columns->other_numbers.push_back(head.name);
     }
   }
   const bool any =
       std::ranges::any_of(columns->temperatures, [&](const LogColumn& column) { return is_number(column.place); });
   // Below a head the first line may lack its values.
   const bool headed = units || (!heads.empty() && names_time(heads[columns->time].name));
-  if (any || (headed && !columns->temperatures.empty())) return columns;
+  const bool told_otherwise = columns->temperatures.empty() && !columns->other_numbers.empty();
+  if (any || headed || told_otherwise) return columns;
   return std::nullopt;
 }
 

@@ -34,9 +34,10 @@ struct LogColumns {
   std::size_t time_of_day = 0;    ///< of date_and_day
   double seconds_per_unit = 1.0;  ///< of a number
   std::vector<LogColumn> temperatures;
-  std::vector<std::string> passed_over;   ///< heads of columns that are neither
-  bool units_assumed = false;             ///< no head tells a unit: °C
-  std::vector<std::string> without_unit;  ///< temperatures by their names where other heads tell a unit: °C
+  std::vector<std::string> passed_over;    ///< heads of columns that are neither
+  std::vector<std::string> other_numbers;  ///< of these, heads above a number
+  bool units_assumed = false;              ///< no head tells a unit: °C
+  std::vector<std::string> without_unit;   ///< temperatures by their names where other heads tell a unit: °C
   struct LetterUnit {
     std::string head;
     std::string_view unit;  ///< "K" or "°F"
@@ -53,9 +54,9 @@ std::optional<double> log_number(std::string_view cell, char delimiter);
 /// Whether a cell says that its sensor had no value: "", "-", "NaN", "err", …
 bool has_no_value(std::string_view cell);
 
-/// The columns by a line of readings and, where there is one, the header above it. Nothing where the line holds no
-/// readings. Fails where it does and they cannot be told: a date with slashes, a column of sensors' names, no
-/// temperature among the columns.
+/// The columns by a line of readings and, where there is one, the header above it; without temperatures where that
+/// header tells none. Nothing where the line holds no readings. Fails where it does and they cannot be told:
+/// a date with slashes, a column of sensors' names.
 Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string_view header);
 
 }  // namespace axiometry::formats

@@ -49,9 +49,17 @@ class LogReader {
     return log_of(roles);
   }
 
+  Result<std::vector<std::string>> sensors(std::string_view text) {
+    AXIOMETRY_TRY_VOID(read_lines(text, Reads::columns));
+    std::vector<std::string> names;
+    for (const LogColumn& column : columns_->temperatures) names.push_back(column.name);
+    return names;
+  }
+
  private:
-  Result<void> read_lines(std::string_view text) {
-    std::string_view above;
+  enum class Reads { columns, all };
+
+  Result<void> read_lines(std::string_view text, Reads reads = Reads::all) {
     std::size_t preamble = 0;
     for (const TextLine& line : content_lines(text)) {
       if (line.text.front() == '#' || line.text.front() == '%') continue;
@@ -60,26 +68,43 @@ class LogReader {
                                 line_bytes_max),
                     {line.number, line.column});
       if (!columns_) {
-        auto found = log_columns(line.text, above);
-        if (!found) return fail(found.error().message, {line.number, line.column});
-        columns_ = *std::move(found);
-        above = line.text;
+        AXIOMETRY_TRY_VOID(seek_columns(line));
         if (!columns_ && ++preamble > preamble_max) break;
         if (!columns_) continue;
-        if (columns_->temperatures.size() > sensors_max)
-          return fail(fmt::format("found {} sensors in a temperature log, expected at most {}",
-                                  columns_->temperatures.size(), sensors_max),
-                      {line.number, line.column});
-        values_.resize(columns_->temperatures.size());
-        missing_.resize(values_.size());
-        beyond_.resize(values_.size());
+        if (reads == Reads::columns) return {};
       }
       AXIOMETRY_TRY_VOID(take(line));
     }
-    if (times_.empty())
+    if (columns_) return {};
+    if (!no_temperatures_.empty())
       return fail(
-          "found no line of a time and a temperature, expected a temperature log such as 'time;air [°C]' with "
-          "lines below it");
+          fmt::format("found {} beside the time in a temperature log, expected a column that says that it is a "
+                      "temperature, by its name or by a unit such as [°C]",
+                      fmt::join(no_temperatures_, ", ")));
+    return fail(
+        "found no line of a time and a temperature, expected a temperature log such as 'time;air [°C]' with "
+        "lines below it");
+  }
+
+  Result<void> seek_columns(const TextLine& line) {
+    auto found = log_columns(line.text, above_);
+    if (!found) return fail(found.error().message, {line.number, line.column});
+    if (*found && (*found)->temperatures.empty()) {
+      // The header stays above: without it the next line's humidity would be a temperature.
+      if (no_temperatures_.empty())
+        for (const std::string& head : (*found)->other_numbers) no_temperatures_.push_back(text::quoted(head));
+      return {};
+    }
+    above_ = line.text;
+    columns_ = *std::move(found);
+    if (!columns_) return {};
+    if (columns_->temperatures.size() > sensors_max)
+      return fail(fmt::format("found {} sensors in a temperature log, expected at most {}",
+                              columns_->temperatures.size(), sensors_max),
+                  {line.number, line.column});
+    values_.resize(columns_->temperatures.size());
+    missing_.resize(values_.size());
+    beyond_.resize(values_.size());
     return {};
   }
 
@@ -268,6 +293,8 @@ class LogReader {
                       text::quoted(name)));
   }
 
+  std::string_view above_;                    // the line that may be the header
+  std::vector<std::string> no_temperatures_;  // quoted heads of numbers beside a time
   std::optional<LogColumns> columns_;
   std::optional<Moment> begin_, last_;  // of the first and the last line
   std::optional<double> since_1970_;    // seconds per unit
@@ -288,6 +315,12 @@ Result<void> check_log_size(std::size_t bytes) {
   // Rounded up: one byte too many is no 64 MiB.
   return fail(fmt::format("found {} MiB of temperatures, expected at most {}", ((bytes - 1) >> 20) + 1,
                           read_budget::file_bytes >> 20));
+}
+
+Result<std::vector<std::string>> sensors_of_log(std::string_view bytes) {
+  AXIOMETRY_TRY_VOID(check_log_size(bytes.size()));
+  AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
+  return LogReader().sensors(decoded.text);
 }
 
 Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles) {

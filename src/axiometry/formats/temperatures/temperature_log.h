@@ -28,11 +28,15 @@ using SensorRoles = std::vector<std::pair<std::string, std::string>>;
 /// - Roles are those given, else what a word of the name says ("air", "room", "bed", "scale", "laser", …), else
 ///   air; either is told.
 ///
-/// Fails, with the line, on a text without such lines, on times that run back and forth, on a line without its time, on
-/// a day/month/year with slashes (nobody knows which is the month), on one column for many sensors, on a role for a
-/// sensor that is not there, two for one or an unknown role, on more than 64 sensors, on a line of more than 16 KiB,
-/// and on more than 64 MiB.
+/// Fails, with the line, on a text without such lines, on a header that tells no temperature, on times that run back
+/// and forth, on a line without its time, on a day/month/year with slashes (nobody knows which is the month), on one
+/// column for many sensors, on a role for a sensor that is not there, two for one or an unknown role, on more than 64
+/// sensors, on a line of more than 16 KiB, and on more than 64 MiB.
 Result<TemperatureLog> read_temperature_log(std::string_view bytes, const SensorRoles& roles = {});
+
+/// The sensors' names by which roles are given, whether they tell a role or not. Reads no further than to the first
+/// line of readings, and fails as read_temperature_log() does up to there.
+Result<std::vector<std::string>> sensors_of_log(std::string_view bytes);
 
 /// The last of these, which can be asked before anything is read.
 Result<void> check_log_size(std::size_t bytes);

@@ -209,6 +209,29 @@ TEST(TemperatureLogs, LeaveOutTemperaturesOfNothingThatTheyAreFor) {
   EXPECT_THAT(refusal(text, {{"Outside", "none"}}), HasSubstr("expected one of \"Oil\", \"Outside\" to be stated"));
 }
 
+TEST(TemperatureLogs, NameTheirSensorsWhateverTheirNamesTell) {
+  const std::string text = "Logger 7\ntime_s;Oil [C];Air [C];RSSI\n0;err;5;1\n60;21;5;1\n";
+  const auto sensors = sensors_of_log(text);
+  ASSERT_TRUE(sensors) << sensors.error().to_string();
+  EXPECT_THAT(*sensors, ElementsAre("Oil", "Air"));
+  EXPECT_THAT(*sensors_of_log("time_s;Oil [C];KSS [C]\n0;20;5\n"), ElementsAre("Oil", "KSS"));
+  EXPECT_FALSE(sensors_of_log("these are\nno temperatures\n"));
+}
+
+TEST(TemperatureLogs, TakeNoNumberForATemperatureThatItsHeadTellsOtherwise) {
+  for (const char* heads : {"Humidity;Pressure", "Humidity [%];Pressure [hPa]", "RSSI [V];Lux [lx]"}) {
+    const std::string said = refusal(fmt::format("time;{}\n2026-03-02 09:00;40;30\n2026-03-02 09:10;41;31\n", heads));
+    EXPECT_THAT(said, HasSubstr("beside the time in a temperature log, expected a column that says")) << heads;
+    EXPECT_THAT(said, HasSubstr(std::string(heads).substr(0, 4))) << heads;
+  }
+  EXPECT_THAT(refusal("Datum;Uhrzeit;Feuchte\n2026-03-02;09:00;40\n2026-03-02;09:10;41\n"),
+              HasSubstr("found \"Feuchte\" beside"));
+  const auto below = log_of("Start time;Battery [V]\n2026-03-02 09:00;3.3\ntime;Air [C]\n2026-03-02 09:00;20\n");
+  EXPECT_EQ(below.sensors[0].location, "Air");
+  const auto late = log_of("time;Air [C]\n2026-03-02 09:00;warming up\n2026-03-02 09:10;20\n");
+  EXPECT_EQ(late.sensors[0].location, "Air");
+}
+
 TEST(TemperatureLogs, MayBeginWithTheNewestReadingOrHaveNoDate) {
   const auto turned = log_of("time;air [°C]\n2026-03-02 08:20;22\n2026-03-02 08:10;21\n2026-03-02 08:00;20\n");
   EXPECT_THAT(turned.sensors[0].celsius, ElementsAre(20, 21, 22));
@@ -238,8 +261,8 @@ TEST(TemperatureLogs, MayLastForCenturiesAndRefuseWhatLiesBeyond) {
 }
 
 TEST(TemperatureLogs, SayThatHalvesOfTheDayAreNotRead) {
-  for (const char* reading : {"2026-03-02,11:00:00 AM,20.1", "2026-03-02 1:00 p.m.,20.1", "11:00 PM,20.1",
-                              "2026-03-02 11:00:00 AM 20.1"})
+  for (const char* reading :
+       {"2026-03-02,11:00:00 AM,20.1", "2026-03-02 1:00 p.m.,20.1", "11:00 PM,20.1", "2026-03-02 11:00:00 AM 20.1"})
     EXPECT_THAT(refusal(fmt::format("Date,Time,Air (C)\n{}\n", reading)), HasSubstr("AM and PM are not read"))
         << reading;
   const auto log = log_of("Started,11:00 AM,12\ntime,air [°C]\n2026-03-02T09:00,20\n2026-03-02T09:10,20.1\n");

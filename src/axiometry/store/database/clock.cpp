@@ -5,17 +5,17 @@
 
 #include <chrono>
 
+#include "axiometry/base/iso_date.h"
+
 namespace axiometry::store {
 
 std::string now_text() {
   using namespace std::chrono;
   const auto now = floor<milliseconds>(system_clock::now());
   const auto day = floor<days>(now);
-  const year_month_day date(day);
   const hh_mm_ss time(now - day);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), time.hours().count(),
-                     time.minutes().count(), time.seconds().count(), time.subseconds().count());
+  return fmt::format("{}T{:02}:{:02}:{:02}.{:03}Z", iso_day(day), time.hours().count(), time.minutes().count(),
+                     time.seconds().count(), time.subseconds().count());
 }
 
 Change change_now(const By& by) { return {now_text(), by.actor, by.reason}; }

@@ -46,8 +46,8 @@ Result<Identifier> Identifier::make(const MachineModel& machine, const Volumetri
   AXIOMETRY_TRY_VOID(identifier.check_readings());
   identifier.find_copies();
   if (options.reversal != Reversal::none) identifier.take_approaches();
-  identifier.aside_.assign(lengths.readings.size(), false);
-  identifier.doubtful_.assign(lengths.readings.size(), false);
+  identifier.judged_.aside.assign(lengths.readings.size(), false);
+  identifier.judged_.doubtful.assign(lengths.readings.size(), false);
   identifier.domains_ = curve_domains(machine.travel, identifier.observed_);
   AXIOMETRY_TRY_VOID(identifier.choose_first_sizes());
   return identifier;
@@ -138,13 +138,13 @@ std::size_t Identifier::threads() const {
 Problem Identifier::problem() const {
   return {machine_,          *coefficients_, *unknowns_,
           lengths_.readings, tools_mm_,      approaches_,
-          weights_,          threads(),      penalty_ ? &*penalty_ : nullptr};
+          judged_.weights,   threads(),      penalty_ ? &*penalty_ : nullptr};
 }
 
 std::size_t Identifier::count() const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < aside_.size(); ++i)
-    if (!aside_[i] && !doubtful_[i] && !is_copy_[i]) ++count;
+  for (std::size_t i = 0; i < judged_.aside.size(); ++i)
+    if (!judged_.aside[i] && !judged_.doubtful[i] && !is_copy_[i]) ++count;
   return count;
 }
 
@@ -189,7 +189,7 @@ Result<void> Identifier::take_sizes(const Sizes& sizes) {
 
 /// Unknowns, and a start from the stations alone.
 Result<void> Identifier::start() {
-  unknowns_ = unknowns_of(*coefficients_, lengths_.readings, breaks_, drift_);
+  unknowns_ = unknowns_of(*coefficients_, lengths_.readings, judged_.breaks, drift_);
   constexpr std::size_t stretches_most = 2000;
   if (unknowns_->stretches.size() > stretches_most)
     return fail(fmt::format("found {} segments, expected at most {}: a segment ends where the beam was broken",
@@ -206,7 +206,7 @@ void Identifier::take_sigmas() {
     const VolumetricReading& reading = lengths_.readings[i];
     sigmas_.push_back(machine_.sigma_um(distance(reading.axes_mm + tools_mm_[reading.tool], station)));
   }
-  weights_ = stated_weights();
+  judged_.weights = stated_weights();
 }
 
 /// Of very many readings some bring the start so near that one step of all is enough. Where these do not tell
@@ -233,7 +233,7 @@ Result<void> Identifier::refit() {
 std::vector<double> Identifier::stated_weights() const {
   std::vector<double> weights = instrument_weights();
   for (std::size_t i = 0; i < weights.size(); ++i)
-    if (doubtful_[i]) weights[i] = 0.0;
+    if (judged_.doubtful[i]) weights[i] = 0.0;
   return weights;
 }
 
@@ -251,13 +251,20 @@ bool Identifier::set_aside_beyond_limit() {
   all.weights = stated;
   const double limit = outlier_limit(stated.size()) * robust_scale(all, fit_->residuals_um);
   bool changed = false;
-  for (std::size_t i = 0; i < aside_.size(); ++i) {
+  for (std::size_t i = 0; i < judged_.aside.size(); ++i) {
     const bool is_beyond = !is_copy_[i] && std::abs(fit_->residuals_um[i]) > limit * sigmas_[i];
-    changed = changed || is_beyond != aside_[i];
-    aside_[i] = is_beyond;
-    weights_[i] = is_beyond ? 0.0 : stated[i];
+    changed = changed || is_beyond != judged_.aside[i];
+    judged_.aside[i] = is_beyond;
   }
+  weigh_what_is_used();
   return changed;
+}
+
+/// As stated, but for what was set aside.
+void Identifier::weigh_what_is_used() {
+  judged_.weights = stated_weights();
+  for (std::size_t i = 0; i < judged_.aside.size(); ++i)
+    if (judged_.aside[i]) judged_.weights[i] = 0.0;
 }
 
 /// First by a loss that heeds large residuals less, so that what belongs is not pulled along; then without them.
@@ -270,7 +277,7 @@ Result<void> Identifier::find_outliers() {
       for (std::size_t k = 0; k < huber_rounds; ++k) {
         Problem whole = problem();
         whole.weights = stated;
-        weights_ = huber_weights(whole, fit_->residuals_um);
+        judged_.weights = huber_weights(whole, fit_->residuals_um);
         AXIOMETRY_TRY_VOID(refit());
       }
       set_aside_beyond_limit();
@@ -297,12 +304,12 @@ Result<void> Identifier::fit_with_drift(bool drift) {
 /// Drift first: in the order of a tour curves take up a part of it, and what is left looks like breaks. But a break
 /// looks like drift too: where breaks were found, it must show once more, and where none was, must explain more.
 Result<void> Identifier::find_drift_and_breaks() {
-  const std::size_t before = breaks_.size();
+  const std::size_t before = judged_.breaks.size();
   const bool drifted = drift_;
   AXIOMETRY_TRY_VOID(find_drift());
   AXIOMETRY_TRY_VOID(find_breaks());
   if (options_.drift != DriftModel::automatic || drifted || !drift_) return {};
-  if (breaks_.size() == before) return take_breaks_for_drift();
+  if (judged_.breaks.size() == before) return take_breaks_for_drift();
   AXIOMETRY_TRY_VOID(fit_with_drift(false));
   AXIOMETRY_TRY_VOID(find_drift());
   return find_breaks();
@@ -321,7 +328,7 @@ Result<void> Identifier::fit_first() {
     for (std::size_t a = 0; a < axis_count; ++a)
       if (!is_least(a)) coarser[a] = *std::prev(std::ranges::lower_bound(supported_[a], sizes_[a]));
     AXIOMETRY_TRY_VOID(take_sizes(coarser));
-    unknowns_ = unknowns_of(*coefficients_, lengths_.readings, breaks_, drift_);
+    unknowns_ = unknowns_of(*coefficients_, lengths_.readings, judged_.breaks, drift_);
     state_->coefficients.assign(coefficients_->raw(), 0.0);
   }
   return refit();
@@ -331,11 +338,11 @@ Result<void> Identifier::fit_first() {
 Result<void> Identifier::run() {
   AXIOMETRY_TRY_VOID(fit_first());
   for (std::size_t round = 0; round < 2; ++round) {
-    const std::size_t breaks = breaks_.size();
+    const std::size_t breaks = judged_.breaks.size();
     const bool drift = drift_;
     AXIOMETRY_TRY_VOID(find_outliers());
     AXIOMETRY_TRY_VOID(find_drift_and_breaks());
-    if (round == 0 || breaks_.size() > breaks || drift_ != drift) AXIOMETRY_TRY_VOID(choose_sizes());
+    if (round == 0 || judged_.breaks.size() > breaks || drift_ != drift) AXIOMETRY_TRY_VOID(choose_sizes());
   }
   AXIOMETRY_TRY_VOID(find_outliers());
   AXIOMETRY_TRY_VOID(drop_unclear_breaks());

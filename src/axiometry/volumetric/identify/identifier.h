@@ -25,19 +25,20 @@ class Identifier {
   /// are asked for; then the last fit.
   Result<void> run();
 
-  const std::vector<BreakPlace>& breaks() const { return places_; }
+  const std::vector<BreakPlace>& breaks() const { return judged_.places; }
   const std::vector<double>& sigmas_um() const { return sigmas_; }
   const std::vector<Vector3>& tools_mm() const {
     return tools_mm_;
   }  ///< of the lengths, as they count (point_spread.h)
-  const std::vector<bool>& set_aside() const { return aside_; }
-  bool in_doubt(std::size_t reading) const { return doubtful_[reading]; }  ///< which side of a break it belongs to
+  const std::vector<bool>& set_aside() const { return judged_.aside; }
+  /// Which side of a break it belongs to.
+  bool in_doubt(std::size_t reading) const { return judged_.doubtful[reading]; }
   const Coefficients& coefficients() const { return *coefficients_; }
   const Unknowns& unknowns() const { return *unknowns_; }
   const Fit& fit() const { return *fit_; }
   const std::array<CurveDomain, axis_count>& domains() const { return domains_; }
   const TravelBox& observed() const { return observed_; }
-  const std::vector<double>& weights() const { return weights_; }
+  const std::vector<double>& weights() const { return judged_.weights; }
   bool drift() const { return drift_; }
   const std::optional<CurvaturePenalty>& penalty() const { return penalty_; }
   const Smoothness& smoothness() const { return options_.smoothness; }
@@ -49,6 +50,14 @@ class Identifier {
   Problem problem() const;
 
  private:
+  /// What was found of the readings. It is kept and taken back as one.
+  struct Judged {
+    std::vector<std::size_t> breaks;  ///< readings, rising
+    std::vector<BreakPlace> places;   ///< of the breaks, once they are settled
+    std::vector<bool> doubtful, aside;
+    std::vector<double> weights;
+  };
+
   Identifier(const MachineModel& machine, const VolumetricLengths& lengths, const IdentifyOptions& options)
       : machine_(machine), lengths_(lengths), options_(options) {}
   Result<void> check_readings();
@@ -83,6 +92,7 @@ class Identifier {
   Result<void> take_finer_sizes();
   Result<void> smooth();
   bool set_aside_beyond_limit();
+  void weigh_what_is_used();
   std::vector<double> stated_weights() const;  ///< 0 where nothing tells which dead path a reading has
   std::vector<double> instrument_weights() const;
   std::optional<double> criterion(const Sizes& sizes, const std::optional<Trial>& coarsest) const;
@@ -94,10 +104,9 @@ class Identifier {
   const IdentifyOptions& options_;
   std::vector<Vector3> tools_mm_;
   std::vector<Approaches> approaches_;
-  std::vector<double> sigmas_, weights_;
-  std::vector<bool> aside_, doubtful_, is_copy_;
-  std::vector<std::size_t> breaks_;  ///< readings, rising
-  std::vector<BreakPlace> places_;   ///< of the breaks, once they are settled
+  std::vector<double> sigmas_;
+  std::vector<bool> is_copy_;
+  Judged judged_;
   bool drift_ = false;
   TravelBox observed_;
   std::array<CurveDomain, axis_count> domains_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "axiometry/volumetric/identify/identifier.h"
@@ -19,7 +18,7 @@ constexpr std::size_t rounds_to_narrow = 4;  // from then on doubt only grows
 /// Among all readings: those behind a break that is not known yet were set aside.
 Result<void> Identifier::find_breaks() {
   if (!options_.find_breaks) return {};
-  while (breaks_.size() < breaks_most) {
+  while (judged_.breaks.size() < breaks_most) {
     const bool heeded = heed_stretches_set_aside();
     if (heeded) AXIOMETRY_TRY_VOID(refit());
     const std::vector<double> stated = stated_weights();
@@ -27,9 +26,9 @@ Result<void> Identifier::find_breaks() {
     all.weights = stated;
     const auto found = clearest_break(all, fit_->residuals_um);
     if (!found) return heeded ? find_outliers() : Result<void>{};
-    breaks_.insert(std::ranges::upper_bound(breaks_, found->before), found->before);
-    weights_ = stated;
-    aside_.assign(aside_.size(), false);
+    judged_.breaks.insert(std::ranges::upper_bound(judged_.breaks, found->before), found->before);
+    judged_.weights = stated;
+    judged_.aside.assign(judged_.aside.size(), false);
     AXIOMETRY_TRY_VOID(start());
     AXIOMETRY_TRY_VOID(refit());
     AXIOMETRY_TRY_VOID(find_outliers());
@@ -42,18 +41,18 @@ Result<void> Identifier::find_breaks() {
 /// then nothing shows that these are two halves. Whether there was such a stretch.
 bool Identifier::heed_stretches_set_aside() {
   std::vector<std::size_t> readings(unknowns_->stretches.size()), aside(readings.size());
-  for (std::size_t i = 0; i < aside_.size(); ++i) {
+  for (std::size_t i = 0; i < judged_.aside.size(); ++i) {
     ++readings[unknowns_->stretch_of[i]];
-    if (aside_[i]) ++aside[unknowns_->stretch_of[i]];
+    if (judged_.aside[i]) ++aside[unknowns_->stretch_of[i]];
   }
   const std::vector<double> stated = stated_weights();
   bool heeded = false;
-  for (std::size_t i = 0; i < aside_.size(); ++i) {
+  for (std::size_t i = 0; i < judged_.aside.size(); ++i) {
     const std::size_t stretch = unknowns_->stretch_of[i];
-    if (!aside_[i] || aside[stretch] < heeded_from || 2 * aside[stretch] <= readings[stretch]) continue;
+    if (!judged_.aside[i] || aside[stretch] < heeded_from || 2 * aside[stretch] <= readings[stretch]) continue;
     heeded = true;
-    aside_[i] = false;
-    weights_[i] = stated[i];
+    judged_.aside[i] = false;
+    judged_.weights[i] = stated[i];
   }
   return heeded;
 }
@@ -64,12 +63,12 @@ Result<void> Identifier::take_breaks_for_drift() {
   if (!options_.find_breaks) return {};
   const double scale = robust_scale(problem(), fit_->residuals_um);
   const double cost_of_drift = cost_of_dead_paths(scale);
-  const auto with_drift = std::tuple(breaks_, places_, doubtful_, aside_, weights_);
-  const std::size_t before = breaks_.size();
+  const Judged with_drift = judged_;
+  const std::size_t before = judged_.breaks.size();
   AXIOMETRY_TRY_VOID(fit_with_drift(false));
   AXIOMETRY_TRY_VOID(find_breaks());
-  if (breaks_.size() > before && cost_of_dead_paths(scale) < cost_of_drift) return {};
-  std::tie(breaks_, places_, doubtful_, aside_, weights_) = with_drift;
+  if (judged_.breaks.size() > before && cost_of_dead_paths(scale) < cost_of_drift) return {};
+  judged_ = with_drift;
   return fit_with_drift(true);
 }
 
@@ -84,16 +83,16 @@ double Identifier::cost_of_dead_paths(double scale) const {
     cost += std::min(z * z, limit * limit);
   }
   const double drifts = drift_ ? static_cast<double>(unknowns_->stretches.size()) : 0.0;
-  return cost + static_cast<double>(breaks_.size()) * break_limit(count()) +
+  return cost + static_cast<double>(judged_.breaks.size()) * break_limit(count()) +
          drifts * std::log(static_cast<double>(count()));
 }
 
 /// One by one: with each that is gone the stretch beside the next one is longer.
 Result<void> Identifier::drop_unclear_breaks() {
   AXIOMETRY_TRY_VOID(settle_breaks());
-  while (const auto unclear = least_clear_break(problem(), fit_->state, fit_->residuals_um, breaks_)) {
-    std::erase(breaks_, *unclear);
-    std::erase_if(places_, [&](const BreakPlace& place) { return place.before == *unclear; });
+  while (const auto unclear = least_clear_break(problem(), fit_->state, fit_->residuals_um, judged_.breaks)) {
+    std::erase(judged_.breaks, *unclear);
+    std::erase_if(judged_.places, [&](const BreakPlace& place) { return place.before == *unclear; });
     AXIOMETRY_TRY_VOID(start());
     AXIOMETRY_TRY_VOID(refit());
     AXIOMETRY_TRY_VOID(find_outliers());
@@ -110,11 +109,11 @@ Result<void> Identifier::settle_breaks() {
     const std::vector<double> everything = instrument_weights();
     Problem all = problem();
     all.weights = everything;
-    std::vector<BreakPlace> places = break_places(all, fit_->state, fit_->residuals_um, breaks_);
+    std::vector<BreakPlace> places = break_places(all, fit_->state, fit_->residuals_um, judged_.breaks);
     if (round >= rounds_to_narrow)
       for (std::size_t k = 0; k < places.size(); ++k) {
-        places[k].earliest = std::min(places[k].earliest, places_[k].earliest);
-        places[k].latest = std::max(places[k].latest, places_[k].latest);
+        places[k].earliest = std::min(places[k].earliest, judged_.places[k].earliest);
+        places[k].latest = std::max(places[k].latest, judged_.places[k].latest);
       }
     if (!take_places(std::move(places))) break;
     moved = true;
@@ -131,19 +130,18 @@ bool Identifier::take_places(std::vector<BreakPlace> places) {
   std::vector<std::size_t> breaks;
   for (const BreakPlace& place : places) breaks.push_back(place.before);
   const Unknowns unknowns = unknowns_of(*coefficients_, lengths_.readings, breaks, drift_);
-  std::vector<bool> doubtful(doubtful_.size(), false);
+  std::vector<bool> doubtful(judged_.doubtful.size(), false);
   for (const BreakPlace& place : places) {
     const std::size_t from = stretch_before(unknowns, place.before), to = unknowns.stretch_of[place.before];
     for (std::size_t i = place.earliest; i < place.latest; ++i)
       doubtful[i] = unknowns.stretch_of[i] == from || unknowns.stretch_of[i] == to;
   }
-  places_ = std::move(places);
-  if (breaks == breaks_ && doubtful == doubtful_) return false;
-  breaks_ = std::move(breaks);
-  doubtful_ = std::move(doubtful);
+  judged_.places = std::move(places);
+  if (breaks == judged_.breaks && doubtful == judged_.doubtful) return false;
+  judged_.breaks = std::move(breaks);
+  judged_.doubtful = std::move(doubtful);
   unknowns_ = unknowns;
-  const std::vector<double> stated = stated_weights();
-  for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = aside_[i] ? 0.0 : stated[i];
+  weigh_what_is_used();
   return true;
 }
 

@@ -16,19 +16,19 @@ constexpr std::size_t choice_readings_most = 40'000;  // sizes of curves are cho
 std::optional<Identifier::Trial> Identifier::trial(const Sizes& sizes) const {
   const auto coefficients = coefficients_of(sizes);
   if (!coefficients) return std::nullopt;
-  const Unknowns unknowns = unknowns_of(*coefficients, lengths_.readings, breaks_, drift_);
+  const Unknowns unknowns = unknowns_of(*coefficients, lengths_.readings, judged_.breaks, drift_);
   State state = fit_->state;
   state.coefficients.assign(coefficients->raw(), 0.0);
   const std::size_t step = lengths_.readings.size() / choice_readings_most + 1;
   std::vector<std::size_t> some;
   std::size_t used = 0;
-  for (std::size_t i = 0; i < weights_.size(); i += step) {
+  for (std::size_t i = 0; i < judged_.weights.size(); i += step) {
     some.push_back(i);
-    if (weights_[i] > 0.0) ++used;
+    if (judged_.weights[i] > 0.0) ++used;
   }
   if (used < coefficients->free() + unknowns.columns - coefficients->raw() + 2) return std::nullopt;
   const ThinnedProblem few(
-      {machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, weights_, threads()}, some);
+      {machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, judged_.weights, threads()}, some);
   const auto fit = least_squares(few.problem(), std::move(state));
   if (!fit) return std::nullopt;
   const std::optional<double> value =

@@ -2,7 +2,7 @@
 // The temperatures before and during the test: a log that is dropped here is kept with the test and judged with it.
 import { useEffect, useState } from 'preact/hooks';
 import { query, upload, type ApiError } from '../../api/client';
-import type { Document, FigureList, Options, Surroundings as Found } from '../../api/types';
+import type { Document, FigureList, Options, Surroundings as Found, TemperatureSensors } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
@@ -54,6 +54,15 @@ const t = texts({
   none: ['nothing that takes part', 'nichts, was beteiligt ist'],
 });
 
+/** All sensors of the log: of one whose names tell no role there is no result from which to take them. */
+function use_sensors(state: TestState): readonly string[] {
+  const hash = state.options.value.temperatures?.sha256;
+  const kept = state.test.value.documents.find(({ sha256 }) => sha256 === hash);
+  const asked = use_get<TemperatureSensors>(hash && kept ? `/api/documents/${kept.id}/temperature-sensors` : null);
+  const found = state.evaluated.value.result.environment?.sensors ?? [];
+  return [...(asked.error || !kept ? [] : asked.data?.sensors ?? []), ...found.map(({ name }) => name)];
+}
+
 type Log = NonNullable<Options['temperatures']>;
 const tones = { kept: 'good', exceeded: 'bad', 'known-in-part': 'caution', 'not-measured': 'quiet', 'not-agreed': 'quiet' } as const;
 
@@ -62,6 +71,7 @@ export function Surroundings({ state }: { state: TestState }) {
   const [failure, set_failure] = useState<ApiError | null>(null);
   const log = state.options.value.temperatures;
   const found = state.evaluated.value.result.environment;
+  const named = use_sensors(state);
   const newest = state.test.value.version === state.test.value.latest;
   const add = async (file: File) => {
     set_busy(true);
@@ -100,7 +110,7 @@ export function Surroundings({ state }: { state: TestState }) {
       {found?.ended_by_readings && <p class="quiet foot">{t('ended_by_readings', { moment: found.ended_by_readings })}</p>}
       {found && found.gaps.length > 0 && <ul class="small caution foot">{found.gaps.map((gap) => <li key={gap}>{sentence(gap)}</li>)}</ul>}
       {state.test.value.options.temperatures && <Drawn state={state} />}
-      {log && state.editing.value && <Agreed log={log} found={found} put={put} blame={(name, fault) => state.blame(`temperatures.${name}`, fault)} />}
+      {log && state.editing.value && <Agreed log={log} named={named} put={put} blame={(name, fault) => state.blame(`temperatures.${name}`, fault)} />}
     </section>
   );
 }
@@ -146,7 +156,7 @@ function Drawn({ state }: { state: TestState }) {
 const limits = [['lowest_C', 'limit_low'], ['highest_C', 'limit_high'], ['rate_C_per_h', 'limit_rate'], ['gradient_C', 'limit_gradient']] as const;
 
 /** When the test was, and what the parties agreed on. */
-function Agreed({ log, found, put, blame }: { log: Log; found: Found | null | undefined; put: (part: Partial<Log>) => void; blame: (name: string, fault: string | null) => void }) {
+function Agreed({ log, named, put, blame }: { log: Log; named: readonly string[]; put: (part: Partial<Log>) => void; blame: (name: string, fault: string | null) => void }) {
   return (
     <div class="sampling-fields">
       {(['began', 'ended'] as const).map((name) => (
@@ -155,7 +165,7 @@ function Agreed({ log, found, put, blame }: { log: Log; found: Found | null | un
         </Field>
       ))}
       {limits.map(([name, label]) => <Limit key={name} label={t(label)} value={log[name]} put={(x) => put({ [name]: x })} blame={(fault) => blame(name, fault)} />)}
-      <SensorRoles log={log} found={found} put={put} />
+      <SensorRoles log={log} named={named} put={put} />
     </div>
   );
 }
@@ -163,10 +173,10 @@ function Agreed({ log, found, put, blame }: { log: Log; found: Found | null | un
 type Role = NonNullable<Log['sensors']>[number]['role'];
 const sensor_roles: readonly Role[] = ['machine', 'equipment', 'air', 'none'];
 
-/** What each sensor is of where its name says it wrongly; one that takes no part is judged no more, but stays to be chosen. */
-function SensorRoles({ log, found, put }: { log: Log; found: Found | null | undefined; put: (part: Partial<Log>) => void }) {
+/** What each sensor is of where its name does not say it, or wrongly; one that takes no part stays to be chosen. */
+function SensorRoles({ log, named, put }: { log: Log; named: readonly string[]; put: (part: Partial<Log>) => void }) {
   const stated = log.sensors ?? [];
-  const names = [...new Set([...(found?.sensors ?? []), ...stated].map(({ name }) => name))].sort();
+  const names = [...new Set([...named, ...stated.map(({ name }) => name)])].sort();
   const choose = (name: string, role: Role | undefined) => {
     const chosen = [...stated.filter((other) => other.name !== name), ...(role ? [{ name, role }] : [])];
     put({ ['sensors' as string]: chosen.length > 0 ? chosen : undefined });

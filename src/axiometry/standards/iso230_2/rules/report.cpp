@@ -110,15 +110,12 @@ bool may_be_initials(const Field& field, std::string_view words) {
 
 bool names_nothing(std::string_view words) { return text::says_nothing(words) || text::says_none(words); }
 
-/// Whether a date is written as ISO 8601 has it, day or no day.
 constexpr std::string_view no_test_before = "1950-01-01";  // and no numerical control
 
 /// The last day that it can be anywhere: east of Greenwich it may be the next one.
 std::string tomorrow() {
   using namespace std::chrono;
-  const year_month_day day{floor<days>(system_clock::now()) + days(1)};
-  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(day.year()), static_cast<unsigned>(day.month()),
-                     static_cast<unsigned>(day.day()));
+  return iso_day(floor<days>(system_clock::now()) + days(1));
 }
 
 /// A component by its role, else by what identifies it.
