@@ -33,7 +33,8 @@ class AffineRows {
   std::size_t row_count() const { return constants_.size(); }
   std::size_t source_count() const { return source_count_; }  ///< rows of input that are read: the largest k, and one
 
-  /// Contract: `sources` and `rows` hold so many rows and trials, and do not overlap.
+  /// Contract: `sources` and `rows` hold so many rows and trials. Unless they do not overlap they are the same table,
+  /// and a row takes none of those that are replaced but its own.
   void apply(Rows<const double> sources, Rows<double> rows, std::size_t trials,
              VectorTarget target = best_vector_target()) const;
   void apply(Rows<const float> sources, Rows<float> rows, std::size_t trials,

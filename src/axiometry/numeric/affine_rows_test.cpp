@@ -49,6 +49,29 @@ void expect_every_target_follows_the_formula() {
   }
 }
 
+/// Rows that take the places of sources, each its own.
+template <typename Number>
+void expect_the_same_in_place() {
+  const std::vector<AffineRows::Row> rows = {{1.5, {{0, 0.3}, {2, -0.7}, {4, 1e-3}}}, {-2.25, {{3, 2.0}, {1, 0.1}}}};
+  const AffineRows map(rows);
+  for (std::size_t trials : {1u, 16u, 31u, 128u, 150u}) {
+    const std::size_t stride = trials + 3;
+    std::vector<Number> x(source_rows * stride);
+    fill_normal({1, 5, trials}, std::span(x));
+    for (VectorTarget target : available_vector_targets()) {
+      std::vector<Number> expected = x, found = x;
+      map.apply(Rows<const Number>{x, stride}, Rows<Number>{expected, stride}, trials, target);
+      map.apply(Rows<const Number>{found, stride}, Rows<Number>{found, stride}, trials, target);
+      EXPECT_EQ(found, expected) << vector_target_name(target) << ", " << trials << " trials";
+    }
+  }
+}
+
+TEST(AffineRows, TakeThePlacesOfTheirSources) {
+  expect_the_same_in_place<double>();
+  expect_the_same_in_place<float>();
+}
+
 TEST(AffineRows, FollowTheFormulaOnEveryTarget) { expect_every_target_follows_the_formula<double>(); }
 TEST(AffineRows, FollowItInSinglePrecision) { expect_every_target_follows_the_formula<float>(); }
 

@@ -9,15 +9,32 @@
 namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET {
 namespace {
 
+/// Coordinates mean_k + sd_k z_k, made side by side before each is needed in every lane.
+constexpr size_t coordinates_at_once = 16;
+
+[[gnu::always_inline]] inline void make_coordinates(const CurveView& view, const double* normals, size_t begin,
+                                                    size_t end, double* coordinates) {
+  size_t k = begin;
+  for (; k + lanes<Doubles> <= end; k += lanes<Doubles>)
+    store(coordinates + (k - begin),
+          load<Doubles>(view.means + k) + load<Doubles>(view.sds + k) * load<Doubles>(normals + k));
+  for (; k < end; ++k) coordinates[k - begin] = view.means[k] + view.sds[k] * normals[k];
+}
+
 /// Some registers of places, from the first on.
 template <size_t registers>
 [[gnu::always_inline]] inline void draw_places(const CurveView& view, const double* normals, size_t first,
                                                double* values) {
   Doubles sums[registers] = {};
-  for (size_t k = 0; k < view.places; ++k) {
-    const Doubles coordinate = all<Doubles>(view.means[k] + view.sds[k] * normals[k]);
-    const double* const column = view.columns + k * view.stride + first;
-    for (size_t r = 0; r < registers; ++r) sums[r] += coordinate * load<Doubles>(column + r * lanes<Doubles>);
+  for (size_t begin = 0; begin < view.places; begin += coordinates_at_once) {
+    const size_t left = view.places - begin, end = begin + (left < coordinates_at_once ? left : coordinates_at_once);
+    double coordinates[coordinates_at_once];
+    make_coordinates(view, normals, begin, end, coordinates);
+    for (size_t k = begin; k < end; ++k) {
+      const Doubles coordinate = all<Doubles>(coordinates[k - begin]);
+      const double* const column = view.columns + k * view.stride + first;
+      for (size_t r = 0; r < registers; ++r) sums[r] += coordinate * load<Doubles>(column + r * lanes<Doubles>);
+    }
   }
   for (size_t r = 0; r < registers; ++r) store(values + first + r * lanes<Doubles>, sums[r]);
 }

@@ -255,7 +255,9 @@ void CurvePosterior::draw(const Numbers& numbers, Rows<double> curves) const {
 void CurvePosterior::draw_by_axes(const Numbers& numbers, Rows<double> curves) const {
   const std::size_t m = size(), stride = frame_->stride, count = numbers.choices.size();
   std::vector<CurveView> views(count);
-  std::vector<double> rare, values(count * stride);
+  std::vector<double> rare;
+  const UnsetNumbers<double> drawn(count * stride);
+  double* const values = drawn.all().data();
   for (std::size_t t = 0; t < count; ++t) {
     const std::size_t chosen = choice_(numbers.choices[t]);
     const double* own = nullptr;
@@ -269,7 +271,7 @@ void CurvePosterior::draw_by_axes(const Numbers& numbers, Rows<double> curves) c
     views[t] = {own, own + m, frame_->padded_columns[hypotheses_[chosen].length].data(), m, stride};
   }
   curve_kernel_of(best_vector_target())
-      .draw({views.data(), count, numbers.normals.data(), numbers.stride, values.data(), stride});
+      .draw({views.data(), count, numbers.normals.data(), numbers.stride, values, stride});
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t t = 0; t < count; ++t) curves.values[i * curves.stride + t] = values[t * stride + i];
 }

@@ -52,10 +52,10 @@ template <typename Vector, typename Number>
   __builtin_memcpy(to, &vector, sizeof vector);
 }
 
-/// The same number in every lane.
+/// The same number in every lane. Less 0, which the compiler leaves out; adding 0 it may not, which makes 0 of −0.
 template <typename Vector, typename Number>
 [[gnu::always_inline]] inline Vector all(Number number) {
-  return Vector{} + number;
+  return number - Vector{};
 }
 
 /// The larger by a > b ? a : b, the smaller by a < b ? a : b: what the instructions do, also with ±0.

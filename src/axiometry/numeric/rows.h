@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,20 @@ struct Rows {
     return rows == 0 || trials == 0 || (trials <= stride && (rows - 1) * stride + trials <= values.size());
   }
   operator Rows<const Number>() const { return {values, stride}; }
+};
+
+/// Memory for numbers that are all set before they are read: nothing fills it with zeros first.
+template <typename Number>
+class UnsetNumbers {
+ public:
+  UnsetNumbers() = default;
+  explicit UnsetNumbers(std::size_t size) : size_(size), memory_(std::make_unique_for_overwrite<Number[]>(size)) {}
+
+  std::span<Number> all() const { return {memory_.get(), size_}; }
+
+ private:
+  std::size_t size_ = 0;
+  std::unique_ptr<Number[]> memory_;
 };
 
 /// Memory for a table that begins where a register's worth of bytes does: kernels take any, but are faster by a

@@ -116,6 +116,15 @@ TEST(Distribution, DrawsWhatItsDistributionFunctionSays) {
   }
 }
 
+TEST(Distribution, DrawsTheQuantilesOfUniformNumbersToTheLastBit) {
+  std::vector<double> numbers(10'000);
+  numeric::fill_uniform({7, 3, 1}, numbers);
+  for (const std::string_view text : {"uniform -1.7 0.3", "uniform 0 1e-9", "triangular -1 2"}) {
+    const std::vector<double> draws = drawn(parsed(text), numbers.size());
+    for (std::size_t i = 0; i < draws.size(); ++i) ASSERT_EQ(draws[i], parsed(text).quantile(numbers[i])) << text;
+  }
+}
+
 TEST(Distribution, HasTheTailsOfStudentsDistribution) {
   // Of 200 000 draws about 200 lie beyond the quantile of 1e-3; the standard deviation is 14.
   for (const std::string_view text : {"t 0.5 0 1", "t 1 0 1", "t 2.5 0 1", "t 30 0 1"}) {

@@ -135,6 +135,7 @@ void FineCounts::clear(const CoreLayout& layout) {
 
 SampledDistribution FineCounts::distribution(Interval extremes) const {
   std::vector<SampledDistribution::Cell> cells;
+  cells.reserve(tails_.size() + core_.size() - static_cast<std::size_t>(std::ranges::count(core_, 0u)));
   const auto append = [&cells](double lower, double upper, std::uint64_t count) {
     if (count == 0) return;
     const std::uint64_t below = cells.empty() ? 0 : cells.back().below + cells.back().count;

@@ -101,8 +101,10 @@ class Run {
       layouts_.push_back(usable ? CoreLayout::from_first(row, options_.coverage) : CoreLayout{});
     }
     for (std::size_t t = 1; t < threads_; ++t) tallies_.emplace_back().values.resize(outputs_ * block_size);
-    for (Tally& tally : tallies_)
+    for (Tally& tally : tallies_) {
+      tally.counts.reserve(outputs_);  // they are large
       for (const CoreLayout& layout : layouts_) tally.counts.emplace_back(layout);
+    }
     moments_.resize(outputs_);
     scatter_.resize(outputs_);
     slots_.resize(outputs_);

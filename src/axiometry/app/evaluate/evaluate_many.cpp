@@ -2,11 +2,10 @@
 #include "axiometry/app/evaluate/evaluate_many.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <thread>
 #include <utility>
-
-#include "axiometry/numeric/side_by_side.h"
 
 namespace axiometry::app {
 namespace {
@@ -16,10 +15,47 @@ constexpr std::size_t readings_at_once = 1 << 16;  // or fewer tests, if they ar
 
 }  // namespace
 
+/// Tests that other threads evaluate as soon as it exists, and in the end this one too.
+class TestsSideBySide::Batch {
+ public:
+  Batch(const TestsSideBySide& owner, std::vector<Waiting> tests)
+      : waiting(std::move(tests)), results(waiting.size()), thrown(waiting.size()), owner_(owner) {
+    const std::size_t used = std::min<std::size_t>(owner.threads_.count, results.size());
+    for (std::size_t k = 1; k < used; ++k) others_.emplace_back([this] { work(); });
+  }
+  ~Batch() { next_ = results.size(); }  // what nobody waits for is not begun
+
+  void finish() {
+    work();
+    others_.clear();  // waits for them
+  }
+
+  std::vector<Waiting> waiting;
+  std::vector<std::optional<Done>> results;
+  std::vector<std::exception_ptr> thrown;
+
+ private:
+  void work() {
+    for (std::size_t k = next_++; k < results.size(); k = next_++) {
+      try {
+        results[k].emplace(owner_.done(waiting[k]));
+      } catch (...) {
+        thrown[k] = std::current_exception();
+      }
+    }
+  }
+
+  const TestsSideBySide& owner_;
+  std::atomic<std::size_t> next_ = 0;
+  std::vector<std::jthread> others_;
+};
+
 TestsSideBySide::TestsSideBySide(Evaluate evaluate, ManyThreads threads, EvaluatedTextSink sink)
     : evaluate_(std::move(evaluate)), threads_(std::move(threads)), sink_(std::move(sink)) {
   if (threads_.count == 0) threads_.count = std::max(1u, std::thread::hardware_concurrency());
 }
+
+TestsSideBySide::~TestsSideBySide() = default;
 
 // Tests are large: what is made of one is made where it stays, or moved once.
 TestsSideBySide::Done TestsSideBySide::done(Waiting& waiting) const {
@@ -41,30 +77,38 @@ Result<void> TestsSideBySide::add(Test&& test, std::string name, std::size_t lin
   readings_ += test.series.reading_count();
   if (waiting_.empty()) waiting_.reserve(at_once());
   waiting_.emplace_back(std::move(test), std::move(name), line);
-  return waiting_.size() < at_once() && readings_ < readings_at_once ? Result<void>{} : finish();
+  if (waiting_.size() < at_once() && readings_ < readings_at_once) return {};
+  return threads_.count == 1 ? finish() : next_batch();
 }
 
 Result<void> TestsSideBySide::finish() {
-  std::vector<std::optional<Done>> results(waiting_.size());
-  std::vector<std::exception_ptr> thrown(waiting_.size());
-  numeric::side_by_side(waiting_.size(), threads_.count, [&](std::size_t k) {
-    try {
-      results[k].emplace(done(waiting_[k]));
-    } catch (...) {
-      thrown[k] = std::current_exception();
-    }
-  });
-  const std::vector<Waiting> waited = std::exchange(waiting_, {});
+  AXIOMETRY_TRY_VOID(next_batch());
+  return next_batch();
+}
+
+/// What waits is begun before what is done is handed over, so that the other threads have work meanwhile.
+Result<void> TestsSideBySide::next_batch() {
+  const std::unique_ptr<Batch> done = std::exchange(batch_, nullptr);
+  if (done) done->finish();
+  if (!waiting_.empty()) batch_ = std::make_unique<Batch>(*this, std::exchange(waiting_, {}));
   readings_ = 0;
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    if (thrown[k]) std::rethrow_exception(thrown[k]);
+  if (!done) return {};
+  auto handed_over = hand_over(*done);
+  if (!handed_over) batch_.reset();
+  return handed_over;
+}
+
+Result<void> TestsSideBySide::hand_over(Batch& batch) {
+  for (std::size_t k = 0; k < batch.results.size(); ++k) {
+    if (batch.thrown[k]) std::rethrow_exception(batch.thrown[k]);
     auto handed_over = Result<void>();
-    if (Done& result = *results[k]; result.evaluated)
+    if (Done& result = *batch.results[k]; result.evaluated)
       handed_over = sink_(*std::move(result.evaluated), std::move(result.text));
     else
       handed_over = std::unexpected(std::move(result.evaluated).error());
     if (handed_over) continue;
-    if (Error& error = handed_over.error(); error.at.line == 0 && error.file.empty()) error.at.line = waited[k].line;
+    Error& error = handed_over.error();
+    if (error.at.line == 0 && error.file.empty()) error.at.line = batch.waiting[k].line;
     return handed_over;
   }
   return {};

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,13 +28,17 @@ struct ManyThreads {
 Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const ManyThreads& threads,
                            const EvaluatedTextSink& sink);
 
-/// Gathers tests and evaluates some at once. Whatever fails, all tests before it are handed over, and none after.
+/// Gathers tests and evaluates some at once, the other threads while this one reads the next and writes the last.
+/// Whatever fails, all tests before it are handed over, and none after.
 class TestsSideBySide {
  public:
   /// Called from several threads. An error that has neither file nor line gets the line where its test began.
   using Evaluate = std::function<Result<Evaluated>(Test&& test)>;
 
   TestsSideBySide(Evaluate evaluate, ManyThreads threads, EvaluatedTextSink sink);
+  ~TestsSideBySide();
+  TestsSideBySide(const TestsSideBySide&) = delete;
+  TestsSideBySide& operator=(const TestsSideBySide&) = delete;
 
   Result<void> add(Test&& test, std::string name, std::size_t line);
   Result<void> finish();  ///< what has been gathered and not yet handed over
@@ -48,14 +53,18 @@ class TestsSideBySide {
     Result<Evaluated> evaluated;  ///< or why there is none, or no text of it
     std::string text;
   };
+  class Batch;
   Done done(Waiting& waiting) const;
   std::size_t at_once() const;
+  Result<void> next_batch();
+  Result<void> hand_over(Batch& batch);
 
   Evaluate evaluate_;
   ManyThreads threads_;
   EvaluatedTextSink sink_;
   std::vector<Waiting> waiting_;
-  std::size_t readings_ = 0;  ///< of those that wait
+  std::size_t readings_ = 0;      ///< of those that wait
+  std::unique_ptr<Batch> batch_;  ///< that is being evaluated
 };
 
 }  // namespace axiometry::app

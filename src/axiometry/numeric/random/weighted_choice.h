@@ -36,7 +36,7 @@ class WeightedChoice {
   /// The alternative that the number from (0, 1) falls on.
   std::size_t operator()(double uniform) const {
     AXIOMETRY_CONTRACT(!starts_.empty());
-    const auto part = static_cast<std::size_t>(uniform * static_cast<double>(starts_.size()));  // exact: a power of 2
+    const auto part = static_cast<std::size_t>(uniform * parts_);  // exact: a power of 2
     std::size_t place = starts_[std::min(part, starts_.size() - 1)];
     while (place + 1 < cumulative_.size() && cumulative_[place] <= uniform) ++place;
     return place;
@@ -48,10 +48,11 @@ class WeightedChoice {
   }
 
  private:
-  /// Of every one of equal parts of (0, 1) the first alternative that its numbers may fall on: with at least as many
-  /// parts as alternatives two looks are enough on average (Chen and Asau 1974).
+  /// Of every one of equal parts of (0, 1) the first alternative that its numbers may fall on (Chen and Asau 1974): with
+  /// so many more parts than alternatives it nearly always is the one, which the processor then guesses.
   void find_starts() {
-    starts_.resize(std::bit_ceil(cumulative_.size()));
+    starts_.resize(std::bit_ceil(parts_of_alternative * cumulative_.size()));
+    parts_ = static_cast<double>(starts_.size());
     std::size_t place = 0;
     for (std::size_t part = 0; part < starts_.size(); ++part) {
       const double begin = static_cast<double>(part) / static_cast<double>(starts_.size());
@@ -60,8 +61,11 @@ class WeightedChoice {
     }
   }
 
+  static constexpr std::size_t parts_of_alternative = 4;
+
   std::vector<double> cumulative_;
   std::vector<std::uint32_t> starts_;
+  double parts_ = 0.0;  ///< how many
 };
 
 }  // namespace axiometry::numeric

@@ -84,10 +84,10 @@ const MomentKernel& best_moment_kernel() { return moment_kernel_of(numeric::best
 /// What all draws of a batch of trials need: rows over the cells, one value per trial.
 struct ReadingPosterior::State {
   std::size_t trials = 0;
-  std::vector<double> sds;              ///< σ
-  std::vector<double> means;            ///< μ, then the true means of the cells' own approaches
-  std::vector<double> run_sds;          ///< σ_ρ, one row
-  std::vector<double> machines;         ///< σ²/(σ² + u²), the machine's share of the scatter; from share_mean()
+  numeric::UnsetNumbers<double> sds;       ///< σ
+  numeric::UnsetNumbers<double> means;     ///< μ, then the true means of the cells' own approaches
+  numeric::UnsetNumbers<double> run_sds;   ///< σ_ρ, one row
+  numeric::UnsetNumbers<double> machines;  ///< σ²/(σ² + u²), the machine's share of the scatter; from share_mean()
   std::optional<RandomRows> normals{};  ///< of share_means() and the readings, which take them in this order
   std::vector<double> target_shifts{};  ///< δ of every target; empty where there is none
   std::vector<double> residuals{};      ///< of the cell that is being drawn, as what follows
@@ -97,32 +97,32 @@ struct ReadingPosterior::State {
   std::vector<double> parted_shifts{}, shift{};  ///< q_j − q̄ in rows over all runs, and q̄; from part_shifts()
   bool parted_of_all_runs = false;               ///< whether these hold for every cell that has all runs
 
-  std::span<double> sd(std::size_t cell) { return std::span(sds).subspan(cell * trials, trials); }
-  std::span<double> mean(std::size_t cell) { return std::span(means).subspan(cell * trials, trials); }
-  std::span<double> machine(std::size_t cell) { return std::span(machines).subspan(cell * trials, trials); }
+  std::span<double> sd(std::size_t cell) { return sds.all().subspan(cell * trials, trials); }
+  std::span<double> mean(std::size_t cell) { return means.all().subspan(cell * trials, trials); }
+  std::span<double> machine(std::size_t cell) { return machines.all().subspan(cell * trials, trials); }
 };
 
 /// σ, σ_ρ and μ of every trial.
 ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const {
   const std::size_t cells = cells_.size();
-  State state{trials, std::vector<double>(cells * trials), std::vector<double>(cells * trials, 0.0),
-              std::vector<double>(trials), std::vector<double>(asked == Asked::readings ? cells * trials : 0)};
+  using Numbers = numeric::UnsetNumbers<double>;
+  State state{trials, Numbers(cells * trials), Numbers(cells * trials), Numbers(trials),
+              Numbers(asked == Asked::readings ? cells * trials : 0)};
   const std::size_t rows_shared = (shared_variance_ > 0.0 ? targets_ : 0) + 2 * cells;
   const std::size_t rows_of_readings = runs_ + (noise_.reading > 0.0 ? cells * runs_ : 0);
   if (asked == Asked::readings)
     state.normals.emplace(numeric::RandomKey{key.seed, key.stream + 1, key.block}, trials,
                           rows_shared + rows_of_readings);
   const std::size_t uniforms_each = 4 + curves_.size() + cells;
-  std::vector<double> uniforms(uniforms_each * trials);
-  std::vector<double> curve_normals(curve_normals_ * trials);
-  numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms);
-  numeric::fill_normal({key.seed, key.stream, 2 * key.block + 1}, curve_normals);
+  const Numbers uniforms(uniforms_each * trials), curve_normals(curve_normals_ * trials);
+  numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms.all());
+  numeric::fill_normal({key.seed, key.stream, 2 * key.block + 1}, curve_normals.all());
   for (std::size_t t = 0; t < trials; ++t) {
-    const std::span<const double> u = std::span(uniforms).subspan(t * uniforms_each, uniforms_each);
-    spread_->draw({u[0], u[1], u.last(cells)}, std::span(state.sds).subspan(t), trials);
-    state.run_sds[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
+    const std::span<const double> u = uniforms.all().subspan(t * uniforms_each, uniforms_each);
+    spread_->draw({u[0], u[1], u.last(cells)}, state.sds.all().subspan(t), trials);
+    state.run_sds.all()[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
   }
-  draw_means(state, uniforms, curve_normals);
+  draw_means(state, uniforms.all(), curve_normals.all());
   return state;
 }
 
@@ -130,17 +130,17 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
 void ReadingPosterior::draw_means(State& state, std::span<const double> uniforms,
                                   std::span<const double> normals) const {
   const std::size_t trials = state.trials, uniforms_each = uniforms.size() / trials;
-  std::vector<double> choices(trials), values;
-  std::vector<char> begun(cells_.size(), 0);
+  std::vector<double> choices(trials);
+  std::vector<char> begun(cells_.size(), 0);  // every cell is in some curve
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const numeric::CurvePosterior& posterior = curves_[k].posterior;
     for (std::size_t t = 0; t < trials; ++t) choices[t] = uniforms[t * uniforms_each + 4 + k];
-    values.resize(posterior.size() * trials);
-    posterior.draw({choices, normals, curve_normals_}, numeric::Rows<double>{values, trials});
+    const numeric::UnsetNumbers<double> values(posterior.size() * trials);
+    posterior.draw({choices, normals, curve_normals_}, numeric::Rows<double>{values.all(), trials});
     normals = normals.subspan(posterior.normals_each());
     for (const Curve::Term& term : curves_[k].terms) {
       double* const of_cell = state.mean(term.cell).data();
-      const double* const value = values.data() + term.place * trials;
+      const double* const value = values.all().data() + term.place * trials;
       if (std::exchange(begun[term.cell], 1) == 0)
         for (std::size_t t = 0; t < trials; ++t) of_cell[t] = term.factor * value[t];
       else
@@ -225,8 +225,8 @@ std::vector<double> ReadingPosterior::draw_run_shifts(State& state) const {
                                  .noise_variance = u2,
                                  .measured = noise_.run * noise_.run + u2 / cells_per_run_,
                                  .cells_per_run = cells_per_run_,
-                                 .sds = state.sds.data(),
-                                 .run_sds = state.run_sds.data(),
+                                 .sds = state.sds.all().data(),
+                                 .run_sds = state.run_sds.all().data(),
                                  .observed = run_shifts_.data(),
                                  .normals = state.normals->next(runs_).data(),
                                  .shifts = shifts.data()});
@@ -346,10 +346,10 @@ void ReadingPosterior::draw_moments(numeric::RandomKey key, const CellMoments& m
   state.target_shifts = draw_target_shifts(state);
   const std::vector<double> shifts = draw_run_shifts(state);
   const std::size_t numbers_each = (own_variance_ > 0.0 ? 2 : 1) * trials;
-  std::vector<double> of_means(cells_.size() * numbers_each);
-  state.normals->fill_normal(of_means);
+  const numeric::UnsetNumbers<double> of_means(cells_.size() * numbers_each);
+  state.normals->fill_normal(of_means.all());
   for (std::size_t c = 0; c < cells_.size(); ++c) {
-    share_mean(c, state, of_means.data() + c * numbers_each);
+    share_mean(c, state, of_means.all().data() + c * numbers_each);
     part_shifts(c, shifts, take_away, state);
     draw_moments_of(c, state, moments);
   }
@@ -365,7 +365,7 @@ void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<doubl
     std::ranges::copy(state.mean(c), means.row(cells_[c].place, means.stride).begin());
     const auto sd = state.sd(c);
     const auto row = sds.row(cells_[c].place, means.stride);
-    for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds[t]);
+    for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds.all()[t]);
   }
 }
 

@@ -63,8 +63,8 @@ void TrialModel::draw_figures(std::uint64_t place, numeric::Rows<double> outputs
     const WantedFigures wanted{!of_readings || draws_readings_alone(), of_readings};
     if (std::ranges::none_of(figures, [&](const TrialFigure& figure) { return wanted.has(figure); })) continue;
     const DrawnCells drawn = draw_cells(place, of_readings);
-    const numeric::Rows<const double> readings{drawn.readings, chunk}, means{drawn.means, chunk},
-        estimators{drawn.estimators, chunk};
+    const numeric::Rows<const double> readings{drawn.readings, chunk}, means{drawn.means.all(), chunk},
+        estimators{drawn.estimators.all(), chunk};
     if (of_readings)
       evaluate_figures(readings, series_.run_count(), wanted, outputs);
     else

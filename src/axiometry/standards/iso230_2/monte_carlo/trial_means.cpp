@@ -15,8 +15,8 @@ constexpr std::size_t rows_of_target = 3;  // x̄_i↑, x̄_i↓, x̄_i
 std::vector<double> TrialModel::mean_of_cell(const DrawnCells& drawn, std::size_t target, Direction direction) const {
   const std::size_t cell = static_cast<std::size_t>(direction) * series_.target_count() + target;
   if (drawn.readings.empty()) {
-    const auto row = drawn.means.begin() + static_cast<std::ptrdiff_t>(cell * chunk);
-    return {row, row + chunk};
+    const auto row = drawn.means.all().subspan(cell * chunk, chunk);
+    return {row.begin(), row.end()};
   }
   std::vector<double> mean(chunk);
   const auto measured = series_.cell(target, direction);

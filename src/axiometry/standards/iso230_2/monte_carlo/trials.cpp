@@ -257,10 +257,16 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place, bool as_readi
   const bool long_run = is_long_run(options_);
   const ReadingPosterior& posterior = posteriors_[place % posteriors_.size()];
   DrawnCells drawn;
+  if (!draws_readings_alone() && !as_readings) {
+    drawn.means = numeric::UnsetNumbers<double>(layout_.cell_rows() * chunk);
+    drawn.estimators = numeric::UnsetNumbers<double>(layout_.cell_rows() * chunk);
+    if (!series_.complete()) {  // a cell without readings is not drawn
+      std::ranges::fill(drawn.means.all(), 0.0);
+      std::ranges::fill(drawn.estimators.all(), 0.0);
+    }
+  }
+  const numeric::Rows<double> mean_rows{drawn.means.all(), chunk}, estimator_rows{drawn.estimators.all(), chunk};
   if (draws_moments_alone()) {
-    drawn.means.resize(layout_.cell_rows() * chunk);
-    drawn.estimators.resize(layout_.cell_rows() * chunk);
-    const numeric::Rows<double> mean_rows{drawn.means, chunk}, estimator_rows{drawn.estimators, chunk};
     if (options_.type_a == TypeA::pooled) {
       posterior.draw_long_run(posterior_key(place), mean_rows, estimator_rows);
     } else {
@@ -273,9 +279,7 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place, bool as_readi
     return drawn;
   }
   if (!long_run && !as_readings) {
-    drawn.means.resize(layout_.cell_rows() * chunk);
-    drawn.estimators.resize(layout_.cell_rows() * chunk);
-    draw_cell_moments(place, {drawn.means, chunk}, {drawn.estimators, chunk});
+    draw_cell_moments(place, mean_rows, estimator_rows);
     return drawn;
   }
   drawn.readings.resize(layout_.reading_rows() * chunk);
@@ -295,8 +299,8 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place, bool as_readi
 void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {
   if (options_.figures != nullptr) return draw_figures(place, outputs);
   const DrawnCells drawn = draw_cells(place);
-  const numeric::Rows<const double> readings{drawn.readings, chunk}, means{drawn.means, chunk},
-      estimators{drawn.estimators, chunk};
+  const numeric::Rows<const double> readings{drawn.readings, chunk}, means{drawn.means.all(), chunk},
+      estimators{drawn.estimators.all(), chunk};
   if (drawn.readings.empty())
     evaluate_batch(layout_, CellMoments<double>{means, estimators}, chunk, outputs);
   else

@@ -88,8 +88,8 @@ class TrialModel {
   bool draws_moments_alone() const;   ///< of the long run
   /// What the axis did in the trials of a chunk: readings, or what evaluate_batch() takes of cells.
   struct DrawnCells {
-    std::vector<double> readings;           ///< empty where means are drawn
-    std::vector<double> means, estimators;  ///< empty where readings are
+    std::vector<double> readings;                     ///< empty where means are drawn
+    numeric::UnsetNumbers<double> means, estimators;  ///< empty where readings are
   };
   DrawnCells draw_cells(std::uint64_t place, bool as_readings = false) const;
   std::vector<double> mean_of_cell(const DrawnCells& drawn, std::size_t target, Direction direction) const;
