@@ -420,6 +420,29 @@ def captured_readings(play):
         time.sleep(0.05)
     play.expect(200, "POST", f"{path}/keys", {"key": "skip"})
     play.expect(200, "POST", f"{path}/stop", {})
+    simulated_readings(play, plan)
+
+
+def simulated_readings(play, plan):
+    """The same with the simulator, however the stops are told; what it made says so."""
+    wish = {"plan": plan, "source": "simulator", "options": {"stops": "keys", "speed": 60, "seed": 7, "size": 8}}
+    play.expect(422, "POST", "/api/captures", {**wish, "options": {**wish["options"], "size": 0}})
+    play.expect(422, "POST", "/api/captures", {**wish, "options": {**wish["options"], "stream-axis": 2}})
+    for stops in ("keys", "trigger", "readings", "position"):
+        begun = play.expect(201, "POST", "/api/captures", {**wish, "options": {**wish["options"], "stops": stops}}).json()
+        path = f"/api/captures/{begun['id']}"
+        for _ in range(1200):
+            capture = play.server.request("GET", path).json()
+            if capture["state"] not in ("waiting", "running"):
+                break
+            if stops == "keys" and capture["now"] and capture["now"]["at_rest"] and not capture["motion"]["is_reading"]:
+                play.server.request("POST", f"{path}/keys", {"key": "take"})
+            time.sleep(0.05)
+        play.checks.that(f"the simulated readings told by {stops} are all there",
+                         capture["state"] == "complete" and capture["taken"] == 3, capture)
+        table = play.expect(200, "GET", f"{path}/files/readings").body.decode()
+        play.checks.that("their table says that they were simulated",
+                         "# test.comment: Simulated, not measured: fault good, size 8 um; seed 7\n" in table, table)
 
 
 def captured_lengths(play):

@@ -41,7 +41,7 @@ export const motion_captures = {
       await page.goto('/plans/1');
       await page.getByRole('link', { name: 'Capture with this plan' }).click();
       await shows(page.locator('form'), 'Readings of EYX do not show where the axis stops.');
-      assert.equal(await page.getByLabel('Source', { exact: true }).locator('option').count(), 1, 'the simulator plays positions');
+      await page.getByLabel('Source', { exact: true }).selectOption('laser');
       await page.getByLabel('Positive towards').fill('+Y');
       await page.getByRole('button', { name: 'Start' }).click();
       await page.waitForURL(/\/captures\/\d+$/);
@@ -73,6 +73,29 @@ export const motion_captures = {
     } finally {
       server.close();
     }
+  },
+
+  async 'motion captures: the simulator stands at each target until its reading is taken, and what it made says so'(world) {
+    await world.api('POST', '/api/plans', { title: 'Straightness of X', axis: null, request });
+    const page = await world.page();
+    await page.goto('/captures/new?plan=1');
+    await shows(page.locator('form'), 'The readings will be simulated');
+    assert.equal(await page.getByLabel('Source', { exact: true }).inputValue(), 'simulator');
+    assert.equal(await page.getByLabel('Unit of the stream').count(), 0, 'it says itself what it sends');
+    await page.getByLabel('Size of the bow (µm)').fill('8');
+    await page.getByLabel('Speed').selectOption('10');
+    await page.getByRole('button', { name: 'Start' }).click();
+    await page.waitForURL(/\/captures\/\d+$/);
+    await shows(page.locator('main'), 'These readings are simulated, not measured. The simulated axis stands at each target');
+    for (const [n, position] of [[1, '30'], [2, '100'], [3, '190']]) {
+      await shows(page.locator('.readout .simulated-axis'), `The simulated axis stands at ${position}.000 mm`, 30_000);
+      await page.getByRole('button', { name: 'Take this reading' }).click();
+      if (n < 3) await shows(page.locator('.readout'), `${n} of 3`);
+    }
+    await page.waitForURL(/\/motions\?capture=\d+$/);
+    await shows(page.locator('main'), 'readings that were simulated, expected those of a machine');
+    const table = await world.api('GET', '/api/captures');
+    assert.equal(table.captures[0].source.kind, 'simulator');
   },
 
   async 'motion captures: one that is ended early keeps its readings, and is discarded'(world) {

@@ -364,6 +364,22 @@ TEST_F(MotionCaptureRoutes, CaptureAStraightnessToReadingsThatAreEvaluated) {
   EXPECT_TRUE(value_of(send("GET", "/api/captures"), 200).find("captures")->items().empty());
 }
 
+TEST_F(MotionCaptureRoutes, CaptureAStraightnessFromTheSimulatorThatSaysSo) {
+  const Value offered = value_of(send("GET", "/api/sources"), 200);
+  const Value& presets = *offered.find("sources")->items().at(0).find("motion_presets");
+  EXPECT_EQ(text(presets.items().at(0), "id"), "good");
+  value_of(send("POST", "/api/captures",
+                R"({"plan": 1, "source": "simulator", "options": {"stops": "readings", "speed": 60, "seed": 3}})"),
+           201);
+  const Value end = wait_for_end(1);
+  EXPECT_EQ(text(end, "state"), "complete") << json::dump(end);
+  EXPECT_EQ(text(*end.find("source"), "kind"), "simulator");
+  EXPECT_EQ(number(*end.find("motion")->find("end"), "found"), 12);
+  const std::string table = send("GET", "/api/captures/1/files/readings").body;
+  EXPECT_THAT(table, HasSubstr("# test.purpose: simulation\n"));
+  EXPECT_THAT(table, HasSubstr("# test.comment: Simulated, not measured: fault good, size 5 um; seed 3\n"));
+}
+
 TEST_F(MotionCaptureRoutes, WhatIsSaidAtAStopIsTakeSkipOrUndo) {
   value_of(send("POST", "/api/captures", wish(R"("stops": "keys", "stream-axis": 1)")), 201);
   const Value said = value_of(send("POST", "/api/captures/1/keys", R"({"key": "skip"})"), 200);
@@ -380,7 +396,9 @@ TEST_F(MotionCaptureRoutes, AFailingRequestForAMotionBeginsNothing) {
       {wish(R"("unit": "um")"), "found what is said of stops without stops"},
       {wish(R"("stops": "bells")"), "expected keys, trigger, readings or position"},
       {wish(R"("stops": "trigger")"), "found no column of the trigger"},
-      {R"({"plan": 1, "source": "simulator", "options": {"stops": "keys"}})", "it plays positions"},
+      {R"({"plan": 1, "source": "simulator", "options": {"stops": "keys", "size": 0}})", "size: found \"0\""},
+      {R"({"plan": 1, "source": "simulator", "layout": "umd", "options": {"stops": "keys"}})", "layout: found umd"},
+      {wish(R"("stops": "keys", "size": 5)"), "expected it with the simulator only"},
   };
   for (const auto& [body, told] : table) {
     const Response response = send("POST", "/api/captures", body);

@@ -6,6 +6,11 @@ namespace axiometry::language {
 namespace {
 
 constexpr Phrase motion_captures_rows[] = {
+    {"A bow, a slope and another value on the way back, each run within the noise",
+     "Ein Bogen, eine Steigung und ein anderer Wert auf dem Rückweg, jeder Durchlauf innerhalb des Rauschens"},
+    {"Each run lies apart from the one before, by what the instrument moved meanwhile",
+     "Jeder Durchlauf liegt neben dem vorigen, um das, was das Messmittel sich inzwischen bewegt hat"},
+    {"The readings drift", "Die Messwerte driften"},
     {"a reading more than the plan has approaches: not used",
      "ein Messwert mehr, als der Plan Anfahrten hat: nicht verwendet"},
     {"a trigger while the one before was being read: not used",
@@ -24,6 +29,9 @@ constexpr Phrase motion_captures_rows[] = {
      "errors",
      "ein Plan für {0}; erwartet: einer von Positionen; durch einen von anderen Abweichungen führt axiometry capture "
      "--stops"},
+    {"found a plan of one target, expected two at least: the simulator spans the error between them",
+     "ein Plan mit einer einzigen Zielposition; erwartet: mindestens zwei, zwischen denen der Simulator die "
+     "Abweichung aufspannt"},
     {"found a stream of the layout {0=}, expected time-position: the stops are told by a column of the same line",
      "ein Datenstrom der Anordnung {0}; erwartet: time-position, denn die Halte nennt eine Spalte derselben Zeile"},
     {"found a stream of the layout {0=}, whose numbers are positions, expected one of readings: time-position or "
@@ -62,6 +70,8 @@ constexpr Phrase motion_captures_rows[] = {
      "Messwerte in {0} laut Kopf des Datenstroms; erwartet: {1} wie angegeben"},
     {"found readings without a unit, expected --unit um, mm, urad, arcsec, mrad or deg, as the instrument sends them",
      "Messwerte ohne Einheit; erwartet: --unit um, mm, urad, arcsec, mrad oder deg, wie das Messmittel sie sendet"},
+    {"found size, expected it with the stops of a straightness or a rotation only",
+     "size; erwartet: nur mit den Halten einer Geradheit oder Drehung"},
     {"found the column {0=} in a unit that is not known, expected one of {1=}",
      "die Spalte {0} in einer unbekannten Einheit; erwartet: eine von {1}"},
     {"found the error {0=}, whose readings are positions and show the stops themselves; expected a straightness or a "
@@ -69,8 +79,6 @@ constexpr Phrase motion_captures_rows[] = {
      "die Abweichung {0}, deren Messwerte Positionen sind und die Halte selbst zeigen; erwartet: eine Geradheit oder "
      "eine Drehung, oder kein --stops"},
     {"found the key {0=}, expected take, skip or undo", "Eingabe {0}; erwartet: take, skip oder undo"},
-    {"found the simulator as source of an error motion, expected an instrument: it plays positions",
-     "der Simulator als Quelle einer Bewegungsabweichung; erwartet: ein Messmittel, denn er spielt Positionen"},
     {"found the unit {0=}, expected one of {1=}", "Einheit {0}; erwartet: eine von {1}"},
     {"found the unknown member {0=}, expected key", "unbekannter Eintrag {0}; erwartet: key"},
     {"found what is said of stops without stops, expected keys, trigger, readings or position",
@@ -82,8 +90,10 @@ constexpr Phrase motion_captures_rows[] = {
      "{0}\u00a0s nach {1}\u00a0s; erwartet: die Reihenfolge, in der es eingegeben wurde"},
     {"found {0#} samples, expected at least {1#} to tell whether they stand still",
      "{0} Abtastwerte; erwartet: mindestens {1}, um zu erkennen, ob sie stillstehen"},
+    {"found {0=} with the simulator, expected {1=} or none", "{0} beim Simulator; erwartet: {1} oder nichts"},
     {"found {0=}, expected a finite number as reading", "{0}; erwartet: eine endliche Zahl als Messwert"},
     {"found {0=}, expected a number above 0 up to 1e6", "{0}; erwartet: eine Zahl über 0 bis 1e6"},
+    {"found {0=}, expected a number above 0 up to {1#}", "{0}; erwartet: eine Zahl über 0 bis {1}"},
     {"found {0=}, expected a number from 1 to 1000", "{0}; erwartet: eine Zahl von 1 bis 1000"},
     {"found {0=}, expected a time in s and take, skip or undo, such as 12.5,take",
      "{0}; erwartet: eine Zeit in s und take, skip oder undo, etwa 12.5,take"},

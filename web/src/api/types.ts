@@ -255,6 +255,7 @@ export interface components {
             /** @description Of the plan. */
             approaches: number;
             due: components["schemas"]["Approach"] | null;
+            /** @description Where the axis is; of a straightness or a rotation that of the simulator alone. */
             now: {
                 position: number;
                 at_rest: boolean;
@@ -293,7 +294,7 @@ export interface components {
             source: string;
             /** @description Of the stream; recognised by itself when empty or left out. */
             layout?: string;
-            /** @description By the names of the flags of `axiometry capture`; of the simulator `speed`, `preset` and `seed`. With `stops`, which a plan of a straightness or a rotation needs, it becomes a table of readings. */
+            /** @description By the names of the flags of `axiometry capture`; of the simulator `speed`, `preset` and `seed`. With `stops`, which a plan of a straightness or a rotation needs, it becomes a table of readings; the simulator then also takes `size`, of the bow in µm or µrad (5), sends the readings in the first column beside the time and the trigger or the position in the second, and with `keys` stands at each stop until its reading is taken or skipped. */
             options?: {
                 [key: string]: string | number | boolean;
             };
@@ -2674,6 +2675,12 @@ export interface components {
             }[];
             /** @description Of the simulator, for captures of lengths. */
             length_presets?: {
+                id: string;
+                title: string;
+                sign: string;
+            }[];
+            /** @description Of the simulator, for captures of straightness and rotations. */
+            motion_presets?: {
                 id: string;
                 title: string;
                 sign: string;

@@ -7,7 +7,7 @@ import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
 import { position_unit, shortest } from '../numbers';
 import { go, place } from '../router';
-import { MotionFields, motion_options, stops_of, without_motion } from './capture/motion_fields';
+import { MotionFields, motion_options, size_unit_of, stops_of, without_motion } from './capture/motion_fields';
 import { t as t_motion } from './capture/motion_texts';
 import { sent, SourceChoice, SourceOptions, type SourceForm } from './capture/source_fields';
 import { t } from './capture/texts';
@@ -28,8 +28,9 @@ export function NewCapturePage() {
   const chosen = form.plan || String(plans.data?.plans[0]?.id ?? '');
   const plan = use_get<Plan>(chosen === '' ? null : `/api/plans/${chosen}`);
   const motion = plan.data && !is_of_positions(plan.data.plan) ? plan.data.plan : null;
-  const possible = (sources.data?.sources ?? []).filter(({ kind }) => motion === null || kind !== 'simulator');
+  const possible = sources.data?.sources ?? [];
   const source = possible.find(({ id }) => id === form.source) ?? possible[0];
+  const simulated = source?.kind === 'simulator';
   const option = (key: string, text: string) => set_form({ ...form, options: { ...form.options, [key]: text } });
 
   const start = () => {
@@ -37,7 +38,7 @@ export function NewCapturePage() {
     set_busy(true);
     set_error(null);
     send<Capture>('POST', '/api/captures', {
-      plan: Number(chosen), source: source.id, layout: form.layout, options: sent(motion ? motion_options(motion, form.options) : without_motion(form.options), source),
+      plan: Number(chosen), source: source.id, layout: form.layout, options: sent(motion ? motion_options(motion, form.options, simulated) : without_motion(form.options), source, motion ? 'motion' : 'positions'),
     }).then(
       (capture) => go(`/captures/${capture.id}`),
       (failure: unknown) => {
@@ -68,13 +69,12 @@ export function NewCapturePage() {
           )}
         </Field>
         <Parts plan={motion ? null : plan.data} option={option} value={form.options['part'] ?? '1'} />
-        {motion && <MotionFields plan={motion} options={form.options} option={option} />}
-        {motion && sources.data && possible.length === 0
-          ? <p class="notice caution" role="status">{t_motion('no_source')}</p>
-          : <SourceChoice sources={possible} source={source} choose={(id) => set_form({ ...form, source: id })} />}
+        {motion && <MotionFields plan={motion} options={form.options} option={option} simulated={simulated} />}
+        <SourceChoice sources={possible} source={source} choose={(id) => set_form({ ...form, source: id })} />
+        {motion && simulated && <p class="notice">{t_motion('will_be_simulated')}</p>}
         {source && (
           <SourceOptions source={source} form={form} change={(part) => set_form({ ...form, ...part })} unit={unit_of(plan.data)}
-            {...(motion ? { of_motion: stops_of(form.options) } : {})} />
+            {...(motion ? { of_motion: stops_of(form.options), size_unit: size_unit_of(motion, form.options) } : {})} />
         )}
         {error && <FailureNotice error={error} />}
         <div class="row">

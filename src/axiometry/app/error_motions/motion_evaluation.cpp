@@ -11,6 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/digest/sha256.h"
+#include "axiometry/model/simulated.h"
 #include "axiometry/standards/error_motions/abbe_offset.h"
 
 namespace axiometry::app {
@@ -112,6 +113,8 @@ void add_gaps(MeasuredMotion& measured) {
     measured.remarks.push_back(
         "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
   if (!measured.instrument) measured.remarks.emplace_back(no_instrument_remark);
+  if (text::equal_ignoring_case(measured.metadata.conditions.purpose, simulation_purpose))
+    measured.remarks.emplace_back("found readings that were simulated, expected those of a machine");
 }
 
 Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFile file, bool angle) {

@@ -278,7 +278,7 @@ std::size_t CaptureSession::expected() const {
 }
 
 std::optional<capture::StandstillDetector::Now> CaptureSession::now() const {
-  if (motion_) return std::nullopt;
+  if (motion_) return axis_;
   return stops_ ? stops_->now() : detector_->now();
 }
 

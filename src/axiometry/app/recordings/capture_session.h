@@ -94,8 +94,9 @@ class CaptureSession {
   std::size_t samples() const { return samples_; }
   std::size_t lost() const { return reader_ ? reader_->lost() : 0; }
   Environment environment() const { return reader_ ? reader_->environment() : Environment{}; }
-  /// Where the axis is; nothing of readings that do not tell it.
+  /// Where the axis is; nothing of readings that do not tell it, unless somebody else does.
   std::optional<capture::StandstillDetector::Now> now() const;
+  void tell_axis(capture::StandstillDetector::Now now) { axis_ = now; }  ///< of readings: a simulated axis
 
  private:
   CaptureSession() = default;
@@ -113,6 +114,7 @@ class CaptureSession {
   std::unique_ptr<capture::StandstillDetector> detector_;
   std::unique_ptr<capture::StopListener> stops_;  // in place of both
   std::unique_ptr<MotionListener> motion_;        // likewise
+  std::optional<capture::StandstillDetector::Now> axis_;
   const formats::Recording* layout_ = nullptr;
   std::unique_ptr<formats::RecordingReader> reader_;
   std::unique_ptr<formats::RecordingReader> beside_;  // of what tells the stops of motion_, in the same bytes

@@ -7,6 +7,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/capture/capture_result.h"
+#include "axiometry/model/simulated.h"
 
 namespace axiometry::app {
 namespace {
@@ -46,8 +47,11 @@ std::string statements(const MotionListener& motion, const MotionOrigin& origin)
   std::string text = fmt::format("# error: {}\n", motion.error().text());
   if (motion.stated().sense) text += fmt::format("# positive: {}\n", motion.stated().sense->text());
   if (!plan.axis.name.empty()) text += fmt::format("# axis.name: {}\n", one_line(plan.axis.name));
-  if (!plan.machine.empty()) text += fmt::format("# machine.name: {}\n", one_line(plan.machine));
+  const std::string machine = origin.simulated.empty() ? plan.machine : simulated_machine(plan.machine);
+  if (!machine.empty()) text += fmt::format("# machine.name: {}\n", one_line(machine));
   if (!origin.date.empty()) text += fmt::format("# test.date: {}\n", origin.date);
+  if (!origin.simulated.empty())
+    text += fmt::format("# test.purpose: {}\n# test.comment: {}\n", simulation_purpose, origin.simulated);
   for (const std::string& part : motion.stated().equipment) text += fmt::format("# equipment: {}\n", one_line(part));
   return text;
 }

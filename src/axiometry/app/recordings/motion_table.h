@@ -13,6 +13,7 @@ struct MotionOrigin {
   std::string from;  ///< file, "tcp://…"
   std::string raw;   ///< file of all bytes that came; may be empty
   std::string date;  ///< of the first of them; may be empty
+  std::string simulated{};  ///< of readings that nobody measured: what is to be said of them
 };
 
 /// The table that `straightness`, `angles` and `squareness` evaluate: what is known of the readings above it, a row for

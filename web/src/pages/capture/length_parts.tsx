@@ -72,7 +72,7 @@ export function LengthPartsPanel({ subject, step, own }: Props) {
     if (!source || !subject || busy) return;
     set_busy(true);
     set_error(null);
-    send<Capture>('POST', '/api/captures', { lengths: { ...subject, part }, source: source.id, layout: form.layout, options: sent(form.options, source) }).then(
+    send<Capture>('POST', '/api/captures', { lengths: { ...subject, part }, source: source.id, layout: form.layout, options: sent(form.options, source, 'lengths') }).then(
       (capture) => { set_busy(false); go(`/captures/${capture.id}`); },
       (failure: unknown) => {
         set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));

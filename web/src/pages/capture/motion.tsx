@@ -40,6 +40,9 @@ export function MotionCapture({ live, capture, motion, plan, again }: Props) {
       </header>
       {live.error && <FailureNotice error={live.error} />}
       {live.lost && <p class="notice caution offline" role="status">{t_capture('lost')}</p>}
+      {capture.source.kind === 'simulator' && (
+        <p class="notice">{t('simulated')}{running && motion.stops === 'keys' && ` ${t('axis_waits')}`}</p>
+      )}
       {!running && (
         <TableEnding
           capture={capture} again={again} only_raw={t('only_raw')} table={t('table_file')} discard_what={t('discard_what')}
@@ -49,7 +52,7 @@ export function MotionCapture({ live, capture, motion, plan, again }: Props) {
         </TableEnding>
       )}
       <div class="live">
-        <Readout capture={capture} {...shared} where={running && <RunningValue motion={motion} unit={unit} />} />
+        <Readout capture={capture} {...shared} where={running && <RunningValue motion={motion} axis={capture.now} unit={unit} />} />
         {running && <StopKeys capture={capture} motion={motion} />}
         <LiveChart {...shared} due={capture.due} read={motion.error} />
         <aside class="stack"><Events capture={capture} /></aside>
@@ -70,12 +73,13 @@ function use_evaluation_opened(capture: Capture): void {
   }, [capture.state, opens]);
 }
 
-function RunningValue({ motion: { now, is_reading, waits_for_key }, unit }: { motion: CapturedMotion; unit: string }) {
+function RunningValue({ motion: { now, is_reading, waits_for_key }, axis, unit }: { motion: CapturedMotion; axis: Capture['now']; unit: string }) {
   if (now === null) return <p class="where motion">{t('no_reading')}</p>;
   return (
     <div class="where">
       <p class="position number">{fixed(now, 2)}<span class="unit"> {unit}</span></p>
       <p class={`motion ${is_reading ? 'rest' : 'moving'}`} role="status">{t(is_reading ? 'is_reading' : waits_for_key ? 'waits' : 'running_value')}</p>
+      {axis && <p class="quiet number simulated-axis">{axis.at_rest ? t('axis_stands', { position: fixed(axis.position, 3) }) : t('axis_moves')}</p>}
     </div>
   );
 }

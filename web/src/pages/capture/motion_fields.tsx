@@ -5,7 +5,10 @@ import { Field } from '../../components/field';
 import { t } from './motion_texts';
 
 type Texts = Record<string, string>;
-interface Props { plan: PlanFile; options: Texts; option: (key: string, text: string) => void }
+interface Props {
+  plan: PlanFile; options: Texts; option: (key: string, text: string) => void;
+  simulated: boolean; // so that nothing is to be said of a stream and an instrument
+}
 
 const signs = ['keys', 'trigger', 'readings', 'position'] as const satisfies readonly StopSign[];
 const of_lengths = ['um', 'mm', 'nm', 'in'], of_angles = ['urad', 'arcsec', 'mrad', 'deg'];
@@ -16,26 +19,30 @@ const is_rotation = (error: string): boolean => 'ABC'.includes(error[1] ?? '');
 
 export const stops_of = (options: Texts): StopSign => signs.find((sign) => sign === options['stops']) ?? 'keys';
 
+const chosen_error = (plan: PlanFile, options: Texts): string => options['error'] || (motions_of(plan)[0] ?? '');
+export const size_unit_of = (plan: PlanFile, options: Texts): string => (is_rotation(chosen_error(plan, options)) ? 'µrad' : 'µm');
+
 /** Only what the chosen stops have a use for; the rest of the options is that of every stream. */
-export function motion_options(plan: PlanFile, options: Texts): Texts {
+export function motion_options(plan: PlanFile, options: Texts, simulated: boolean): Texts {
   const stops = stops_of(options);
   const useless = [
     'part', 'zero', ...(stops === 'position' ? [] : ['datum', 'reverse', 'target-window']),
     ...(stops === 'trigger' || stops === 'position' ? [] : ['stop-column']),
     ...(stops === 'keys' || stops === 'trigger' ? [] : ['reading-window']), ...(stops === 'readings' ? ['still'] : []),
-    ...(motions_of(plan).length > 1 ? [] : ['error']),
+    ...(motions_of(plan).length > 1 ? [] : ['error']), ...(simulated ? of_a_stream : []),
   ];
-  const error = options['error'] || motions_of(plan)[0];
+  const error = chosen_error(plan, options);
   const said = { ...options, stops, ...(error ? { error } : {}) };
   return Object.fromEntries(Object.entries(said).filter(([key]) => !useless.includes(key)));
 }
-const only_of_motions = ['stops', 'stop-column', 'error', 'unit', 'positive', 'reading-window', 'still', 'equipment'];
+const of_a_stream = ['unit', 'stream-axis', 'stop-column', 'equipment'];
+const only_of_motions = ['stops', 'stop-column', 'error', 'unit', 'positive', 'reading-window', 'still', 'equipment', 'size'];
 export const without_motion = (options: Texts): Texts => Object.fromEntries(Object.entries(options).filter(([key]) => !only_of_motions.includes(key)));
 
-export function MotionFields({ plan, options, option }: Props) {
+export function MotionFields({ plan, options, option, simulated }: Props) {
   const errors = motions_of(plan);
   const stops = stops_of(options);
-  const error = options['error'] || (errors[0] ?? '');
+  const error = chosen_error(plan, options);
   const typed = (key: string, label: string, hint: string, numeric: boolean) => (
     <Field label={label} hint={hint}>
       {(ids) => (
@@ -63,21 +70,23 @@ export function MotionFields({ plan, options, option }: Props) {
             )}
           </Field>
         )}
-        <Field label={t('unit')}>
-          {(ids) => (
-            <select {...ids} value={options['unit'] ?? ''} onChange={(event) => option('unit', event.currentTarget.value)}>
-              <option value="">{t('unit_named')}</option>
-              {(is_rotation(error) ? of_angles : of_lengths).map((unit) => <option key={unit} value={unit}>{unit}</option>)}
-            </select>
-          )}
-        </Field>
-        {typed('stream-axis', t('reading_column'), t('column_hint'), true)}
-        {(stops === 'trigger' || stops === 'position') && typed('stop-column', t('stop_column'), t('column_hint'), true)}
+        {!simulated && (
+          <Field label={t('unit')}>
+            {(ids) => (
+              <select {...ids} value={options['unit'] ?? ''} onChange={(event) => option('unit', event.currentTarget.value)}>
+                <option value="">{t('unit_named')}</option>
+                {(is_rotation(error) ? of_angles : of_lengths).map((unit) => <option key={unit} value={unit}>{unit}</option>)}
+              </select>
+            )}
+          </Field>
+        )}
+        {!simulated && typed('stream-axis', t('reading_column'), t('column_hint'), true)}
+        {!simulated && (stops === 'trigger' || stops === 'position') && typed('stop-column', t('stop_column'), t('column_hint'), true)}
         {typed('positive', t('positive'), t('positive_hint'), false)}
         {(stops === 'keys' || stops === 'trigger') && typed('reading-window', t('reading-window'), '', true)}
         {stops !== 'readings' && typed('still', t('still'), '', true)}
       </div>
-      {typed('equipment', t('equipment'), t('equipment_hint'), false)}
+      {!simulated && typed('equipment', t('equipment'), t('equipment_hint'), false)}
     </>
   );
 }

@@ -8,11 +8,22 @@ import { layouts, layouts_of_readings, of_option, option_keys, t } from './texts
 type Texts = Record<string, string>;
 export interface SourceForm { source: string; layout: string; options: Texts }
 
-const simulator_keys = ['speed', 'preset', 'seed'];
+type Read = 'positions' | 'lengths' | 'motion';
+const simulator_keys = ['speed', 'preset', 'seed', 'size'];
+const simulated_stops = ['stops', 'error', 'positive', 'reading-window', 'still']; // of a motion
+
+const presets_of = (source: Source, read: Read) =>
+  ({ positions: source.presets, lengths: source.length_presets, motion: source.motion_presets })[read] ?? [];
+/** One that was chosen for readings of another kind is none of these. */
+const preset_of = (source: Source, read: Read, chosen: string | undefined) =>
+  presets_of(source, read).find(({ id }) => id === chosen) ?? presets_of(source, read)[0];
 
 /** Of what was typed only what concerns the source, numbers with a point. */
-export function sent(options: Texts, source: Source): Texts {
-  const concerns = (key: string) => key === 'part' || simulator_keys.includes(key) === (source.kind === 'simulator');
+export function sent(typed: Texts, source: Source, read: Read): Texts {
+  const simulated = source.kind === 'simulator';
+  const concerns = (key: string) =>
+    key === 'part' || (simulator_keys.includes(key) ? simulated && (key !== 'size' || read === 'motion') : !simulated || (read === 'motion' && simulated_stops.includes(key)));
+  const options = simulated ? { ...typed, preset: preset_of(source, read, typed['preset'])?.id ?? '' } : typed;
   const entries = Object.entries(options).filter(([key, text]) => text.trim() !== '' && concerns(key));
   return Object.fromEntries(entries.map(([key, text]) => [key, parsed(text) === null ? text.trim() : String(parsed(text))]));
 }
@@ -33,6 +44,7 @@ interface OptionsProps {
   source: Source; form: SourceForm; change: (part: Partial<SourceForm>) => void; unit: string;
   of_lengths?: boolean;
   of_motion?: StopSign; // what tells its stops
+  size_unit?: string;   // of its error
 }
 
 /** What the chosen source is told, or what its stream does not say itself. */
@@ -43,13 +55,14 @@ export function SourceOptions(props: OptionsProps) {
 
 interface FieldsProps extends OptionsProps { option: (key: string, text: string) => void }
 
-function SimulatorFields({ source, form: { options }, option, of_lengths }: FieldsProps) {
-  const presets = (of_lengths ? source.length_presets : source.presets) ?? [];
+function SimulatorFields({ source, form: { options }, option, of_lengths, of_motion, size_unit }: FieldsProps) {
+  const read = of_motion ? 'motion' : of_lengths ? 'lengths' : 'positions';
+  const presets = presets_of(source, read), preset = preset_of(source, read, options['preset']);
   return (
     <div class="pair">
-      <Field label={t(of_lengths ? 'happens' : 'fault')} hint={presets.find(({ id }) => id === options['preset'])?.sign}>
+      <Field label={t(({ motion: 'happens_to_readings', lengths: 'happens', positions: 'fault' } as const)[read])} hint={preset?.sign}>
         {(ids) => (
-          <select {...ids} value={options['preset'] ?? ''} onChange={(event) => option('preset', event.currentTarget.value)}>
+          <select {...ids} value={preset?.id ?? ''} onChange={(event) => option('preset', event.currentTarget.value)}>
             {presets.map(({ id, title }) => <option key={id} value={id}>{title}</option>)}
           </select>
         )}
@@ -61,6 +74,11 @@ function SimulatorFields({ source, form: { options }, option, of_lengths }: Fiel
           </select>
         )}
       </Field>
+      {of_motion && (
+        <Field label={t('size', { unit: size_unit ?? '' })}>
+          {(ids) => <input {...ids} class="number" inputMode="decimal" placeholder="5" value={options['size'] ?? ''} onInput={(event) => option('size', event.currentTarget.value)} />}
+        </Field>
+      )}
       <Field label={t('seed')}>
         {(ids) => <input {...ids} class="number" inputMode="numeric" placeholder={of_lengths ? t('of_plan') : ''} value={options['seed'] ?? ''} onInput={(event) => option('seed', event.currentTarget.value)} />}
       </Field>

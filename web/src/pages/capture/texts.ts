@@ -41,6 +41,8 @@ export const t = texts({
   seed: ['Seed', 'Startwert'],
   of_plan: ['of the plan', 'des Plans'],
   happens: ['What happens to the beam', 'Was mit dem Strahl geschieht'],
+  happens_to_readings: ['What happens to the readings', 'Was mit den Messwerten geschieht'],
+  size: ['Size of the bow ({unit})', 'Größe des Bogens ({unit})'],
   layout: ['Layout of the stream', 'Aufbau des Datenstroms'],
   recognised: ['recognised by its content', 'am Inhalt erkannt'],
   more: ['More', 'Mehr'],

@@ -42,10 +42,11 @@ class Run {
   Run(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session)
       : run_(run), observer_(observer), session_(std::move(session)), piped_(run.raw), telling_(run, observer) {}
 
-  void listen(Connect connect, std::uint64_t raw_limit, FreeBytes free = free_bytes) {
-    connect_ = std::move(connect);
-    room_ = raw_limit;
-    free_bytes_ = std::move(free);
+  void listen(const LiveCapture& live) {
+    connect_ = live.connect;
+    room_ = live.raw_limit;
+    free_bytes_ = live.free;
+    beside_ = live.beside;
   }
 
   Result<CaptureOutcome> operator()() {
@@ -195,6 +196,7 @@ class Run {
   Result<void> listen_to(std::unique_ptr<LiveStream> stream, RawLog& log) {
     std::vector<char> block(live_block);
     DiskRoom disk(run_.raw.empty() ? run_.resume : run_.raw, free_bytes_);
+    if (beside_) beside_(session_);
     while (!stop()) {
       const LiveStream::Got got = stream->read(block, poll_time);
       if (got.state == LiveStream::State::data) {
@@ -213,6 +215,7 @@ class Run {
         AXIOMETRY_TRY_VOID(sound(log.sync_when_due()));
       }
       AXIOMETRY_TRY_VOID(take_keys(log));
+      if (beside_) beside_(session_);
       show();
     }
     return {};
@@ -330,6 +333,7 @@ class Run {
   CaptureSession session_;
   Connect connect_;
   FreeBytes free_bytes_;
+  std::function<void(CaptureSession&)> beside_;
   Clock::time_point connected_, shown_;
   std::optional<Outage> outage_;
   std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
@@ -349,7 +353,7 @@ auto from_source(const CaptureRun& run, const CaptureObserver& observer, Capture
     -> std::invoke_result_t<Outcome, Run&> {
   AXIOMETRY_TRY(const auto live, parse_live(run.from));
   Run reading(run, observer, std::move(session));
-  if (live) reading.listen([address = *live] { return connect_to(address); }, UINT64_MAX);
+  if (live) reading.listen({.name = {}, .connect = [address = *live] { return connect_to(address); }, .raw = {}});
   auto result = outcome(reading);
   if (!result && result.error().file.empty()) result.error().file = run.from == "-" ? "(standard input)" : run.from;
   return result;
@@ -361,7 +365,7 @@ auto from_stream(const LiveCapture& capture, const CaptureObserver& observer, Ca
   const CaptureRun run{
       .from = capture.name, .raw = capture.raw, .resume = capture.resume, .out = {}, .give_up = capture.give_up};
   Run reading(run, observer, std::move(session));
-  reading.listen(capture.connect, capture.raw_limit, capture.free);
+  reading.listen(capture);
   return outcome(reading);
 }
 

@@ -23,6 +23,7 @@ struct CaptureRun {
   std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
   Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
   std::string keys{};                  ///< of a finished recording: file of what was said at its stops, stop_marks.h
+  std::string simulated{};             ///< of readings that nobody measured: what their table says of them
 };
 
 /// What happens, for people who watch. Any may be empty.
@@ -77,6 +78,7 @@ struct LiveCapture {
   Duration give_up = Duration::s(60);    ///< how long a source is tried, at first and again, until samples come
   std::uint64_t raw_limit = UINT64_MAX;  ///< bytes that come at most; then the capture stops
   FreeBytes free = free_bytes;           ///< of the disk of the raw file; DiskRoom says when the capture stops
+  std::function<void(CaptureSession&)> beside{};  ///< what source and capture tell each other between its pieces
 };
 
 /// The same as run_capture(), without a file for the test.

@@ -17,6 +17,7 @@
 #include "axiometry/app/workbench/test_of_file.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/model/simulated.h"
 
 namespace axiometry::app {
 namespace {
@@ -67,8 +68,7 @@ store::By by_of(const CaptureOrder& order) {
 
 Test to_be_kept(const CaptureOrder& order, Test test) {
   if (order.source != simulator_source().id) return test;
-  std::string& machine = test.metadata.machine.name;
-  machine = machine.empty() ? "Simulator" : machine + " (simulated)";
+  test.metadata.machine.name = simulated_machine(test.metadata.machine.name);
   return test;
 }
 

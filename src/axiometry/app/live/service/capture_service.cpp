@@ -14,6 +14,7 @@
 #include "axiometry/app/live/service/capture_running.h"
 #include "axiometry/app/live/sources/own_options.h"
 #include "axiometry/app/live/sources/simulated_lengths.h"
+#include "axiometry/app/live/sources/simulated_motion.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/recordings/stop_options.h"
 #include "axiometry/base/number_text.h"
@@ -103,14 +104,15 @@ Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, W
   const bool simulated = source.id == simulator_source().id;
   AXIOMETRY_TRY(const OwnOptions own, own_options(order.options, source.kind));
   AXIOMETRY_TRY(CaptureOptions options, live_options_from(own.others));
-  if (options.motion && simulated)
-    return fail("found the simulator as source of an error motion, expected an instrument: it plays positions");
+  if (own.size && !options.motion)
+    return fail("found size, expected it with the stops of a straightness or a rotation only");
   if (options.motion && !recorded.empty()) {
     AXIOMETRY_TRY(options.motion->marks, marks_beside(recorded));
   }
   const std::uint64_t heard = recorded.empty() ? 0 : size_of_recorded(recorded);
   options.stream = order.layout;
   options.recording.skip_damaged = true;
+  if (options.motion && simulated) AXIOMETRY_TRY_VOID(hear_simulated_motion(options));
   if (order.lengths && !task) {
     AXIOMETRY_TRY(task, task_of(*order.lengths, order.part));
   }
@@ -118,6 +120,14 @@ Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, W
   Begun begun{std::move(source), std::move(session), {.name = {}, .connect = {}, .raw = {}}, {}, std::move(task)};
   begun.live.give_up = own.give_up;
   begun.live.raw_limit = settings_.raw_limit;
+  if (simulated && begun.session.motion() != nullptr) {
+    if (way == Way::conclude) return begun;
+    AXIOMETRY_TRY(SimulatedMotion made,
+                  simulated_motion_source(simulated_motion_of(own, {own.speed, heard}), begun.session));
+    begun.live.connect = std::move(made.connect);
+    begun.live.beside = std::move(made.beside);
+    return begun;
+  }
   if (simulated && begun.task) {
     if (way == Way::conclude) return begun;
     AXIOMETRY_TRY(

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "axiometry/app/live/sources/simulated_lengths.h"
+#include "axiometry/app/live/sources/simulated_motion.h"
 #include "axiometry/app/recordings/stop_options.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/simulation/presets.h"
@@ -180,6 +181,7 @@ Value to_json(const CaptureSource& source, const Reader& reader) {
   };
   value.add("presets", list_of(simulation::presets(), row_of));
   value.add("length_presets", list_of(length_presets(), row_of));
+  value.add("motion_presets", list_of(motion_presets(), row_of));
   return value;
 }
 

@@ -265,7 +265,8 @@ TEST_F(MotionCaptures, AFailingWishBeginsNothing) {
     const auto started = service->start(wish(plan, options, source));
     return started ? "" : started.error().message;
   };
-  EXPECT_THAT(refusal(brief_plan(), told_by("keys"), "simulator"), HasSubstr("it plays positions"));
+  EXPECT_THAT(refusal(brief_plan(), told_by("keys"), "simulator"),
+              HasSubstr("stream-axis: found 2 with the simulator, expected 1 or none"));
   EXPECT_THAT(refusal(brief_plan(), {}), HasSubstr("found a plan made for EYX, expected one of positions"));
   EXPECT_THAT(refusal(brief_plan(), {{"unit", "um"}}), HasSubstr("found what is said of stops without stops"));
   EXPECT_THAT(refusal(brief_plan(), told_by("bells")), HasSubstr("stops: found \"bells\""));

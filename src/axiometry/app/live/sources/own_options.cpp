@@ -31,6 +31,10 @@ Result<void> put_own(const std::string& name, const std::string& value, OwnOptio
   } else if (name == "seed") {
     own.seed = parse_count(value);
     if (!own.seed || *own.seed >= seed_limit) return bad_option(name, value, "a whole number below 2^53");
+  } else if (name == "size") {
+    own.size = parse_number(value);
+    if (!own.size || !(*own.size > 0.0) || *own.size > largest_motion_size)
+      return bad_option(name, value, fmt::format("a number above 0 up to {}", largest_motion_size));
   } else {
     const auto seconds = parse_number(value);
     if (!seconds || *seconds < 0.0 || *seconds > longest_give_up_s)
@@ -47,7 +51,7 @@ Result<OwnOptions> own_options(const std::vector<std::pair<std::string, std::str
   OwnOptions own;
   for (const auto& [name, value] : options) {
     if (value.empty()) continue;  // a field that was left empty
-    const bool of_simulator = name == "speed" || name == "preset" || name == "seed";
+    const bool of_simulator = name == "speed" || name == "preset" || name == "seed" || name == "size";
     if (of_simulator && kind != CaptureSource::Kind::simulator)
       return fail(fmt::format("found {}, expected it with the simulator only", name));
     if (of_simulator || name == "give-up")
@@ -56,6 +60,10 @@ Result<OwnOptions> own_options(const std::vector<std::pair<std::string, std::str
       own.others.emplace_back(name, value);
   }
   return own;
+}
+
+SimulatedMotionCapture simulated_motion_of(const OwnOptions& own, const SimulatedPace& pace) {
+  return {own.preset, own.size.value_or(usual_motion_size), own.seed.value_or(1), pace};
 }
 
 void put_seed(std::vector<std::pair<std::string, std::string>>& options, std::uint64_t seed) {
