@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "axiometry/base/text.h"
@@ -140,10 +141,21 @@ std::optional<Finding> targets_within_axis_travel(const Case& c) {
                           fmt::join(at_end, " and ")));
 }
 
+/// As far as the programme of a test goes on an axis: 5.3.3 has no stretch, but the whole travel.
+double programme_reach(Programme programme) {
+  switch (programme) {
+    case Programme::short_linear: return 2000.0;
+    case Programme::long_linear: break;
+    case Programme::one_turn: return 360.0;
+    case Programme::many_turns: return 1800.0;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 std::optional<Finding> part_of_axis_travel(const Case& c) {
   const auto whole = axis_ends(c.metadata.axis).length_native();
-  if (!whole || c.programme == Programme::many_turns) return std::nullopt;
-  const double stretch = c.linear() ? std::min(*whole, 2000.0) : std::min(*whole, 360.0);
+  if (!whole) return std::nullopt;
+  const double stretch = std::min(*whole, programme_reach(c.programme));
   if (*whole <= 0.0 || c.travel() >= 0.8 * stretch) return std::nullopt;
   return note("part-of-axis-travel", "3.2",
               fmt::format("found {} measured of an axis travel of {}; the results hold for that part only",

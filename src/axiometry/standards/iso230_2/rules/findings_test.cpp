@@ -147,6 +147,17 @@ TEST(Findings, WantRoomBeyondTheEndTargets) {
               HasSubstr("500 mm measured of an axis travel of 1810 mm"));
 }
 
+/// One approach from each side over the whole travel: over 2.5 m of 6 m it is a test of a part.
+TEST(Findings, TellThatOnlyAPartOfALongAxisWasMeasured) {
+  const std::vector<double> targets = {5, 260, 480, 740, 1010, 1230, 1510, 1740, 2000, 2260, 2505};
+  Metadata m;
+  m.axis.travel_begin = Position::native(0);
+  m.axis.travel_end = Position::native(6000);
+  EXPECT_THAT(finding(assessed(proper(targets, 1), m), "3.2"), HasSubstr("2500 mm measured of an axis travel of 6000"));
+  m.axis.travel_end = Position::native(2600);
+  EXPECT_EQ(finding(assessed(proper(targets, 1), m), "3.2"), "");
+}
+
 TEST(Findings, DepartWhereTargetsLieOutsideTheAxisTravel) {
   Metadata m;
   m.axis.travel_begin = Position::native(100);
