@@ -288,6 +288,7 @@ TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {
     for (std::size_t i = 0; i < 5; ++i) run[i] += 0.05 * half_metre[i];
   EXPECT_THAT(finding(assessed(make_series(half_metre, sloping, sloping)), "3.24"),
               HasSubstr("note: found a straight slope of"));
+  EXPECT_THAT(finding(assessed(make_series(half_metre, {}, sloping)), "3.24"), HasSubstr("without which E↓ would be"));
   EXPECT_EQ(finding(assessed(table2::series()), "3.24"), "");
   EXPECT_EQ(finding(assessed(table2::series()), "3.18", "same reading"), "");
   for (std::size_t n : {3, 5, 10}) {  // 0.1 + 0.1 + 0.1 is not 0.3, but the readings are the same
