@@ -83,34 +83,37 @@ double quantile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-std::optional<ExpectedRetest> expected_retest(const Series& predicted, std::uint64_t seed) {
+std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTrials of_retest) {
   const iso230_2::ScatterStudy study = iso230_2::scatter_study(predicted);
   // Runs that lie higher or lower as a whole do so in all targets alike, and leave the shape of the axis alone.
   const RunSpread spread = study.shifts ? run_spread_of(predicted) : RunSpread{};
   const std::vector<Cell> cells =
       cells_of(study.shifts ? iso230_2::without_shifts(predicted) : predicted, study.uneven.has_value());
   if (cells.empty()) return std::nullopt;
-  const std::size_t runs = predicted.run_count(), numbers_each = cells.size() * (runs + 1) + 2 * runs + 1;
+  const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
+  const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 1;
   const std::size_t trials = std::clamp(readings_most / numbers_each, trials_least, trials_most);
   const std::vector<Position> targets(predicted.targets().begin(), predicted.targets().end());
 
   std::array<std::vector<double>, std::size(iso230_2::parameters)> values;
   std::vector<double> normal(numbers_each);
   for (std::size_t trial = 0; trial < trials; ++trial) {
-    numeric::fill_normal({.seed = seed, .stream = 0, .block = trial}, normal);
+    numeric::fill_normal({.seed = of_retest.seed, .stream = 0, .block = trial}, normal);
     std::vector<iso230_2::PositionResult> positions(targets.size());
     std::vector<double> readings(2 * runs);
     const double* z = normal.data();
     const std::span<const double> shifts = std::span(normal).last(2 * runs + 1);
-    const double of_table = spread.between_directions * shifts[2 * runs] / std::sqrt(static_cast<double>(runs));
+    const double of_table =
+        spread.between_directions * shifts[2 * runs] / std::sqrt(static_cast<double>(predicted.run_count()));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       std::array<std::span<double>, 2> of{std::span(readings).first(runs), std::span(readings).last(runs)};
       for (std::size_t d = 0; d < 2; ++d) {
         const Cell& cell = cells[d * targets.size() + i];
         const double table = cell.count > 0 ? *z / std::sqrt(static_cast<double>(cell.count)) : 0.0;
+        const std::size_t approaches = of_retest.runs && cell.count > 0 ? runs : cell.count;
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
-          of[d][j] = j < cell.count
+          of[d][j] = j < approaches
                          ? cell.mean + cell.s * (table + *z) + spread.common * shifts[j] +
                                (d == 0 ? 1.0 : -1.0) * (spread.between_directions * shifts[runs + j] + of_table)
                          : std::nan("");

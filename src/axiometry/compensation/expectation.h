@@ -9,7 +9,12 @@
 
 namespace axiometry::compensation {
 
-/// What re-tests of as many runs will show with the table active, if the axis stays as it is and scatters as it did.
+struct RetestTrials {
+  std::uint64_t seed = 1;
+  std::optional<std::size_t> runs{};  ///< of the re-test; as many as the test has where nobody knows
+};
+
+/// What re-tests will show with the table active, if the axis stays as it is and scatters as it did.
 struct ExpectedRetest {
   iso230_2::AxisParameters median;      ///< half of the re-tests show less
   iso230_2::AxisParameters percent_95;  ///< 95 % of them show less
@@ -21,6 +26,6 @@ struct ExpectedRetest {
 /// normal z; where runs were shifted as a whole, those of the re-test are too, as far as both directions alike and as
 /// far as one against the other. s is that of all targets of a direction together; of each target its own where they
 /// differ for sure. Nothing where no target has two readings in a direction. The same test gives the same numbers.
-std::optional<ExpectedRetest> expected_retest(const Series& predicted, std::uint64_t seed = 1);
+std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTrials trials = {});
 
 }  // namespace axiometry::compensation

@@ -40,7 +40,7 @@ TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
   for (int k = 0; k < axes; ++k) {
     const Series before = measured(random, nullptr);
     const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
-    const auto expected = expected_retest(*corrected_series(before, fit->correction), static_cast<unsigned>(k));
+    const auto expected = expected_retest(*corrected_series(before, fit->correction), {.seed = static_cast<unsigned>(k)});
     ASSERT_TRUE(expected);
     const auto after = iso230_2::evaluate(measured(random, &fit->correction)).parameters;
     E_below_median += after.E < expected->median.E;
@@ -61,12 +61,35 @@ TEST(ExpectedRetest, HoldsWhereRunsAreShiftedAsAWhole) {
   for (int k = 0; k < axes; ++k) {
     const Series before = measured(random, nullptr, 6.0);
     const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
-    const auto expected = expected_retest(*corrected_series(before, fit->correction), static_cast<unsigned>(k));
+    const auto expected = expected_retest(*corrected_series(before, fit->correction), {.seed = static_cast<unsigned>(k)});
     below_95 += iso230_2::evaluate(measured(random, &fit->correction, 6.0)).parameters.E < expected->percent_95.E;
     bound += expected->percent_95.E->in_native() / axes;
   }
   EXPECT_GT(below_95 / static_cast<double>(axes), 0.86) << "5 runs tell little of how runs are shifted";
   EXPECT_LT(bound, 12.0) << "what both directions share is no error of the axis";
+}
+
+/// One approach scatters more than the mean of five.
+TEST(ExpectedRetest, HoldsInReTestsOfFewerRuns) {
+  std::mt19937_64 random(13);
+  constexpr int axes = 400;
+  int below_95 = 0;
+  for (int k = 0; k < axes; ++k) {
+    const Series before = measured(random, nullptr);
+    const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
+    const auto expected = expected_retest(*corrected_series(before, fit->correction),
+                                          {.seed = static_cast<unsigned>(k), .runs = 1});
+    ASSERT_TRUE(expected);
+    EXPECT_FALSE(expected->percent_95.A) << "one approach has no scatter";
+    const Series after = measured(random, &fit->correction);
+    RunDeviations up, down;
+    for (std::size_t i = 0; i < bent_targets.size(); ++i) {
+      up.push_back(after.cell(i, Direction::up)[0]);
+      down.push_back(after.cell(i, Direction::down)[0]);
+    }
+    below_95 += iso230_2::evaluate(make_series(bent_targets, {up}, {down})).parameters.E < expected->percent_95.E;
+  }
+  EXPECT_NEAR(below_95 / static_cast<double>(axes), 0.95, 0.033);
 }
 
 TEST(ExpectedRetest, IsNothingWhereNothingIsKnownOfTheScatter) {

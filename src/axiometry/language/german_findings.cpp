@@ -84,13 +84,13 @@ constexpr Phrase findings_rows[] = {
      "enthalten mehr als eine Gerade und diese Periode"},
     {"found a standard uncertainty of {0#} mm, expected one from 0 to {1#}",
      "eine Standardunsicherheit von {0}\u00a0mm; erwartet: 0 bis {1}"},
-    {"found a straight slope of {0#} µm/m, without which E would be {1#} instead of {2#}; such a slope comes "
+    {"found a straight slope of {0#} µm/m, without which {1=} would be {2#} instead of {3#}; such a slope comes "
      "from a scale, an expansion or a correction, and nothing of it is removed",
-     "eine gerade Steigung von {0}\u00a0µm/m, ohne die E {1} statt {2} wäre; sie stammt von einem "
+     "eine gerade Steigung von {0}\u00a0µm/m, ohne die {1} {2} statt {3} wäre; sie stammt von einem "
      "Maßstab, einer Dehnung oder einer Korrektur, und nichts davon ist abgezogen"},
-    {"found a straight slope of {0#} µm/m, without which E would be {1#} instead of {2#}; such a slope comes "
+    {"found a straight slope of {0#} µm/m, without which {1=} would be {2#} instead of {3#}; such a slope comes "
      "from a scale, an expansion, a squareness error or a correction, and nothing of it is removed",
-     "eine gerade Steigung von {0}\u00a0µm/m, ohne die E {1} statt {2} wäre; sie stammt von einem "
+     "eine gerade Steigung von {0}\u00a0µm/m, ohne die {1} {2} statt {3} wäre; sie stammt von einem "
      "Maßstab, einer Dehnung, einer Rechtwinkligkeitsabweichung oder einer Korrektur, und nichts davon ist abgezogen"},
     {"found a test on {0=}, when its equipment was out of calibration: {1=}",
      "Prüfung am {0}, an dem die Kalibrierung ihrer Messmittel nicht galt: {1}"},

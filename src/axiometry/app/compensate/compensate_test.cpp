@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a table does with an older one, with the periodic part, with a number beside it and with a turned sign.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -291,6 +292,37 @@ TEST(Compensate, AReversalIsNotCalledScatter) {
   ASSERT_FALSE(scatter);
   EXPECT_NE(scatter.error().message.find("what scatter makes of them"), std::string::npos) << scatter.error().message;
   EXPECT_EQ(scatter.error().message.find("reversal"), std::string::npos) << scatter.error().message;
+}
+
+/// What stands side by side is one parameter: of one direction there is no E.
+TEST(Compensate, AReTestOfOneDirectionShowsWhatBothTestsHave) {
+  const auto outcome = [](NamedTest before, NamedTest again) {
+    const auto made = compensate({std::move(before), {}, std::move(again)}, {.control = "linuxcnc"});
+    EXPECT_TRUE(made) << made.error().message;
+    if (!made) return std::string();
+    const report::Document document = present(*made, {}).document;
+    return plain_text(document.status.front().heading) + "\n" + plain_text(document.status.front().lines.front());
+  };
+  const auto without = [](NamedTest named, Direction direction) {
+    const Series& all = named.test.series;
+    const std::vector<Position> targets(all.targets().begin(), all.targets().end());
+    ReadingRuns rest(all.run_count());
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const auto cell = all.cell(i, direction == Direction::up ? Direction::down : Direction::up);
+      for (std::size_t j = 0; j < rest.size(); ++j) rest[j].push_back(cell[j]);
+    }
+    std::vector<double> at;
+    for (const Position& target : targets) at.push_back(target.in_native());
+    named.test.series = direction == Direction::up ? testing_support::make_series(at, {}, rest)
+                                                   : testing_support::make_series(at, rest, {});
+    return named;
+  };
+  const NamedTest before = axis_of(0.05, 0, 4), again = axis_of(0.001, 0, 0.1);
+  EXPECT_THAT(outcome(before, again), testing::MatchesRegex("E from [^E]*\nE of the re-test: .*"));
+  EXPECT_THAT(outcome(before, without(again, Direction::down)),
+              testing::MatchesRegex("E↑ from [^E]*\nE↑ of the re-test: .*"));
+  EXPECT_THAT(outcome(without(before, Direction::up), again),
+              testing::MatchesRegex("E↓ from [^E]*\nE↓ of the re-test: .*"));
 }
 
 TEST(Compensate, ScatterOfSingleApproachesIsNotKnown) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +25,30 @@ using iso230_2::AxisParameters;
 
 constexpr std::size_t table_rows_most = 400;  // the file itself has the others
 
+struct SystematicError {
+  const char* symbol;
+  std::optional<Deviation> AxisParameters::*member;
+};
+
+/// E, or that of a direction where a test or its re-test has no other: what stands side by side is one parameter.
+SystematicError systematic_error(const AxisParameters& before, const AxisParameters* retest) {
+  constexpr SystematicError all[] = {
+      {"E", &AxisParameters::E}, {"E↑", &AxisParameters::E_up}, {"E↓", &AxisParameters::E_down}};
+  const auto has = [&](const SystematicError& of) { return (before.*of.member).has_value(); };
+  const auto have_both = [&](const SystematicError& of) { return has(of) && (retest->*of.member).has_value(); };
+  const auto* const found = retest != nullptr ? std::ranges::find_if(all, have_both) : std::ranges::find_if(all, has);
+  return found != std::end(all) ? *found : *std::ranges::find_if(all, has);
+}
+
 Notice compensation_outcome(const CompensationSubject& subject, const Options& options) {
   const AxisKind kind = subject.test.metadata.axis.kind;
   const auto with_unit = [&](const std::optional<Deviation>& x) {
     return fmt::format("{} {}", format_fixed(x->in_native(), 2, options.numbers), deviation_unit(kind));
   };
   const AxisParameters &before = subject.before.parameters, &predicted = subject.predicted.parameters;
-  const char* symbol = before.E ? "E" : before.E_up ? "E↑" : "E↓";
-  const auto of = [](const AxisParameters& p) { return p.E ? p.E : p.E_up ? p.E_up : p.E_down; };
+  const SystematicError shown = systematic_error(before, subject.retest ? &subject.retest->parameters : nullptr);
+  const char* symbol = shown.symbol;
+  const auto of = [&shown](const AxisParameters& p) { return p.*shown.member; };
   Notice notice{Tone::normal,
                 plain(fmt::format("{} from {} to {}, as predicted from the same readings", symbol,
                                   with_unit(of(before)), with_unit(of(predicted)))),
@@ -40,7 +58,7 @@ Notice compensation_outcome(const CompensationSubject& subject, const Options& o
         plain(fmt::format("A re-test will scatter anew: {} below {} in 95 % of re-tests, if the axis stays as it is",
                           symbol, with_unit(of(*subject.expected)))));
   notice.lines.push_back(plain("A prediction, not a measurement: only a re-test proves it."));
-  if (subject.retest)
+  if (subject.retest && of(subject.retest->parameters))
     notice.lines = {plain(fmt::format("{} of the re-test: {}", symbol, with_unit(of(subject.retest->parameters))))};
   for (const NamedFinding& finding : subject.findings)
     if (finding.serious) {

@@ -228,6 +228,10 @@ Against against_reported(const Case& c, const Assessment& assessment) {
   add_missing(against, assessment, "items-of-identification", rules::items_of_identification, c);
   add_missing(against, rules::equipment_identified(c));
   add_missing(against, rules::calibration_date_not_read(c));
+  if (auto outdated = rules::equipment_calibrated(c)) {  // no certificate of the day is stated on which U could rest
+    outdated->severity = Severity::missing;
+    against.push_back(*std::move(outdated));
+  }
   add_missing(against, rules::sensors_complete(c));
   add_missing(against, rules::line_in_space(c));
   add_missing(against, parameters_missing(c));

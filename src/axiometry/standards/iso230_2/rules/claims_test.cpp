@@ -314,6 +314,7 @@ TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-13-45"; }},
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.date = "05/06/2014"; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.equipment.front().calibration_due = "expired"; }},
+      {"8.2.1", [](axiometry::Test& t) { t.metadata.equipment.front().calibration_due = "2014-05-14"; }},
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.tool_offset_mm.clear(); }},
       {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number.clear(); }},
       {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number = "unbekannt"; }},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "axiometry/base/text.h"
@@ -140,10 +141,21 @@ std::optional<Finding> targets_within_axis_travel(const Case& c) {
                           fmt::join(at_end, " and ")));
 }
 
+/// As far as the programme of a test goes on an axis: 5.3.3 has no stretch, but the whole travel.
+double programme_reach(Programme programme) {
+  switch (programme) {
+    case Programme::short_linear: return 2000.0;
+    case Programme::long_linear: break;
+    case Programme::one_turn: return 360.0;
+    case Programme::many_turns: return 1800.0;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 std::optional<Finding> part_of_axis_travel(const Case& c) {
   const auto whole = axis_ends(c.metadata.axis).length_native();
-  if (!whole || c.programme == Programme::many_turns) return std::nullopt;
-  const double stretch = c.linear() ? std::min(*whole, 2000.0) : std::min(*whole, 360.0);
+  if (!whole) return std::nullopt;
+  const double stretch = std::min(*whole, programme_reach(c.programme));
   if (*whole <= 0.0 || c.travel() >= 0.8 * stretch) return std::nullopt;
   return note("part-of-axis-travel", "3.2",
               fmt::format("found {} measured of an axis travel of {}; the results hold for that part only",
@@ -162,16 +174,18 @@ std::optional<Finding> readings_repeat_exactly(const Case& c) {
 
 std::optional<Finding> straight_slope(const Case& c) {
   const AxisParameters& p = c.evaluation.parameters;
+  const char* symbol = p.E ? "E" : p.E_up ? "E↑" : "E↓";
   const double E = (p.E ? p.E : p.E_up ? p.E_up : p.E_down)->in_native();
   if (!c.linear() || c.series.target_count() < 4 || E <= 0.0) return std::nullopt;
   const auto slope = slope_of_means(c.evaluation.positions);
   if (!slope || slope->remainder.in_native() > 0.3 * E) return std::nullopt;
   return note(
       "straight-slope", "3.24",
-      fmt::format("found a straight slope of {} µm/m, without which E would be {} instead of {}; such a slope "
+      fmt::format("found a straight slope of {} µm/m, without which {} would be {} instead of {}; such a slope "
                   "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
-                  size_text(1000.0 * slope->per_position_native), deviation_text(c, slope->remainder.in_native()),
-                  deviation_text(c, E), is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
+                  size_text(1000.0 * slope->per_position_native), symbol,
+                  deviation_text(c, slope->remainder.in_native()), deviation_text(c, E),
+                  is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
 }
 
 std::optional<Finding> same_reversal_everywhere(const Case& c) {

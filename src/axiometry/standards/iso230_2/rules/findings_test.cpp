@@ -147,6 +147,17 @@ TEST(Findings, WantRoomBeyondTheEndTargets) {
               HasSubstr("500 mm measured of an axis travel of 1810 mm"));
 }
 
+/// One approach from each side over the whole travel: over 2.5 m of 6 m it is a test of a part.
+TEST(Findings, TellThatOnlyAPartOfALongAxisWasMeasured) {
+  const std::vector<double> targets = {5, 260, 480, 740, 1010, 1230, 1510, 1740, 2000, 2260, 2505};
+  Metadata m;
+  m.axis.travel_begin = Position::native(0);
+  m.axis.travel_end = Position::native(6000);
+  EXPECT_THAT(finding(assessed(proper(targets, 1), m), "3.2"), HasSubstr("2500 mm measured of an axis travel of 6000"));
+  m.axis.travel_end = Position::native(2600);
+  EXPECT_EQ(finding(assessed(proper(targets, 1), m), "3.2"), "");
+}
+
 TEST(Findings, DepartWhereTargetsLieOutsideTheAxisTravel) {
   Metadata m;
   m.axis.travel_begin = Position::native(100);
@@ -277,6 +288,7 @@ TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {
     for (std::size_t i = 0; i < 5; ++i) run[i] += 0.05 * half_metre[i];
   EXPECT_THAT(finding(assessed(make_series(half_metre, sloping, sloping)), "3.24"),
               HasSubstr("note: found a straight slope of"));
+  EXPECT_THAT(finding(assessed(make_series(half_metre, {}, sloping)), "3.24"), HasSubstr("without which E↓ would be"));
   EXPECT_EQ(finding(assessed(table2::series()), "3.24"), "");
   EXPECT_EQ(finding(assessed(table2::series()), "3.18", "same reading"), "");
   for (std::size_t n : {3, 5, 10}) {  // 0.1 + 0.1 + 0.1 is not 0.3, but the readings are the same
