@@ -37,7 +37,8 @@ export function NewCapturePage() {
     set_busy(true);
     set_error(null);
     send<Capture>('POST', '/api/captures', {
-      plan: Number(chosen), source: source.id, layout: form.layout, options: sent(motion ? motion_options(motion, form.options) : without_motion(form.options), source),
+      plan: Number(chosen), source: source.id, layout: form.layout,
+      options: sent(motion ? motion_options(motion, form.options) : { ...without_motion(form.options), part: part_of(plan.data, form.options) }, source),
     }).then(
       (capture) => go(`/captures/${capture.id}`),
       (failure: unknown) => {
@@ -67,7 +68,7 @@ export function NewCapturePage() {
             </select>
           )}
         </Field>
-        <Parts plan={motion ? null : plan.data} option={option} value={form.options['part'] ?? '1'} />
+        <Parts plan={motion ? null : plan.data} option={option} value={part_of(plan.data, form.options)} />
         {motion && <MotionFields plan={motion} options={form.options} option={option} />}
         {motion && sources.data && possible.length === 0
           ? <p class="notice caution" role="status">{t_motion('no_source')}</p>
@@ -90,6 +91,12 @@ const unit_of = (plan: Plan | null) => position_unit(plan?.plan.axis.kind ?? 'li
 function summary(plan: Plan): string {
   const [first, last] = [plan.targets[0], plan.targets[plan.targets.length - 1]];
   return `${plan.targets.length} × ${plan.plan.runs} · ${shortest(first)} … ${shortest(last)} ${unit_of(plan)} · ${lasting(plan.duration_s)}`;
+}
+
+/** Another plan may not have the part that was chosen of the one before. */
+function part_of(plan: Plan | null, options: Readonly<Record<string, string>>): string {
+  const chosen = options['part'] ?? '1';
+  return Number(chosen) <= (plan?.plan.further?.length ?? 0) + 1 ? chosen : '1';
 }
 
 function Parts({ plan, option, value }: { plan: Plan | null; option: (key: string, text: string) => void; value: string }) {

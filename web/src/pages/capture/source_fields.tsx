@@ -10,11 +10,11 @@ export interface SourceForm { source: string; layout: string; options: Texts }
 
 const simulator_keys = ['speed', 'preset', 'seed'];
 
-/** Of what was typed only what concerns the source, numbers with a point. */
+/** Of what was typed only what concerns the source, numbers with a point; a name of digits is no number. */
 export function sent(options: Texts, source: Source): Texts {
   const concerns = (key: string) => key === 'part' || simulator_keys.includes(key) === (source.kind === 'simulator');
   const entries = Object.entries(options).filter(([key, text]) => text.trim() !== '' && concerns(key));
-  return Object.fromEntries(entries.map(([key, text]) => [key, parsed(text) === null ? text.trim() : String(parsed(text))]));
+  return Object.fromEntries(entries.map(([key, text]) => [key, key === 'equipment' || parsed(text) === null ? text.trim() : String(parsed(text))]));
 }
 
 export function SourceChoice({ sources, source, choose }: { sources: readonly Source[]; source: Source | undefined; choose: (id: string) => void }) {
