@@ -98,6 +98,31 @@ export const motion_captures = {
     assert.equal(table.captures[0].source.kind, 'simulator');
   },
 
+  async 'motion captures: what was chosen for one plan is not asked of another'(world) {
+    const server = await instrument();
+    try {
+      await listening(world, server);
+      await world.api('POST', '/api/plans', { title: 'Angles of X', axis: null, request: { ...request, further: { error: 'EAX,EBX' } } });
+      await world.api('POST', '/api/plans', { title: 'Straightness of X', axis: null, request });
+      const page = await world.page();
+      await page.goto('/captures/new?plan=1');
+      await page.getByLabel('Source', { exact: true }).selectOption('laser');
+      await page.getByLabel('What is read').selectOption('EBX');
+      await page.getByLabel('Unit of the stream').selectOption({ label: '″' });
+      await page.getByLabel('Measuring instrument').fill('0012');
+      await page.getByLabel('Plan').selectOption({ label: 'Straightness of X' });
+      await shows(page.locator('form'), 'Readings of EYX do not show where the axis stops.');
+      assert.equal(await page.getByLabel('Unit of the stream').inputValue(), '');
+      await shows(page.getByLabel('Unit of the stream'), 'µm');
+      const [asked] = await Promise.all([page.waitForRequest('**/api/captures'), page.getByRole('button', { name: 'Start' }).click()]);
+      assert.deepEqual(asked.postDataJSON().options, { stops: 'keys', equipment: '0012' });
+      await page.waitForURL(/\/captures\/\d+$/);
+      await shows(page.locator('h1'), 'Readings of EYX');
+    } finally {
+      server.close();
+    }
+  },
+
   async 'motion captures: one that is ended early keeps its readings, and is discarded'(world) {
     const server = await instrument();
     try {

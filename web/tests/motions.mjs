@@ -71,6 +71,14 @@ export const motions = {
     await shows(page.locator('main'), /Squareness.*C0Y −25\.07 µrad/s);
   },
 
+  async 'motions: both lines of a squareness may come at once'(world) {
+    const page = await world.page();
+    await page.goto('/motions');
+    await page.locator('.file-drop input[type=file]').setInputFiles([given('x-in-y.csv'), given('y-in-x.csv')]);
+    await shows(page.locator('main'), /x-in-y\.csv[\s\S]*y-in-x\.csv/);
+    await shows(page.locator('main'), /θ₂ − θ₁ \+ error of the square\s*−5\.17/);
+  },
+
   async 'motions: the same error of a machine stands over time, and no other beside it'(world) {
     await world.api('POST', '/api/machines', { name: 'Mill 5' });
     const keep = async (page, name, text, measured_on) => page.evaluate(async ({ name, text, measured_on }) => {

@@ -138,6 +138,13 @@ export const tracking = {
     const choose = page.getByLabel('Choose a table of points…');
     await choose.setInputFiles(csv('broken.csv', 'x_mm,y_mm,z_mm,length_difference_mm\n1,2,three,4\n'));
     await shows(page.getByRole('alert'), 'line 2');
+    // What is typed and is no number is never passed over.
+    const sigma = page.getByLabel('Standard uncertainty of the machine’s points (µm)');
+    await sigma.fill('some');
+    await choose.setInputFiles(csv('points.csv', points_table([101.5, 80.25, -600.75])));
+    await shows(page.getByRole('alert'), 'found "some", expected a number');
+    assert.equal(await page.locator('.located').count(), 0);
+    await sigma.fill('');
     await choose.setInputFiles(csv('points.csv', points_table([101.5, 80.25, -600.75])));
     await shows(page.locator('.located'), /points\.csv/);
     await shows(page.locator('.located'), /X\s*101\.5000/);
@@ -158,9 +165,11 @@ export const tracking = {
     const drop = await page.evaluateHandle((text) => {
       const files = new DataTransfer();
       files.items.add(new File([text], 'lengths.csv', { type: 'text/csv' }));
+      files.items.add(new File(['another'], 'other.csv', { type: 'text/csv' }));
       return files;
     }, lengths);
     await page.dispatchEvent('.file-drop:has-text("Drop the lengths here")', 'drop', { dataTransfer: drop });
+    await shows(page.locator('.file-drop'), 'One file at a time: 1 other file was not taken.');
     await shows(page.locator('.results'), /y\s*2\d\d … \d+/);
     assert.equal(await page.locator('.results tbody tr').count(), 7);
     await shows(page.locator('.results'), /e_y\s*40\.0/);

@@ -235,6 +235,10 @@ export const volume = {
     assert.equal(await machine.getByLabel('How it is built').inputValue(), 'XFYZ');
     await page.getByLabel('Open machine.json').last().setInputFiles(json('no.json', '[1]'));
     await shows(page.getByRole('alert'), /found no chain/);
+    await page.getByLabel('Open machine.json').last().setInputFiles(json('null.json', '{"chain": "XFYZ", "travel_mm": null, "tools_mm": {}}'));
+    await shows(page.getByRole('alert'), /found no travel_mm/);
+    await page.getByLabel('Open machine.json').last().setInputFiles(json('number.json', '{"name": 5, "chain": "XFYZ", "travel_mm": {}, "tools_mm": {}}'));
+    await page.waitForFunction(() => document.querySelector('input[list="volume-machines"]')?.value === '5');
     await page.getByLabel('Open machine.json').last().setInputFiles(json('mill.json', saved.bytes));
     await page.waitForFunction(() => document.querySelector('svg.chain').getAttribute('aria-label').includes('workpiece → X → bed → Z → Y → tool'));
     await page.getByRole('button', { name: 'Make the plan' }).click();

@@ -118,6 +118,7 @@ constexpr Phrase motion_captures_rows[] = {
     {"the reading of {0} that had begun", "der begonnene Messwert von {0}"},
     {"what was said while the connection was away is not used",
      "was eingegeben wurde, während die Verbindung weg war, wird nicht verwendet"},
+    {"{0#} more in the same way: not used", "{0} weitere ebenso: nicht verwendet"},
     {"{0#} reading whose target was not told: not used",
      "{0} Messwert, dessen Zielposition nicht angegeben wurde: nicht verwendet"},
     {"{0#} readings whose target was not told: not used",

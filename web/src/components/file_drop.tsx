@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
 import { useRef, useState } from 'preact/hooks';
+import { texts } from '../i18n/texts';
 import './file_drop.css';
+
+const t = texts({
+  one_at_a_time: ['One file at a time: {n} {n|other file was|other files were} not taken.', 'Immer nur eine Datei: {n} {n|weitere wurde|weitere wurden} nicht genommen.'],
+});
 
 interface Props {
   label: string;              // of the button that chooses
   hint: string;               // where one may drop
   accept?: string;
-  take: (file: File) => void;
+  take: ((file: File) => void) | { all: (files: readonly File[]) => void };
   children?: ComponentChildren;
 }
 
-/** A place for one file, dropped or chosen; the shell, which would take it for a test, does not get it. */
+/** A place for one file or, where all are taken, for several; the shell, which would take them for tests, does not get them. */
 export function FileDrop({ label, hint, accept, take, children }: Props) {
   const input = useRef<HTMLInputElement>(null);
   const [over, set_over] = useState(false);
+  const [left, set_left] = useState(0);   // of several that were dropped where one is taken
+  const takes_one = typeof take === 'function';
+  const given = (files: readonly File[]) => {
+    const [first] = files;
+    if (first === undefined) return;
+    if (takes_one) take(first);
+    else take.all(files);
+    set_left(takes_one ? files.length - 1 : 0);
+  };
   const carries = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   return (
     <div class={`file-drop ${over ? 'over' : ''}`}
@@ -22,17 +36,17 @@ export function FileDrop({ label, hint, accept, take, children }: Props) {
       onDragLeave={(event) => { if (!(event.currentTarget as Element).contains(event.relatedTarget as Node | null)) set_over(false); }}
       onDrop={(event) => {
         set_over(false);
-        const file = event.dataTransfer?.files[0];
-        if (!file) return;
+        const files = [...(event.dataTransfer?.files ?? [])];
+        if (files.length === 0) return;
         event.preventDefault();
-        take(file);
+        given(files);
       }}>
       <button type="button" onClick={() => input.current?.click()}>{label}</button>
       <span class="quiet small">{hint}</span>
       {children}
-      <input ref={input} type="file" hidden accept={accept} aria-label={label} onChange={(event) => {
-        const file = event.currentTarget.files?.[0];
-        if (file) take(file);
+      {left > 0 && <p class="notice caution" role="status">{t('one_at_a_time', { n: left })}</p>}
+      <input ref={input} type="file" hidden multiple={!takes_one} accept={accept} aria-label={label} onChange={(event) => {
+        given([...(event.currentTarget.files ?? [])]);
         event.currentTarget.value = '';   // the same file again is a new choice
       }} />
     </div>

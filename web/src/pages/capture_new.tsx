@@ -38,7 +38,9 @@ export function NewCapturePage() {
     set_busy(true);
     set_error(null);
     send<Capture>('POST', '/api/captures', {
-      plan: Number(chosen), source: source.id, layout: form.layout, options: sent(motion ? motion_options(motion, form.options, simulated) : without_motion(form.options), source, motion ? 'motion' : 'positions'),
+      plan: Number(chosen), source: source.id, layout: form.layout,
+      options: sent(motion ? motion_options(motion, form.options, simulated) : { ...without_motion(form.options), part: part_of(plan.data, form.options) },
+        source, motion ? 'motion' : 'positions'),
     }).then(
       (capture) => go(`/captures/${capture.id}`),
       (failure: unknown) => {
@@ -68,9 +70,11 @@ export function NewCapturePage() {
             </select>
           )}
         </Field>
-        <Parts plan={motion ? null : plan.data} option={option} value={form.options['part'] ?? '1'} />
+        <Parts plan={motion ? null : plan.data} option={option} value={part_of(plan.data, form.options)} />
         {motion && <MotionFields plan={motion} options={form.options} option={option} simulated={simulated} />}
-        <SourceChoice sources={possible} source={source} choose={(id) => set_form({ ...form, source: id })} />
+        {motion && sources.data && possible.length === 0
+          ? <p class="notice caution" role="status">{t_motion('no_source')}</p>
+          : <SourceChoice sources={possible} source={source} choose={(id) => set_form({ ...form, source: id })} />}
         {motion && simulated && <p class="notice">{t_motion('will_be_simulated')}</p>}
         {source && (
           <SourceOptions source={source} form={form} change={(part) => set_form({ ...form, ...part })} unit={unit_of(plan.data)}
@@ -90,6 +94,12 @@ const unit_of = (plan: Plan | null) => position_unit(plan?.plan.axis.kind ?? 'li
 function summary(plan: Plan): string {
   const [first, last] = [plan.targets[0], plan.targets[plan.targets.length - 1]];
   return `${plan.targets.length} × ${plan.plan.runs} · ${shortest(first)} … ${shortest(last)} ${unit_of(plan)} · ${lasting(plan.duration_s)}`;
+}
+
+/** Another plan may not have the part that was chosen of the one before. */
+function part_of(plan: Plan | null, options: Readonly<Record<string, string>>): string {
+  const chosen = options['part'] ?? '1';
+  return Number(chosen) <= (plan?.plan.further?.length ?? 0) + 1 ? chosen : '1';
 }
 
 function Parts({ plan, option, value }: { plan: Plan | null; option: (key: string, text: string) => void; value: string }) {

@@ -85,7 +85,7 @@ export function MotionsPage() {
       </div>
       <section class="panel">
         <p>{t('how')}</p>
-        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt,.json" take={(file) => void add([file])} />
+        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt,.json" take={{ all: (more) => void add(more) }} />
         {files.length > 0 && (
           <ul class="plain-list">
             {files.map(({ file, is_plan }, k) => (

@@ -47,7 +47,26 @@ Result<ValueListener> ValueListener::make(Plan plan, const ValueOptions& options
 }
 
 void ValueListener::event(EventKind kind, double time_s, std::string message) {
+  tell_more_alike();
   events_.push_back({kind, time_s, std::move(message)});
+}
+
+/// An instrument that sends all the time, or a trigger that chatters, would say the same a hundred times a second.
+void ValueListener::refused(EventKind kind, double time_s, std::string message) {
+  if (last_refused_ && !events_.empty() && events_.back().message == message) {
+    last_refused_ = CaptureEvent{kind, time_s, {}};
+    ++more_alike_;
+    return;
+  }
+  event(kind, time_s, std::move(message));
+  last_refused_ = events_.back();
+}
+
+void ValueListener::tell_more_alike() {
+  const std::size_t count = std::exchange(more_alike_, 0);
+  const auto last = std::exchange(last_refused_, std::nullopt);
+  if (count > 0)
+    events_.push_back({last->kind, last->time_s, fmt::format("{} more in the same way: not used", count)});
 }
 
 void ValueListener::judge_by(const StillOptions& still) {
@@ -143,7 +162,7 @@ void ValueListener::take_key(double time_s) {
 
 void ValueListener::open_window(double from_s) {
   if (window_from_s_)
-    return event(EventKind::repeated, from_s, "a trigger while the one before was being read: not used");
+    return refused(EventKind::repeated, from_s, "a trigger while the one before was being read: not used");
   window_from_s_ = from_s;
   window_.clear();
 }
@@ -165,15 +184,15 @@ void ValueListener::drain() {
 /// False where it must wait for a person to say what it is.
 bool ValueListener::settle(const Candidate& candidate) {
   if (progress_.complete()) {
-    event(EventKind::unexpected, candidate.time_s, "a reading more than the plan has approaches: not used");
+    refused(EventKind::unexpected, candidate.time_s, "a reading more than the plan has approaches: not used");
     return true;
   }
   const bool by_order = options_.sign != StopSign::keys && !trusted_;
   const Timing timing = by_order ? progress_.timing(candidate.time_s) : Timing::fits;
   if (timing == Timing::doubled) {
-    event(EventKind::repeated, candidate.time_s,
-          fmt::format("sooner than the axis can be at {}, to which the plan's program needs {} s: not used",
-                      approach_name(*due()), format_fixed(progress_.planned_s(), 1)));
+    refused(EventKind::repeated, candidate.time_s,
+            fmt::format("sooner than the axis can be at {}, to which the plan's program needs {} s: not used",
+                        approach_name(*due()), format_fixed(progress_.planned_s(), 1)));
     return true;
   }
   if (timing == Timing::doubtful) {
@@ -192,6 +211,7 @@ bool ValueListener::settle(const Candidate& candidate) {
 void ValueListener::give(const Candidate& candidate) {
   trusted_ = warned_ = doubt_told_ = false;
   const Approach approach = *due();
+  tell_more_alike();
   if (candidate.still) {
     given_.push_back({approach, *candidate.still, remarks_of(*candidate.still)});
     return progress_.put(given_.back(), candidate.time_s);
@@ -264,6 +284,7 @@ Result<void> ValueListener::finish() {
   while (!pressed_.empty()) act_again();
   interrupt();
   const double end_s = last_ ? last_->time_s : 0.0;
+  tell_more_alike();
   if (matcher_) {
     AXIOMETRY_TRY_VOID(matcher_->finish());
     AXIOMETRY_TRY_VOID(check_positions());

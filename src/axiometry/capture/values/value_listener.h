@@ -116,12 +116,16 @@ class ValueListener {
   void read_rest(const CapturedReading& reading);
   void forget_before(double time_s);
   void event(EventKind kind, double time_s, std::string message);
+  void refused(EventKind kind, double time_s, std::string message);
+  void tell_more_alike();
 
   Plan plan_;
   ValueOptions options_;
   PlanProgress progress_;
   std::vector<PlannedValue> given_;
   std::vector<CaptureEvent> events_;
+  std::optional<CaptureEvent> last_refused_;  // while the last that was told is a refusal
+  std::size_t more_alike_ = 0;                // refused since for the same reason
   std::optional<Sample> last_;
   double now_s_ = -std::numeric_limits<double>::infinity();  // of last_; by a rounding later behind each gap since
   std::deque<Pressed> pressed_;                              // of a recording, not reached yet

@@ -178,6 +178,23 @@ TEST(ValueListener, TakesReadingsInTheOrderOfThePlan) {
   expect_truth(twice, 12);
   EXPECT_THAT(message_of(twice, EventKind::repeated), HasSubstr("sooner than the axis can be at target 3↓ run 1"));
 
+  // What sends all the time is told of once for each target, with their number.
+  std::vector<Sample> streamed;
+  for (int k = 0; k < 100; ++k) streamed.push_back({readings[2].time_s + 0.005 * (k + 1), readings[2].position});
+  auto flooded = readings;
+  flooded.insert(flooded.begin() + 3, streamed.begin(), streamed.end());
+  flooded.insert(flooded.end(), 3, {readings.back().time_s + 1.0, 0.0});
+  ValueListener flood = listener_of(plan, StopSign::readings);
+  flood.push(flooded);
+  ASSERT_TRUE(flood.finish());
+  expect_truth(flood, 12);
+  ASSERT_EQ(flood.events().size(), 4u);
+  EXPECT_THAT(flood.events()[0].message, HasSubstr("sooner than the axis can be at target 3↓ run 1"));
+  EXPECT_EQ(flood.events()[1].message, "99 more in the same way: not used");
+  EXPECT_EQ(flood.events()[1].time_s, streamed.back().time_s);
+  EXPECT_THAT(flood.events()[2].message, HasSubstr("a reading more than the plan has approaches"));
+  EXPECT_EQ(flood.events()[3].message, "2 more in the same way: not used");
+
   auto missing = readings;
   missing.erase(missing.begin() + 7);
   ValueListener missed = listener_of(plan, StopSign::readings);

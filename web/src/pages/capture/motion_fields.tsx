@@ -13,25 +13,34 @@ interface Props {
 const signs = ['keys', 'trigger', 'readings', 'position'] as const satisfies readonly StopSign[];
 const of_lengths = ['um', 'mm', 'nm', 'in'], of_angles = ['urad', 'arcsec', 'mrad', 'deg'];
 
+const sign_of: Texts = { um: 'µm', urad: 'µrad', arcsec: '″', deg: '°' };
+
 /** Of the plan's errors those that are no positions. */
 const motions_of = ({ errors }: PlanFile): string[] => (errors ?? []).filter((name) => name[1] !== name[2]);
 const is_rotation = (error: string): boolean => 'ABC'.includes(error[1] ?? '');
 
+/** What is read: another plan may not have what was chosen for the one before, nor its units. */
+const error_of = (plan: PlanFile, options: Texts): string => {
+  const errors = motions_of(plan);
+  return errors.find((name) => name === options['error']) ?? errors[0] ?? '';
+};
+const units_of = (error: string): readonly string[] => (is_rotation(error) ? of_angles : of_lengths);
+
 export const stops_of = (options: Texts): StopSign => signs.find((sign) => sign === options['stops']) ?? 'keys';
 
-const chosen_error = (plan: PlanFile, options: Texts): string => options['error'] || (motions_of(plan)[0] ?? '');
-export const size_unit_of = (plan: PlanFile, options: Texts): string => (is_rotation(chosen_error(plan, options)) ? 'µrad' : 'µm');
+export const size_unit_of = (plan: PlanFile, options: Texts): string => (is_rotation(error_of(plan, options)) ? 'µrad' : 'µm');
 
 /** Only what the chosen stops have a use for; the rest of the options is that of every stream. */
 export function motion_options(plan: PlanFile, options: Texts, simulated: boolean): Texts {
   const stops = stops_of(options);
+  const error = error_of(plan, options);
   const useless = [
     'part', 'zero', ...(stops === 'position' ? [] : ['datum', 'reverse', 'target-window']),
     ...(stops === 'trigger' || stops === 'position' ? [] : ['stop-column']),
     ...(stops === 'keys' || stops === 'trigger' ? [] : ['reading-window']), ...(stops === 'readings' ? ['still'] : []),
-    ...(motions_of(plan).length > 1 ? [] : ['error']), ...(simulated ? of_a_stream : []),
+    ...(motions_of(plan).length > 1 ? [] : ['error']), ...(units_of(error).includes(options['unit'] ?? '') ? [] : ['unit']),
+    ...(simulated ? of_a_stream : []),
   ];
-  const error = chosen_error(plan, options);
   const said = { ...options, stops, ...(error ? { error } : {}) };
   return Object.fromEntries(Object.entries(said).filter(([key]) => !useless.includes(key)));
 }
@@ -42,7 +51,8 @@ export const without_motion = (options: Texts): Texts => Object.fromEntries(Obje
 export function MotionFields({ plan, options, option, simulated }: Props) {
   const errors = motions_of(plan);
   const stops = stops_of(options);
-  const error = chosen_error(plan, options);
+  const error = error_of(plan, options);
+  const units = units_of(error);
   const typed = (key: string, label: string, hint: string, numeric: boolean) => (
     <Field label={label} hint={hint}>
       {(ids) => (
@@ -73,9 +83,9 @@ export function MotionFields({ plan, options, option, simulated }: Props) {
         {!simulated && (
           <Field label={t('unit')}>
             {(ids) => (
-              <select {...ids} value={options['unit'] ?? ''} onChange={(event) => option('unit', event.currentTarget.value)}>
+              <select {...ids} value={units.find((unit) => unit === options['unit']) ?? ''} onChange={(event) => option('unit', event.currentTarget.value)}>
                 <option value="">{t('unit_named')}</option>
-                {(is_rotation(error) ? of_angles : of_lengths).map((unit) => <option key={unit} value={unit}>{unit}</option>)}
+                {units.map((unit) => <option key={unit} value={unit}>{sign_of[unit] ?? unit}</option>)}
               </select>
             )}
           </Field>

@@ -18,14 +18,14 @@ const presets_of = (source: Source, read: Read) =>
 const preset_of = (source: Source, read: Read, chosen: string | undefined) =>
   presets_of(source, read).find(({ id }) => id === chosen) ?? presets_of(source, read)[0];
 
-/** Of what was typed only what concerns the source, numbers with a point. */
+/** Of what was typed only what concerns the source, numbers with a point; a name of digits is no number. */
 export function sent(typed: Texts, source: Source, read: Read): Texts {
   const simulated = source.kind === 'simulator';
   const concerns = (key: string) =>
     key === 'part' || (simulator_keys.includes(key) ? simulated && (key !== 'size' || read === 'motion') : !simulated || (read === 'motion' && simulated_stops.includes(key)));
   const options = simulated ? { ...typed, preset: preset_of(source, read, typed['preset'])?.id ?? '' } : typed;
   const entries = Object.entries(options).filter(([key, text]) => text.trim() !== '' && concerns(key));
-  return Object.fromEntries(entries.map(([key, text]) => [key, parsed(text) === null ? text.trim() : String(parsed(text))]));
+  return Object.fromEntries(entries.map(([key, text]) => [key, key === 'equipment' || parsed(text) === null ? text.trim() : String(parsed(text))]));
 }
 
 export function SourceChoice({ sources, source, choose }: { sources: readonly Source[]; source: Source | undefined; choose: (id: string) => void }) {

@@ -8,7 +8,7 @@ import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { DataTable, type Column, type Order } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
-import { absent, count, unit_sign } from '../../numbers';
+import { absent, count, unit_sign, when } from '../../numbers';
 import { place, set_query } from '../../router';
 import { at_hand, column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U } from '../../components/figure_cell';
 import { differ, method_of, named_method, record_note } from '../../components/uncertainty';
@@ -98,7 +98,7 @@ function columns(rows: readonly TestRow[]): Column<TestRow>[] {
     figure('A'), figure('E'), figure('R'), figure('B'),
     { key: 'unit', head: t('unit'), class: 'quiet wide-only', cell: (row) => unit_sign(row.unit) },
     { key: 'verdict', head: <span class="verdict-head">{t('verdict')}</span>, cell: (row) => <VerdictMark verdict={row.verdict} /> },
-    { key: 'received', head: t('received'), order: 'received', falling: true, class: 'number-text quiet wide-only', cell: (row) => row.received_at.slice(0, 10) },
+    { key: 'received', head: t('received'), order: 'received', falling: true, class: 'number-text quiet wide-only', cell: (row) => when(row.received_at).slice(0, 10) },
   ];
 }
 

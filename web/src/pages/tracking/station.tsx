@@ -4,7 +4,7 @@ import { ApiError, download_made, made_of_files, offer, query, send } from '../.
 import type { TrackingAdvice, TrackingPoints, TrackingRequest, TrackingStation } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { FileDrop } from '../../components/file_drop';
-import { decimals_for, fixed, shortest } from '../../numbers';
+import { decimals_for, fixed, parsed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { NumberField, TripleFields, type FormProps } from './fields';
 import { TrackingFindings } from './findings';
@@ -105,11 +105,12 @@ function Locate({ form, request, locate, points, set_points, asking, busy }: Pro
   const [sigma, set_sigma] = useState('');
   const [found, set_found] = useState<{ file: File; station: TrackingStation } | null>(null);
   const count = 8;
+  const micrometres = parsed(sigma);
+  const sigma_fault = sigma.trim() === '' || micrometres !== null ? null : t('not_number', { text: sigma.trim() });
   const options = () => {
     const tool = request?.setup.tool_offset_mm ?? [0, 0, 0];
     const near = request && form.station.every((text) => text.trim() !== '') ? { near_mm: station_place(request.setup) ?? undefined } : {};
-    const micrometres = Number(sigma.replace(',', '.'));
-    return { tool, near, given: sigma.trim() === '' || Number.isNaN(micrometres) ? {} : { machine_sigma_um: micrometres } };
+    return { tool, near, given: micrometres === null ? {} : { machine_sigma_um: micrometres } };
   };
   const path = (of: string) => {
     const { near, given } = options();
@@ -117,6 +118,7 @@ function Locate({ form, request, locate, points, set_points, asking, busy }: Pro
   };
   const take = (file: File) => void asking(async () => {
     set_found(null);
+    if (sigma_fault !== null) throw new ApiError('refused', `${t('sigma')}: ${sigma_fault}`, 0);
     if (file.size > most_points) throw new ApiError('refused', t('too_large', { n: Math.round(file.size / 1000), most: most_points / 1000 }), 0);
     const station = (await (await made_of_files(path(''), file)).json()) as TrackingStation;
     set_found({ file, station });
@@ -138,7 +140,7 @@ function Locate({ form, request, locate, points, set_points, asking, busy }: Pro
           {points && <button type="button" disabled={busy} onClick={() => void asking(() => download_made(`/api/tracking/points/sheet.pdf${look()}`, { request, count }, 'points.pdf'))}>{t('points_sheet')}</button>}
         </div>
         {points && <p class="quiet small">{t('points_expected', { u: fixed(Math.max(...points.expected.amplification), 1) })}</p>}
-        <NumberField label={t('sigma')} value={sigma} set={set_sigma} placeholder="0" />
+        <NumberField label={t('sigma')} value={sigma} fault={sigma_fault} set={set_sigma} placeholder="0" />
         <FileDrop label={t('choose_points')} hint={t('drop_points')} accept=".csv,.txt,text/csv" take={take} />
         {found && <TrackingFindings findings={found.station.findings} />}
         {found && (

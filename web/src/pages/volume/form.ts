@@ -104,7 +104,7 @@ export function form_of_file(text: string, before: VolumeForm): VolumeForm {
   const plan = is_object(value) && typeof value.format === 'string' && is_object(value.machine) ? (value as unknown as VolumetricPlanFile) : null;
   const machine = (plan?.machine ?? value) as VolumetricMachine;
   for (const name of ['chain', 'travel_mm', 'tools_mm'] as const)
-    if (!is_object(machine) || !(name in machine)) throw new Error(t('no_member', { name }));
+    if (!is_object(machine) || !(name === 'chain' ? name in machine : is_object(machine[name]))) throw new Error(t('no_member', { name }));
   const chain = chain_of_text(String(machine.chain));
   const travel = machine.travel_mm as unknown as Record<string, number[] | undefined>;
   const end = (k: number) => ['X', 'Y', 'Z'].map((axis) => String(travel[axis]?.[k] ?? ''));
@@ -113,7 +113,7 @@ export function form_of_file(text: string, before: VolumeForm): VolumeForm {
   const number = (x: number | null | undefined, otherwise: string) => (x === null || x === undefined ? otherwise : String(x));
   const points = Math.max(0, ...(plan?.runs ?? []).map(({ stops }) => stops.length));
   return {
-    ...before, machine: machine.name ?? '', chain, other: !(usual_chains as readonly string[]).includes(chain), low: end(0), high: end(1),
+    ...before, machine: String(machine.name ?? ''), chain, other: !(usual_chains as readonly string[]).includes(chain), low: end(0), high: end(1),
     functional: machine.functional_point_mm ?? null,
     tools: list(machine.tools_mm as Places), propose: stations.length === 0, stations,
     texts: {
