@@ -54,8 +54,8 @@ std::optional<double> log_number(std::string_view cell, char delimiter);
 bool has_no_value(std::string_view cell);
 
 /// The columns by a line of readings and, where there is one, the header above it. Nothing where the line holds no
-/// readings. Fails where it does and they cannot be told: a date with slashes, a column of sensors' names, no
-/// temperature among the columns.
+/// readings, and no temperatures where the header says that they are of something else. Fails where it does hold some
+/// and they cannot be told: a date with slashes, a column of sensors' names.
 Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string_view header);
 
 }  // namespace axiometry::formats

@@ -62,8 +62,10 @@ class LogReader {
       if (!columns_) {
         auto found = log_columns(line.text, above);
         if (!found) return fail(found.error().message, {line.number, line.column});
-        columns_ = *std::move(found);
-        above = line.text;
+        // Below a head of other quantities the next line is one of them too, and no temperature without a head.
+        const bool of_others = *found && (*found)->temperatures.empty();
+        if (!of_others) above = line.text;
+        if (!of_others) columns_ = *std::move(found);
         if (!columns_ && ++preamble > preamble_max) break;
         if (!columns_) continue;
         if (columns_->temperatures.size() > sensors_max)
