@@ -72,9 +72,7 @@ export function NewCapturePage() {
         </Field>
         <Parts plan={motion ? null : plan.data} option={option} value={part_of(plan.data, form.options)} />
         {motion && <MotionFields plan={motion} options={form.options} option={option} simulated={simulated} />}
-        {motion && sources.data && possible.length === 0
-          ? <p class="notice caution" role="status">{t_motion('no_source')}</p>
-          : <SourceChoice sources={possible} source={source} choose={(id) => set_form({ ...form, source: id })} />}
+        <SourceChoice sources={possible} source={source} choose={(id) => set_form({ ...form, source: id })} />
         {motion && simulated && <p class="notice">{t_motion('will_be_simulated')}</p>}
         {source && (
           <SourceOptions source={source} form={form} change={(part) => set_form({ ...form, ...part })} unit={unit_of(plan.data)}

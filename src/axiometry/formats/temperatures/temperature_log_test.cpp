@@ -281,6 +281,17 @@ TEST(TemperatureLogs, RefuseWhatNobodyCanKnow) {
   EXPECT_THAT(refusal("time,air_C\n2026-03-02T08:00Z,20\n2026-03-02T08:10,20\n"), HasSubstr("3:1: found"));
 }
 
+TEST(TemperatureLogs, TakeNoNumberOfAnythingElseForATemperature) {
+  const char* const none = "found no line of a time and a temperature";
+  for (const char* head : {"time;Humidity [%]", "time;Position [mm]", "time;CO2", "time;position_mm", "time;Dev. um"}) {
+    EXPECT_THAT(refusal(fmt::format("{}\n2026-03-02 09:00;41\n2026-03-02 09:10;42\n", head)), HasSubstr(none)) << head;
+    EXPECT_THAT(refusal(fmt::format("{}\n09:00:00;41\n09:10:00;42\n", head)), HasSubstr(none)) << head;
+  }
+  EXPECT_THAT(refusal("time_s,position_mm\n0.000,0.21522\n0.005,0.21489\n"), HasSubstr(none));
+  const auto log = log_of("started;Battery [V]\n2026-03-02 08:50;3.6\ntime;air\n2026-03-02 09:00;20\n");
+  EXPECT_THAT(log.sensors[0].celsius, ElementsAre(20)) << "what stands above the readings";
+}
+
 TEST(TemperatureLogs, CostInProportionToTheirLength) {
   const auto text = [](std::size_t lines) {
     std::string all = "time_s,air_C\n";

@@ -24,6 +24,11 @@ constexpr Signature signatures[] = {
     {"%PDF"sv, "a PDF document", ""},
     {"\x89PNG"sv, "a PNG picture", ""},
     {"\x1F\x8B"sv, "a gzip archive", "; unpack it first"},
+    {"<!DOCTYPE html"sv, "a web page (HTML)", "; save its table as CSV"},
+    {"<!doctype html"sv, "a web page (HTML)", "; save its table as CSV"},
+    {"<html"sv, "a web page (HTML)", "; save its table as CSV"},
+    {"<?xml"sv, "an XML document", "; save a table as CSV"},
+    {"<svg"sv, "an XML document", "; save a table as CSV"},
 };
 
 TextPosition place(std::string_view text, std::size_t offset, std::size_t first_line) {
