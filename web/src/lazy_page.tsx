@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pages whose code comes when it is first asked for, so that the first one shows at once.
 import { useEffect, useState } from 'preact/hooks';
+import { ApiError } from './api/client';
+import { ask_health, reachable, returned } from './api/session';
+import { FailureNotice } from './components/failure';
 import type { Page } from './router';
+import { t } from './shell_texts';
 
 const loads: (() => Promise<unknown>)[] = [];
 
@@ -12,11 +16,17 @@ export function lazy_page<Name extends string>(load: () => Promise<Record<Name, 
   loads.push(come);
   return function LazyPage({ parts }) {
     const [, draw] = useState(0);
-    const [fault, set_fault] = useState<unknown>(null);
+    const [lost, set_lost] = useState<'no' | 'away' | 'replaced'>('no');
+    const back = returned.value;
     useEffect(() => {
-      if (content === null) void come().then(() => draw((times) => times + 1), set_fault);
+      if (content !== null) return;
+      void come().then(() => draw((times) => times + 1), async () => { await ask_health(); set_lost(reachable.value ? 'replaced' : 'away'); });
     }, []);
-    if (fault !== null) throw fault;
+    // A browser does not ask again for code that did not come; and the program that is back may be another.
+    const again = async () => { await ask_health(); if (reachable.value) location.reload(); };
+    useEffect(() => { if (lost === 'away') void again(); }, [back]);
+    if (lost === 'away') return <FailureNotice error={new ApiError('offline', '', 0)} retry={() => void again()} />;
+    if (lost === 'replaced') return <FailureNotice error={new ApiError('refused', t('replaced'), 0)} retry={() => location.reload()} />;
     const Content = content;
     return Content === null ? null : <Content parts={parts} />;
   };

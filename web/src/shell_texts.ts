@@ -20,6 +20,10 @@ export const t = texts({
   broken: ['This page has failed', 'Diese Seite ist ausgefallen'],
   broken_more: ['What is kept in the store is not affected. The message was: {message}', 'Was im Archiv liegt, ist nicht betroffen. Die Meldung war: {message}'],
   again: ['Load again', 'Neu laden'],
+  replaced: [
+    'Another program answers than the one that this page came from.',
+    'Es antwortet ein anderes Programm als das, von dem diese Seite stammt.',
+  ],
   lost: [
     'No connection to the program. It is tried again every two seconds; what was typed stays here.',
     'Keine Verbindung zum Programm. Es wird alle zwei Sekunden erneut versucht; Eingaben bleiben erhalten.',

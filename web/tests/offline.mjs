@@ -34,7 +34,20 @@ export const offline = {
     await page.getByRole('link', { name: 'Tests', exact: true }).click();
     await shows(page.getByRole('alert').first(), 'does not answer');
     await world.back();
-    await page.getByRole('button', { name: 'Try again' }).first().click();
+    // It asks by itself too, every two seconds.
+    await page.getByRole('button', { name: 'Try again' }).first().click({ timeout: 2_500 }).catch(() => undefined);
     await shows(page.locator('main'), /9\.6/);
+  },
+
+  async 'a page whose code does not come says so, and is shown when asked again'(world) {
+    const page = await world.page();
+    await page.route(/plans-.*\.js$/, (route) => route.abort());
+    await page.goto('/');
+    await page.getByRole('heading', { level: 1 }).waitFor();
+    await page.getByRole('link', { name: 'Plans', exact: true }).click();
+    await shows(page.getByRole('alert').first(), 'Another program answers');
+    await page.unroute(/plans-.*\.js$/);
+    await page.getByRole('button', { name: 'Try again' }).click();
+    await shows(page.locator('h1'), 'Plans');
   },
 };
