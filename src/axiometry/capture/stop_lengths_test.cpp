@@ -313,9 +313,10 @@ Result<StopLengths> lengths_of_two_stations(std::size_t lost) {
   second.station_mm = {-200.0, 700.0, 50.0};
   auto samples = first.record(places_of(points));
   const double later = samples.back().time_s + 600.0;
-  Places places = places_of(points);
-  for (std::size_t k = 0; k < lost; ++k) places[k].rest_s = 0.0;
-  for (Sample s : second.record(places)) samples.push_back({s.time_s + later, s.position});
+  const Places places = places_of({points.begin() + static_cast<std::ptrdiff_t>(lost), points.end()});
+  constexpr double under_way_s = 2.0;  // no rest before, which might be the stop that was lost
+  for (Sample s : second.record(places))
+    if (s.time_s > under_way_s) samples.push_back({s.time_s + later, s.position});
   StopPath path(first.station_mm);
   for (const Vector3 p : points) path.stop(p);
   path.begin_segment(second.station_mm + Vector3{1.0, 1.0, 1.0});

@@ -56,8 +56,9 @@ struct MotionCapture {
   void displace_beyond(double from_mm) {
     options.motion->sign = StopSign::position;
     options.motion->stop_column = 0;
+    const DrivenAxis axis(plan);
     std::string stream = "time_s,position_mm,straightness_um,trigger\n";
-    for (const DrivenSample& s : DrivenAxis(plan).samples())
+    for (const DrivenSample& s : axis.samples())
       stream += fmt::format("{:.2f},{:.4f},{:.7f},{:.220f}\n", s.time_s,
                             s.position_mm + (s.position_mm > from_mm ? 37.0 : 0.0), s.value_um, 0.0);
     put("run.csv", stream);

@@ -244,8 +244,9 @@ TEST_F(MotionCaptures, WithoutReadingsTheRecordingAloneIsKept) {
 }
 
 TEST_F(MotionCaptures, HaveNoTableOfPositionsThatBelongToAnotherPlan) {
+  const DrivenAxis axis(straightness_plan());
   std::string elsewhere = driven_head;
-  for (const auto& s : DrivenAxis(straightness_plan()).samples())
+  for (const auto& s : axis.samples())
     elsewhere += fmt::format("{:.2f},{:.4f},{:.4f},0\n", s.time_s, s.position_mm + (s.position_mm > 50.0 ? 37.0 : 0.0),
                              s.value_um);
   const PieceServer server({elsewhere});
