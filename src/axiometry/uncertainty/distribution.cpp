@@ -95,8 +95,8 @@ void draw(const Form& f, numeric::RandomKey key, std::span<double> draws) {
 
 void draw(const Constant& f, numeric::RandomKey, std::span<double> draws) { std::ranges::fill(draws, f.value); }
 
-/// What the template gives, to the last bit, since x − ½ is exact: but which half x is in is as good as a coin, on which
-/// a branch would wait.
+/// What the template gives, to the last bit, since x − ½ is exact: but which half x is in is as good as a coin, on
+/// which a branch would wait.
 void draw(const Uniform& f, numeric::RandomKey key, std::span<double> draws) {
   numeric::fill_uniform(key, draws);
   const double c = centre(f), width = f.upper - f.lower;

@@ -48,8 +48,8 @@ class WeightedChoice {
   }
 
  private:
-  /// Of every one of equal parts of (0, 1) the first alternative that its numbers may fall on (Chen and Asau 1974): with
-  /// so many more parts than alternatives it nearly always is the one, which the processor then guesses.
+  /// Of every one of equal parts of (0, 1) the first alternative that its numbers may fall on (Chen and Asau 1974):
+  /// with so many more parts than alternatives it nearly always is the one, which the processor then guesses.
   void find_starts() {
     starts_.resize(std::bit_ceil(parts_of_alternative * cumulative_.size()));
     parts_ = static_cast<double>(starts_.size());
