@@ -41,8 +41,9 @@ void occupy_closed_standard_streams() {
       static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
-/// The trials of every hypothesis and input take the same memory again, and of memory that was given back in between the
-/// system would fill each page with zeros first, for longer than the trials take. What lasts for days gives it back.
+/// The trials of every hypothesis and input take the same memory again, and of memory that was given back in between
+/// the system would fill each page with zeros first, which may take as long as the trials. What lasts for days gives it
+/// back.
 void keep_freed_memory([[maybe_unused]] std::string_view verb) {
 #if defined(__GLIBC__)
   constexpr int kept_at_most = 32 << 20, one_of_these_at_most = 4 << 20;
