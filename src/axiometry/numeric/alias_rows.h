@@ -33,10 +33,11 @@ class AliasRows {
     const auto place = static_cast<std::int64_t>(uniform * scale_);  // < scale_, which no number below 1 rounds up to
     const auto own = static_cast<std::uint32_t>(place >> fraction_bits);
     const std::uint32_t entry = entries_[row * alternatives_ + own];
-    const std::uint32_t fraction = static_cast<std::uint32_t>(place) & (parts_of_part - 1);
-    const std::uint32_t other = entry & (most_alternatives - 1);
-    const std::uint32_t if_other = ((fraction - (entry >> alias_bits)) >> 31) - 1u;  // all bits or none; no branch
-    return own ^ ((own ^ other) & if_other);
+    // What is left of the place, where the threshold stands in the entry, and ones behind it: below the entry if and
+    // only if it is below the threshold. All bits or none; no branch.
+    const std::uint32_t left = static_cast<std::uint32_t>(place) << alias_bits | (most_alternatives - 1);
+    const std::uint32_t if_other = std::uint32_t{left < entry} - 1u;
+    return own ^ ((own ^ entry % most_alternatives) & if_other);
   }
 
  private:

@@ -88,9 +88,9 @@ struct ReadingPosterior::State {
   numeric::UnsetNumbers<double> means;     ///< μ, then the true means of the cells' own approaches
   numeric::UnsetNumbers<double> run_sds;   ///< σ_ρ, one row
   numeric::UnsetNumbers<double> machines;  ///< σ²/(σ² + u²), the machine's share of the scatter; from share_mean()
-  std::optional<RandomRows> normals{};  ///< of share_means() and the readings, which take them in this order
-  std::vector<double> target_shifts{};  ///< δ of every target; empty where there is none
-  std::vector<double> residuals{};      ///< of the cell that is being drawn, as what follows
+  std::optional<RandomRows> normals{};     ///< of share_means() and the readings, which take them in this order
+  std::vector<double> target_shifts{};     ///< δ of every target; empty where there is none
+  std::vector<double> residuals{};         ///< of the cell that is being drawn, as what follows
   std::vector<const double*> run_shifts{};
   std::vector<double*> rows{};
   std::vector<double> signed_shift{};            ///< δ as it acts on the cell
