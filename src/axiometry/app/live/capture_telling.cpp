@@ -64,8 +64,8 @@ Result<void> CaptureTelling::write_test(const CaptureSession& session, const Mom
 /// There is no table without a reading.
 Result<void> CaptureTelling::write_table(const CaptureSession& session, const Moment& moment) const {
   if (run_.out.empty() || (run_.out == "-" && !moment.last)) return {};
-  const auto table =
-      motion_table(session, {run_.from, run_.raw.empty() ? run_.resume : run_.raw, arrival_date(moment.first_arrival)});
+  const auto table = motion_table(session, {run_.from, run_.raw.empty() ? run_.resume : run_.raw,
+                                            arrival_date(moment.first_arrival), run_.simulated});
   return table ? write_file(run_.out, *table) : Result<void>{};
 }
 
