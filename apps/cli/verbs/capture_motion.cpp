@@ -68,6 +68,7 @@ class MotionDisplay {
                 ? fmt::format("  {} {}", format_fixed(*values.now(), 2), motion_unit_symbol(session.motion()->unit()))
                 : std::string("  waiting for readings");
     if (due) line += ", next " + place(*due, values.plan());
+    if (const auto axis = session.now()) line += axis->at_rest ? ", the axis stands" : ", the axis moves";
     line += values.is_reading()      ? "  reading …"
             : values.waits_for_key() ? "  Enter: it is this one, s: this one is missing"
             : by_keys                ? "  Enter when it stands, s skip, u undo, e end"

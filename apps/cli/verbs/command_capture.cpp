@@ -255,7 +255,8 @@ void add_capture(const Verb& program, int& exit_code) {
   app::CaptureRun& run = arguments->run;
   verb->add_option("--from", run.from,
                    "Where positions come from: a file, - for the standard input, "
-                   "tcp://host:port or serial:///dev/ttyACM0?baud=2000000")
+                   "tcp://host:port or serial:///dev/ttyACM0?baud=2000000; with --stops also simulator://?seed=7, with "
+                   "preset=good or drift, size=5 (of the bow, µm or µrad) and speed=1, 10 or 60")
       ->type_name("SOURCE")
       ->required();
   verb->add_option("--out", run.out,
@@ -289,6 +290,7 @@ void add_capture(const Verb& program, int& exit_code) {
   axiometry capture --plan lines.json --from tcp://192.168.1.20:5000 --out lengths.csv    lines of a tracking plan
   axiometry capture --plan plan.json --part 2 --from tcp://192.168.1.20:5000 --out S1_T2.csv  part of a volumetric plan
   axiometry capture --plan EYX.json --from tcp://192.168.1.20:5000 --stops keys --unit um --out EYX.csv   a straightness
+  axiometry capture --plan EYX.json --from 'simulator://?seed=7&speed=10' --stops keys --out EYX.csv      to try that
 
 Ends when every approach has come, when the stream ends, or with Ctrl-C; what has come is kept.
 

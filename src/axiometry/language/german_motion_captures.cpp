@@ -79,6 +79,9 @@ constexpr Phrase motion_captures_rows[] = {
      "die Abweichung {0}, deren Messwerte Positionen sind und die Halte selbst zeigen; erwartet: eine Geradheit oder "
      "eine Drehung, oder kein --stops"},
     {"found the key {0=}, expected take, skip or undo", "Eingabe {0}; erwartet: take, skip oder undo"},
+    {"found the simulator as source of positions or lengths, expected it with --stops",
+     "der Simulator als Quelle von Positionen oder Längen; erwartet: er nur mit --stops"},
+    {"found the source {0=}, expected simulator://?seed=7", "Quelle {0}; erwartet: simulator://?seed=7"},
     {"found the unit {0=}, expected one of {1=}", "Einheit {0}; erwartet: eine von {1}"},
     {"found the unknown member {0=}, expected key", "unbekannter Eintrag {0}; erwartet: key"},
     {"found what is said of stops without stops, expected keys, trigger, readings or position",
@@ -90,6 +93,8 @@ constexpr Phrase motion_captures_rows[] = {
      "{0}\u00a0s nach {1}\u00a0s; erwartet: die Reihenfolge, in der es eingegeben wurde"},
     {"found {0#} samples, expected at least {1#} to tell whether they stand still",
      "{0} Abtastwerte; erwartet: mindestens {1}, um zu erkennen, ob sie stillstehen"},
+    {"found {0=} in the source, expected preset, size, seed or speed",
+     "{0} in der Quelle; erwartet: preset, size, seed oder speed"},
     {"found {0=} with the simulator, expected {1=} or none", "{0} beim Simulator; erwartet: {1} oder nichts"},
     {"found {0=}, expected a finite number as reading", "{0}; erwartet: eine endliche Zahl als Messwert"},
     {"found {0=}, expected a number above 0 up to 1e6", "{0}; erwartet: eine Zahl über 0 bis 1e6"},

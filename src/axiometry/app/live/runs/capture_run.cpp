@@ -45,8 +45,7 @@ class Run {
   void listen(const LiveCapture& live) {
     connect_ = live.connect;
     room_ = live.raw_limit;
-    free_bytes_ = live.free;
-    beside_ = live.beside;
+    live_ = live;
   }
 
   Result<CaptureOutcome> operator()() {
@@ -195,8 +194,8 @@ class Run {
 
   Result<void> listen_to(std::unique_ptr<LiveStream> stream, RawLog& log) {
     std::vector<char> block(live_block);
-    DiskRoom disk(run_.raw.empty() ? run_.resume : run_.raw, free_bytes_);
-    if (beside_) beside_(session_);
+    DiskRoom disk(run_.raw.empty() ? run_.resume : run_.raw, live_.free);
+    if (live_.beside) live_.beside(session_);
     while (!stop()) {
       const LiveStream::Got got = stream->read(block, poll_time);
       if (got.state == LiveStream::State::data) {
@@ -215,7 +214,7 @@ class Run {
         AXIOMETRY_TRY_VOID(sound(log.sync_when_due()));
       }
       AXIOMETRY_TRY_VOID(take_keys(log));
-      if (beside_) beside_(session_);
+      if (live_.beside) live_.beside(session_);
       show();
     }
     return {};
@@ -332,8 +331,7 @@ class Run {
   const CaptureObserver& observer_;
   CaptureSession session_;
   Connect connect_;
-  FreeBytes free_bytes_;
-  std::function<void(CaptureSession&)> beside_;
+  LiveCapture live_{.name = {}, .connect = {}, .raw = {}};
   Clock::time_point connected_, shown_;
   std::optional<Outage> outage_;
   std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
@@ -352,8 +350,12 @@ template <typename Outcome>
 auto from_source(const CaptureRun& run, const CaptureObserver& observer, CaptureSession session, Outcome outcome)
     -> std::invoke_result_t<Outcome, Run&> {
   AXIOMETRY_TRY(const auto live, parse_live(run.from));
+  if (live && live->kind == LiveAddress::Kind::simulator && !run.connect)
+    return fail("found the simulator as source of positions or lengths, expected it with --stops");
   Run reading(run, observer, std::move(session));
-  if (live) reading.listen({.name = {}, .connect = [address = *live] { return connect_to(address); }, .raw = {}});
+  LiveCapture source{.name = {}, .connect = run.connect, .raw = {}, .beside = run.beside};
+  if (live && !run.connect) source.connect = [address = *live] { return connect_to(address); };
+  if (source.connect) reading.listen(source);
   auto result = outcome(reading);
   if (!result && result.error().file.empty()) result.error().file = run.from == "-" ? "(standard input)" : run.from;
   return result;

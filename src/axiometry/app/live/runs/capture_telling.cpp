@@ -68,9 +68,9 @@ Result<void> CaptureTelling::write_test(const CaptureSession& session, const Mom
 /// There is no table without a reading.
 Result<void> CaptureTelling::write_table(const CaptureSession& session, const Moment& moment) {
   if (run_.out.empty() || (run_.out == "-" && !moment.last)) return {};
-  return put(
-      motion_table(session, {run_.from, run_.raw.empty() ? run_.resume : run_.raw, arrival_date(moment.first_arrival)}),
-      moment);
+  return put(motion_table(session, {run_.from, run_.raw.empty() ? run_.resume : run_.raw,
+                                    arrival_date(moment.first_arrival), run_.simulated}),
+             moment);
 }
 
 /// A result that there was may only seem to be none until more has come.

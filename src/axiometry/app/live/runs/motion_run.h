@@ -17,9 +17,9 @@ struct MotionOutcome {
   std::size_t lost = 0;
 };
 
-/// As run_capture(), with options.motion: `out` is the table of motion_table(), written after every reading. What was
-/// said at the stops is kept beside the raw file, and played again with it (stop_marks.h). Fails also as take_marks()
-/// does.
+/// As run_capture(), also of "simulator://?preset=good&size=5&seed=7&speed=10", with options.motion: `out` is the table
+/// of motion_table(), written after every reading. What was said at the stops is kept beside the raw file, and played
+/// again with it (stop_marks.h). Fails also as take_marks() does, and on what the simulator does not know.
 Result<MotionOutcome> run_motion_capture(const CaptureRun& run, CaptureOptions options,
                                          const CaptureObserver& observer);
 

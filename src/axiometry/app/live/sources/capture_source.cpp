@@ -50,7 +50,7 @@ Result<CaptureSource> parse_capture_source(std::string_view text) {
   if (text::equal_ignoring_case(name, name_of_simulator))
     return fail("found the name simulator of a source, expected another one: that is there already");
   AXIOMETRY_TRY(const auto address, parse_live(std::string(text.substr(equals + 1))));
-  if (!address)
+  if (!address || address->kind == LiveAddress::Kind::simulator)
     return fail(fmt::format("found {} as source {}, expected tcp://host:port or serial:///dev/ttyACM0",
                             text::quoted(text.substr(equals + 1)), name));
   return CaptureSource{

@@ -145,10 +145,14 @@ class Connection final : public LiveStream {
 }  // namespace
 
 Result<std::optional<LiveAddress>> parse_live(const std::string& name) {
-  constexpr std::string_view tcp = "tcp://", serial = "serial://";
+  constexpr std::string_view tcp = "tcp://", serial = "serial://", simulator = "simulator://";
   if (name.starts_with(tcp)) return parse_tcp(name, std::string_view(name).substr(tcp.size()));
   if (name.starts_with(serial)) return parse_serial(name, std::string_view(name).substr(serial.size()));
-  return std::optional<LiveAddress>();
+  if (!name.starts_with(simulator)) return std::optional<LiveAddress>();
+  const std::string_view told = std::string_view(name).substr(simulator.size());
+  if (!told.empty() && !told.starts_with('?'))
+    return fail(fmt::format("found the source {}, expected simulator://?seed=7", text::quoted(name)));
+  return LiveAddress{LiveAddress::Kind::simulator, std::string(told.substr(told.empty() ? 0 : 1)), ""};
 }
 
 Result<std::unique_ptr<LiveStream>> connect_to(const LiveAddress& address) {

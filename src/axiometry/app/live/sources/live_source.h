@@ -13,17 +13,19 @@
 /// Where live streams come from: TCP servers and serial ports.
 namespace axiometry::app {
 
-/// "tcp://host:port" or "serial:///dev/ttyACM0?baud=2000000", "…?baud=3000000&ask=hpi-3d".
+/// "tcp://host:port" or "serial:///dev/ttyACM0?baud=2000000", "…?baud=3000000&ask=hpi-3d", or "simulator://?seed=7", to
+/// which nothing can be connected: simulated_motion.h.
 struct LiveAddress {
-  enum class Kind { tcp, serial } kind = Kind::tcp;
-  std::string host;  ///< or the device of a serial port
+  enum class Kind { tcp, serial, simulator } kind = Kind::tcp;
+  std::string host;  ///< or the device of a serial port, or what stands behind "simulator://?"
   std::string port;  ///< a number or a name
   unsigned baud = 115'200;
   std::string request{};  ///< bytes that make an instrument at a serial port begin; empty: nothing is sent to it
 };
 
 /// Nothing when the name is that of a file. Fails on "tcp://" and "serial://" without all that they need, on a baud
-/// rate that is not 50 to 20 000 000, and on an instrument to ask that is not known.
+/// rate that is not 50 to 20 000 000, and on an instrument to ask that is not known. What the simulator is told is not
+/// looked at.
 Result<std::optional<LiveAddress>> parse_live(const std::string& name);
 
 /// Bytes as they come.

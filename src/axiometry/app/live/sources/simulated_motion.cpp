@@ -160,7 +160,7 @@ std::size_t done_of(const std::vector<Approach>& order, const std::optional<Appr
   return static_cast<std::size_t>(std::ranges::distance(order.begin(), std::ranges::find(order, *due)));
 }
 
-MotionLines lines_of(const SimulatedMotionCapture& capture, const MotionListener& motion) {
+MotionLines motion_lines_of(const SimulatedMotionCapture& capture, const MotionListener& motion) {
   const bool angle = motion.error().rotation();
   const formats::Unit* unit = motion.stated().unit;
   if (unit == nullptr) unit = formats::find_unit(angle ? "urad" : "um");
@@ -217,7 +217,7 @@ Result<SimulatedMotion> simulated_motion_source(const SimulatedMotionCapture& ca
   const auto shared = std::make_shared<AxisAndCapture>();
   shared->waits = motion.stated().sign == StopSign::keys;
   SimulatedMotion made;
-  made.connect = [walk = std::move(walk), lines = lines_of(capture, motion), pace = capture.pace,
+  made.connect = [walk = std::move(walk), lines = motion_lines_of(capture, motion), pace = capture.pace,
                   shared]() -> Result<std::unique_ptr<LiveStream>> {
     return std::make_unique<SimulatedMotionStream>(walk, lines, pace, shared);
   };
