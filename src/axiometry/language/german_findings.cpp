@@ -294,6 +294,7 @@ constexpr Phrase findings_rows[] = {
      "a certificate is taken as a whole",
      "das Archiv nennt {0} für {1}, was weggelassen ist: ein Teil der Angaben zu seinen Fehlern steht anderswo, und "
      "ein Schein gilt als Ganzes"},
+    {"the artefact without {0}", "der Prüfkörper ohne {0}"},
     {"the axis travels {0#}: the test over its whole travel with one approach from each direction is also needed",
      "die Achse verfährt {0}: die Prüfung über den ganzen Verfahrweg mit einer Anfahrt aus jeder Richtung ist "
      "zusätzlich nötig"},
