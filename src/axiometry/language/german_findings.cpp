@@ -192,6 +192,10 @@ constexpr Phrase findings_rows[] = {
      "make every repeatability zero",
      "an jeder Zielposition derselbe Messwert in jedem Durchlauf; erwartet: eine gewisse Streuung; kopierte oder grob "
      "gerundete Messwerte machen jede Wiederholpräzision zu null"},
+    {"found the same reading {0=} in every run at every target, expected some scatter; copied or coarsely rounded "
+     "readings make {1=} zero",
+     "an jeder Zielposition derselbe Messwert {0} in jedem Durchlauf; erwartet: eine gewisse Streuung; kopierte oder "
+     "grob gerundete Messwerte machen {1} zu null"},
     {"found the step cycle, expected the standard test cycle (Figure 1): not for acceptance without special written "
      "agreement",
      "Stufenzyklus; erwartet: der Normprüfzyklus (Bild 1); ohne besondere schriftliche Vereinbarung nicht für die "
