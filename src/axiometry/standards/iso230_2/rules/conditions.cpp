@@ -190,13 +190,12 @@ std::optional<Finding> straight_slope(const Case& c) {
   if (!c.linear() || c.series.target_count() < 4 || E <= 0.0) return std::nullopt;
   const auto slope = slope_of_means(c.evaluation.positions);
   if (!slope || slope->remainder.in_native() > 0.3 * E) return std::nullopt;
-  return note(
-      "straight-slope", "3.24",
-      fmt::format("found a straight slope of {} µm/m, without which {} would be {} instead of {}; such a slope "
-                  "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
-                  size_text(1000.0 * slope->per_position_native), symbol,
-                  deviation_text(c, slope->remainder.in_native()), deviation_text(c, E),
-                  is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
+  return note("straight-slope", "3.24",
+              fmt::format("found a straight slope of {} µm/m, without which {} would be {} instead of {}; such a slope "
+                          "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
+                          size_text(1000.0 * slope->per_position_native), symbol,
+                          deviation_text(c, slope->remainder.in_native()), deviation_text(c, E),
+                          is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
 }
 
 std::optional<Finding> same_reversal_everywhere(const Case& c) {
