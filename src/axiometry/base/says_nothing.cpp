@@ -125,8 +125,21 @@ bool says_none(std::string_view s) { return is_among(squeezed(s), none_words); }
 bool says_no(std::string_view s) { return says_none(s) || is_among(squeezed(s), no_words); }
 
 bool says_no_warm_up(std::string_view s) {
-  const std::string word = squeezed(s);
-  return says_no(s) || is_zero_amount(word) || is_among(word, cold_words) || refuses_warming(s);
+  const auto none = [](std::string_view part) {
+    const std::string word = squeezed(part);
+    return says_no(part) || is_zero_amount(word) || is_among(word, cold_words) || refuses_warming(part);
+  };
+  if (none(s)) return true;
+  bool any = false;  // "cold start, no warm-up": all of its parts say so
+  for (std::size_t begin = 0; begin < s.size();) {
+    const std::size_t end = std::min(s.find_first_of(",;()", begin), s.size());
+    const std::string_view part = s.substr(begin, end - begin);
+    begin = end + 1;
+    if (squeezed(part).empty()) continue;
+    if (!none(part)) return false;
+    any = true;
+  }
+  return any;
 }
 
 }  // namespace axiometry::text

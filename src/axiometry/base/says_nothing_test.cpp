@@ -105,12 +105,16 @@ TEST(SaysNoWarmUp, HoweverItIsSaid) {
                            "0",
                            "0 min",
                            "0.0 h",
-                           "cold"})
+                           "cold",
+                           "cold start, no warm-up",
+                           "Kaltstart (kein Warmlauf)",
+                           "0,0 h"})
     EXPECT_TRUE(says_no_warm_up(none)) << none;
   for (const char* made :
        {"five cycles at 1000 mm/min", "30 min", "0.5 h", "no load, 30 min at 1000 mm/min", "warm from production",
         "Three runs over the whole travel", "nach Produktion, 2 h warm", "0:30 h", "10 runs", "normal warm-up",
-        "non-stop warm-up", "ohne Last warmgefahren", "not less than 30 min warm-up"})
+        "non-stop warm-up", "0,5 h", "cold, then 30 min at 1000 mm/min", "ohne Last warmgefahren",
+        "not less than 30 min warm-up"})
     EXPECT_FALSE(says_no_warm_up(made)) << made;
 }
 

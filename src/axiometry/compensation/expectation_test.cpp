@@ -40,8 +40,8 @@ TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
   for (int k = 0; k < axes; ++k) {
     const Series before = measured(random, nullptr);
     const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
-    const auto corrected = *corrected_series(before, fit->correction);
-    const auto expected = expected_retest(corrected, {.seed = static_cast<unsigned>(k)});
+    const auto expected =
+        expected_retest(*corrected_series(before, fit->correction), {.seed = static_cast<unsigned>(k)});
     ASSERT_TRUE(expected);
     const auto after = iso230_2::evaluate(measured(random, &fit->correction)).parameters;
     E_below_median += after.E < expected->median.E;
@@ -62,8 +62,8 @@ TEST(ExpectedRetest, HoldsWhereRunsAreShiftedAsAWhole) {
   for (int k = 0; k < axes; ++k) {
     const Series before = measured(random, nullptr, 6.0);
     const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
-    const auto corrected = *corrected_series(before, fit->correction);
-    const auto expected = expected_retest(corrected, {.seed = static_cast<unsigned>(k)});
+    const auto expected =
+        expected_retest(*corrected_series(before, fit->correction), {.seed = static_cast<unsigned>(k)});
     below_95 += iso230_2::evaluate(measured(random, &fit->correction, 6.0)).parameters.E < expected->percent_95.E;
     bound += expected->percent_95.E->in_native() / axes;
   }
@@ -79,8 +79,8 @@ TEST(ExpectedRetest, HoldsInReTestsOfFewerRuns) {
   for (int k = 0; k < axes; ++k) {
     const Series before = measured(random, nullptr);
     const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
-    const auto expected = expected_retest(*corrected_series(before, fit->correction),
-                                          {.seed = static_cast<unsigned>(k), .runs = 1});
+    const auto expected =
+        expected_retest(*corrected_series(before, fit->correction), {.seed = static_cast<unsigned>(k), .runs = 1});
     ASSERT_TRUE(expected);
     EXPECT_FALSE(expected->percent_95.A) << "one approach has no scatter";
     const Series after = measured(random, &fit->correction);

@@ -192,6 +192,10 @@ constexpr Phrase findings_rows[] = {
      "make every repeatability zero",
      "an jeder Zielposition derselbe Messwert in jedem Durchlauf; erwartet: eine gewisse Streuung; kopierte oder grob "
      "gerundete Messwerte machen jede Wiederholpräzision zu null"},
+    {"found the same reading {0=} in every run at every target, expected some scatter; copied or coarsely rounded "
+     "readings make {1=} zero",
+     "an jeder Zielposition derselbe Messwert {0} in jedem Durchlauf; erwartet: eine gewisse Streuung; kopierte oder "
+     "grob gerundete Messwerte machen {1} zu null"},
     {"found the step cycle, expected the standard test cycle (Figure 1): not for acceptance without special written "
      "agreement",
      "Stufenzyklus; erwartet: der Normprüfzyklus (Bild 1); ohne besondere schriftliche Vereinbarung nicht für die "
@@ -294,6 +298,7 @@ constexpr Phrase findings_rows[] = {
      "a certificate is taken as a whole",
      "das Archiv nennt {0} für {1}, was weggelassen ist: ein Teil der Angaben zu seinen Fehlern steht anderswo, und "
      "ein Schein gilt als Ganzes"},
+    {"the artefact without {0}", "der Prüfkörper ohne {0}"},
     {"the axis travels {0#}: the test over its whole travel with one approach from each direction is also needed",
      "die Achse verfährt {0}: die Prüfung über den ganzen Verfahrweg mit einer Anfahrt aus jeder Richtung ist "
      "zusätzlich nötig"},

@@ -361,7 +361,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
   auto expected = compensation::expected_retest(corrected);
   AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, scatter, s), name));
-  if (axis.retest)
+  if (axis.retest && axis.retest->test.series.run_count() != test.series.run_count())
     expected = compensation::expected_retest(corrected, {.runs = axis.retest->test.series.run_count()});
   AXIOMETRY_TRY(auto known,
                 in_file(compensation::compensated_positions(test, {applied, fit.correction, removed}), name));

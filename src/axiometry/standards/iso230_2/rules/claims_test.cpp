@@ -318,6 +318,11 @@ TEST(Claims, OfTheReportFallWithAnyItemOfClauseEight) {
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.tool_offset_mm.clear(); }},
       {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number.clear(); }},
       {"8.1", [](axiometry::Test& t) { t.metadata.equipment.front().serial_number = "unbekannt"; }},
+      {"8.1",
+       [](axiometry::Test& t) {
+         t.metadata.artefact.type = "step gauge";
+         t.metadata.artefact.calibrated_positions = {0, 1};
+       }},
       {"8.1", [](axiometry::Test& t) { t.metadata.conditions.inspector = "nicht angegeben"; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty = {}; }},
       {"8.2.1", [](axiometry::Test& t) { t.metadata.uncertainty.misalignment.reset(); }},

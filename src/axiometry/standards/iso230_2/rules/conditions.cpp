@@ -163,10 +163,21 @@ std::optional<Finding> part_of_axis_travel(const Case& c) {
 }
 
 std::optional<Finding> readings_repeat_exactly(const Case& c) {
-  if (!c.evaluation.parameters.R_up && !c.evaluation.parameters.R_down) return std::nullopt;
-  for (std::size_t i = 0; i < c.series.target_count(); ++i)
-    for (Direction direction : {Direction::up, Direction::down})
-      if (!all_equal(c.series.cell(i, direction))) return std::nullopt;
+  const AxisParameters& p = c.evaluation.parameters;
+  const auto repeats = [&](Direction direction) {
+    for (std::size_t i = 0; i < c.series.target_count(); ++i)
+      if (!all_equal(c.series.cell(i, direction))) return false;
+    return true;
+  };
+  const bool up = p.R_up && repeats(Direction::up), down = p.R_down && repeats(Direction::down);
+  if (!up && !down) return std::nullopt;
+  if ((p.R_up && !up) || (p.R_down && !down)) {
+    const std::string_view copied = up ? "↑" : "↓";
+    return note("readings-repeat-exactly", "3.18",
+                fmt::format("found the same reading {} in every run at every target, expected some scatter; copied or "
+                            "coarsely rounded readings make R{} zero",
+                            copied, copied));
+  }
   return note("readings-repeat-exactly", "3.18",
               "found the same reading in every run at every target, expected some scatter; copied or coarsely "
               "rounded readings make every repeatability zero");
@@ -179,13 +190,12 @@ std::optional<Finding> straight_slope(const Case& c) {
   if (!c.linear() || c.series.target_count() < 4 || E <= 0.0) return std::nullopt;
   const auto slope = slope_of_means(c.evaluation.positions);
   if (!slope || slope->remainder.in_native() > 0.3 * E) return std::nullopt;
-  return note(
-      "straight-slope", "3.24",
-      fmt::format("found a straight slope of {} µm/m, without which {} would be {} instead of {}; such a slope "
-                  "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
-                  size_text(1000.0 * slope->per_position_native), symbol,
-                  deviation_text(c, slope->remainder.in_native()), deviation_text(c, E),
-                  is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
+  return note("straight-slope", "3.24",
+              fmt::format("found a straight slope of {} µm/m, without which {} would be {} instead of {}; such a slope "
+                          "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
+                          size_text(1000.0 * slope->per_position_native), symbol,
+                          deviation_text(c, slope->remainder.in_native()), deviation_text(c, E),
+                          is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
 }
 
 std::optional<Finding> same_reversal_everywhere(const Case& c) {

@@ -295,6 +295,8 @@ TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {
     const std::vector<RunDeviations> copied(n, RunDeviations{0, 0.1, 2, 0.7, none});
     EXPECT_THAT(finding(assessed(make_series(half_metre, copied, runs(1, 5))), "3.18"),
                 HasSubstr("same reading in every run"));
+    EXPECT_THAT(finding(assessed(make_series(half_metre, runs(n, 5), copied)), "3.18", "same reading"),
+                HasSubstr("same reading ↓ in every run at every target"));
   }
 }
 

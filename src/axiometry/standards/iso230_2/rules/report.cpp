@@ -191,6 +191,13 @@ std::optional<Finding> equipment_identified(const Case& c) {
                                      names_nothing(e.role) ? fmt::format("component {}", k + 1) : e.role,
                                      fmt::join(lacks, " and ")));
   }
+  // An artefact with calibrated positions is what was measured with.
+  if (const Artefact& artefact = c.metadata.artefact; !artefact.calibrated_positions.empty()) {
+    std::vector<std::string_view> lacks;
+    if (names_nothing(artefact.type)) lacks.push_back("type");
+    if (names_nothing(artefact.serial_number)) lacks.push_back("serial number");
+    if (!lacks.empty()) incomplete.push_back(fmt::format("the artefact without {}", fmt::join(lacks, " and ")));
+  }
   if (incomplete.empty()) return std::nullopt;
   return missing("equipment-identified", "8.1",
                  fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));

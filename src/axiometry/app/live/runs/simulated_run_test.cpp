@@ -8,8 +8,8 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/live/capture_source.h"
-#include "axiometry/app/live/motion_run.h"
+#include "axiometry/app/live/sources/capture_source.h"
+#include "axiometry/app/live/runs/motion_run.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "tests/support/made_up_motion.h"
