@@ -28,6 +28,10 @@ export function parsed(text: string): number | null {
   return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain) ? Number(plain) : null;
 }
 
+/** A number as the user would type it; nothing for none. */
+export const typed = (value: number | null | undefined): string =>
+  value === null || value === undefined ? '' : decimal.value === 'comma' ? String(value).replace('.', ',') : String(value);
+
 /** Decimals that leave a size so many leading digits as it is then shown: 0.0996 has two of them in 0.10. */
 export function decimals_for(size: number, digits: number): number {
   if (!(size > 0)) return 0;

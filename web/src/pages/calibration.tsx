@@ -103,7 +103,7 @@ function Files({ calibration }: { calibration: KeptCalibration }) {
         { key: 'name', head: t('file'), cell: ({ role, name }) => <a href={`/api/calibrations/${calibration.id}/files/${role}`} download>{name}</a> },
         { key: 'sha256', head: 'SHA-256', cell: ({ sha256 }) => <Hash hash={sha256} /> },
       ]} />
-      <p class="small quiet">{t('options')}: <code>{JSON.stringify(calibration.options)}</code></p>
+      <p class="small quiet">{t('options')}: {Object.keys(calibration.options).length === 0 ? t('as_usual') : <code>{JSON.stringify(calibration.options)}</code>}</p>
     </section>
   );
 }

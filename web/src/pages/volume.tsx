@@ -62,6 +62,12 @@ export function VolumePage() {
             <ProgramPanel path="/api/volumetric/plan/program" subject={subject} part={run + 1} name={`${form.machine.trim()} ${shown?.station ?? ''} ${shown?.tool ?? ''}`.trim()}
               vocabulary={vocabulary.data} step="3" choice={<RunChoice draft={draft} run={run} choose={choose_run} />} />
           )}
+          {!draft && (
+            <section class="panel no-print" aria-labelledby="volume-programs">
+              <header><h2 id="volume-programs"><span class="step">3</span>{t('programs')}</h2></header>
+              <p class="quiet">{t('no_programs')}</p>
+            </section>
+          )}
           <LengthPartsPanel subject={captured} step="4" />
           <LengthsPanel machine={measured} />
         </div>

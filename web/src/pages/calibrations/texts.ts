@@ -49,6 +49,7 @@ export const t = texts({
   again_title: ['Evaluate again with other options', 'Mit anderen Optionen neu auswerten'],
   again_how: ['The files stay; the result becomes a new version.', 'Die Dateien bleiben; das Ergebnis wird eine neue Version.'],
   options: ['Options', 'Optionen'],
+  as_usual: ['as usual', 'wie üblich'],
   save: ['Save as version {n}', 'Als Version {n} speichern'],
   older: ['This is version {n} of {latest}.', 'Das ist Version {n} von {latest}.'],
   to_latest: ['To the latest', 'Zur neuesten'],

@@ -5,7 +5,8 @@ import { texts } from '../../i18n/texts';
 const nouns = {
   test: ['test', 'Prüfung'], machine: ['machine', 'Maschine'], axis: ['axis', 'Achse'], instrument: ['instrument', 'Messmittel'],
   plan: ['plan', 'Prüfplan'], document: ['document', 'Dokument'], store: ['store', 'Archiv'], content: ['content', 'Inhalt'],
-  report: ['report', 'Bericht'], attachment: ['attachment', 'Anlage'],
+  report: ['report', 'Bericht'], attachment: ['attachment', 'Anlage'], calibration: ['calibration', 'Kalibrierung'],
+  compensation: ['table', 'Tabelle', 'compensation'],
 } as const;
 const verbs = {
   received: ['received', 'eingegangen', 'action'], revised: ['revised', 'überarbeitet', 'action'], added: ['added', 'angelegt', 'action'],
@@ -34,8 +35,10 @@ export function subject_text(subject: string): string {
 
 /** Where the page of a subject is; null where there is none. */
 export function subject_path(subject: string): string | null {
-  const found = /^(test|machine|axis|instrument|plan) (\d+)$/.exec(subject);
+  const found = /^(test|machine|axis|instrument|plan|calibration|compensation) (\d+)$/.exec(subject);
   if (!found) return null;
-  const folders: Record<string, string> = { test: 'tests', machine: 'machines', axis: 'axes', instrument: 'instruments', plan: 'plans' };
+  const folders: Record<string, string> = {
+    test: 'tests', machine: 'machines', axis: 'axes', instrument: 'instruments', plan: 'plans', calibration: 'calibrations', compensation: 'compensations',
+  };
   return `/${folders[found[1] as string]}/${found[2]}`;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is typed on the page of the volumetric calibration, and what it makes: machine.json and the request for a plan.
 import type { VolumetricMachine, VolumetricPlanFile, VolumetricPlanRequest } from '../../api/types';
+import { typed } from '../../numbers';
 import { boxes_of, Reader, reflectors, type Faults, type ObstacleForm } from '../tracking/form';
 import { chain_of_text, is_chain, usual_chains } from './chain';
 import { t } from './texts';
@@ -32,7 +33,7 @@ export function new_form(): VolumeForm {
   return {
     machine: '', chain: 'XFYZ', other: false, low: ['0', '0', '-500'], high: ['800', '500', '0'],
     tools: [{ name: 'T1', at: ['0', '0', '-120'] }, { name: 'T2', at: ['60', '0', '-120'] }, { name: 'T3', at: ['0', '60', '-240'] }],
-    propose: true, stations: [], texts: { ...empty_texts, a: '0.2', b: '0.3', repeatability: '0.5', count: '4', points: '100', incidence: '80' },
+    propose: true, stations: [], texts: { ...empty_texts, a: typed(0.2), b: typed(0.3), repeatability: typed(0.5), count: '4', points: '100', incidence: '80' },
     room_low: ['', '', ''], room_high: ['', '', ''], reflector: '−Z', obstacles: [], functional: null,
   };
 }
@@ -89,7 +90,7 @@ export function read_form(form: VolumeForm): Read {
   return { machine: of_machine ? machine : null, request: Object.keys(read.faults).length === 0 ? request : null, faults: read.faults };
 }
 
-const triple = (numbers: readonly number[] | undefined): string[] => [0, 1, 2].map((k) => String(numbers?.[k] ?? ''));
+const triple = (numbers: readonly number[] | undefined): string[] => [0, 1, 2].map((k) => typed(numbers?.[k]));
 const list = (places: Record<string, number[]> | undefined): PlaceForm[] => Object.entries(places ?? {}).map(([name, at]) => ({ name, at: triple(at) }));
 const is_object = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null && !Array.isArray(value);
 
@@ -107,17 +108,17 @@ export function form_of_file(text: string, before: VolumeForm): VolumeForm {
     if (!is_object(machine) || !(name === 'chain' ? name in machine : is_object(machine[name]))) throw new Error(t('no_member', { name }));
   const chain = chain_of_text(String(machine.chain));
   const travel = machine.travel_mm as unknown as Record<string, number[] | undefined>;
-  const end = (k: number) => ['X', 'Y', 'Z'].map((axis) => String(travel[axis]?.[k] ?? ''));
+  const end = (k: number) => ['X', 'Y', 'Z'].map((axis) => typed(travel[axis]?.[k]));
   const stations = list(machine.stations_mm as Places | undefined);
   const instrument = machine.instrument as { a_um?: number; b_um_per_m?: number; scale_u_um_per_m?: number } | undefined;
-  const number = (x: number | null | undefined, otherwise: string) => (x === null || x === undefined ? otherwise : String(x));
+  const number = (x: number | null | undefined, otherwise: string) => (x === null || x === undefined ? otherwise : typed(x));
   const points = Math.max(0, ...(plan?.runs ?? []).map(({ stops }) => stops.length));
   return {
     ...before, machine: String(machine.name ?? ''), chain, other: !(usual_chains as readonly string[]).includes(chain), low: end(0), high: end(1),
     functional: machine.functional_point_mm ?? null,
     tools: list(machine.tools_mm as Places), propose: stations.length === 0, stations,
     texts: {
-      ...before.texts, a: number(instrument?.a_um, '0.2'), b: number(instrument?.b_um_per_m, '0.3'), scale: number(instrument?.scale_u_um_per_m, ''),
+      ...before.texts, a: number(instrument?.a_um, typed(0.2)), b: number(instrument?.b_um_per_m, typed(0.3)), scale: number(instrument?.scale_u_um_per_m, ''),
       repeatability: number(machine.repeatability_um, '0'), points: points > 0 ? String(points) : before.texts.points,
     },
   };

@@ -105,6 +105,9 @@ export const t = texts({
   u_mean: ['u, mean', 'u, Mittel'],
   u_most: ['u, largest', 'u, größte'],
   expected_note: ['Standard uncertainties (k = 1), from the uncertainties that stand in the form.', 'Standardunsicherheiten (k = 1), aus den Unsicherheiten im Formular.'],
+  // 3
+  programs: ['NC program', 'NC-Programm'],
+  no_programs: ['Make a plan first: each of its runs has a program.', 'Zuerst einen Plan machen: jeder seiner Läufe hat ein Programm.'],
   // 5
   lengths: ['Lengths', 'Längen'],
   lengths_how: [
