@@ -53,17 +53,41 @@ void keep_freed_memory([[maybe_unused]] std::string_view verb) {
 #endif
 }
 
-/// Of a first word that is no verb CLI11 would say only that a verb is missing.
-std::string unknown_first_word(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2) return "";
-  const std::string word = argv[1];
-  std::vector<std::string_view> known = {"--help", "-h", "--version"};
-  for (const CLI::App* verb : program.get_subcommands([](const CLI::App*) { return true; }))
-    known.push_back(verb->get_name());
-  if (std::ranges::find(known, word) != known.end()) return "";
+std::string unknown_word(std::string_view word, const std::vector<std::string_view>& known) {
   const auto near = axiometry::text::nearest(word, known);
   return fmt::format("found {}, expected {}", axiometry::text::quoted(word),
                      near ? fmt::format("perhaps {}", *near) : fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
+/// Of a word that is no verb, such as that of "store tests", CLI11 would say only that a verb is missing.
+std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
+  const CLI::App* level = &program;
+  for (int k = 1; k < argc && k <= 2; ++k) {
+    const auto verbs = level->get_subcommands([](const CLI::App*) { return true; });
+    if (verbs.empty()) return "";
+    std::vector<std::string_view> known = {"--help", "-h"};
+    if (k == 1) known.emplace_back("--version");
+    for (const CLI::App* verb : verbs) known.push_back(verb->get_name());
+    const std::string_view word = argv[k];
+    if (std::ranges::find(known, word) == known.end()) return unknown_word(word, known);
+    if (word.starts_with('-')) return "";
+    level = level->get_subcommand(std::string(word));
+  }
+  return "";
+}
+
+/// Of a misspelt flag CLI11 does not say which one may be meant, and what stands behind it comes first.
+std::string unknown_flag(const CLI::App& program, const std::string& what) {
+  const std::size_t at = what.find(" --");
+  if (!what.starts_with("The following argument") || at == what.npos) return what;
+  const std::string word = what.substr(at + 1, what.find_first_of(" =", at + 1) - at - 1);
+  const CLI::App* verb = &program;
+  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+  std::vector<std::string> known;
+  for (const CLI::Option* option : verb->get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  const auto near = axiometry::text::nearest(word, std::vector<std::string_view>(known.begin(), known.end()));
+  return near ? fmt::format("found {}, expected perhaps {}", axiometry::text::quoted(word), *near) : what;
 }
 
 /// Of a text that CLI11 makes no number of it says neither what was expected nor why. Such options are whole numbers,
@@ -120,7 +144,7 @@ int run(int argc, char** argv) {
   add_completion(verbs, exit_code);
   add_manual(verbs, exit_code);
   try {
-    if (const std::string fault = unknown_first_word(program, argc, argv); !fault.empty())
+    if (const std::string fault = unknown_verb(program, argc, argv); !fault.empty())
       throw CLI::ValidationError(fault);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -128,7 +152,7 @@ int run(int argc, char** argv) {
       program.exit(error);
     } else {
       fmt::print(stderr, "axiometry: {}\nTry 'axiometry --help' or 'axiometry VERB --help'.\n",
-                 not_converted(error.what()));
+                 unknown_flag(program, not_converted(error.what())));
       return exit_usage;
     }
   }

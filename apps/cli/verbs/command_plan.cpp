@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 #include "cli/flags/verb.h"
 
@@ -97,6 +98,12 @@ int run_plan(PlanArguments& arguments) {
   return checks && !planned->conforming() ? exit_exceeded : exit_done;
 }
 
+/// "C", "c", "B2": axes that turn, by the names of ISO 841. A plan of one in mm would be no test of it.
+bool turns_by_its_name(std::string_view axis) {
+  return !axis.empty() && std::string_view("ABCabc").find(axis.front()) != std::string_view::npos &&
+         std::ranges::all_of(axis.substr(1), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 /// What is asked of a plan that is made says nothing about one that is checked.
 void settle(const Verb& verb, PlanArguments& arguments, const std::vector<Flag>& making) {
   const bool checks = !arguments.check.empty();
@@ -106,6 +113,11 @@ void settle(const Verb& verb, PlanArguments& arguments, const std::vector<Flag>&
                        fmt::format("found {} beside it, expected a plan and its outputs only", option->get_name()));
   if (!checks && verb.count("--travel") == 0)
     throw UsageError("found neither --travel nor --check, expected the travel of the axis or a plan to check");
+  if (const std::string& axis = arguments.wish.request.axis.name;
+      !checks && verb.count("--kind") == 0 && turns_by_its_name(axis))
+    throw UsageError("--kind", fmt::format("found none of the axis {}, whose name is that of one that turns, expected "
+                                           "rotary or linear",
+                                           axis));
   if (!checks && arguments.outputs.json.empty()) arguments.outputs.json = "-";
   if (auto outputs = app::check_outputs(arguments.outputs); !outputs)
     throw UsageError("--sheet", outputs.error().message);

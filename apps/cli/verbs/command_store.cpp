@@ -131,10 +131,11 @@ Result<int> add(const StoreArguments& arguments) {
   return exit_done;
 }
 
-/// The usual mistake is to name the store itself.
+/// The usual mistake, where no --store is given, is to name the store itself.
 Result<int> backup(const StoreArguments& arguments) {
   AXIOMETRY_TRY(const std::string address, app::store_address(arguments.address));
   const auto refused_with_call = [&](Error error) {
+    if (!arguments.address.empty()) return std::unexpected(std::move(error));
     error.message += fmt::format("; the call is: axiometry store backup NEW_FILE --store {}",
                                  store::Store::open(arguments.file, to_look) ? arguments.file : "STORE");
     return std::unexpected(std::move(error));

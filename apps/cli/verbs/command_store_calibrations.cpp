@@ -94,8 +94,10 @@ void print_kept(const app::KeptCalibration& kept) {
   for (const store::KeptFigure& figure : c.figures) fmt::print("    {}\n", kept_figure_text(c.kind, figure));
 }
 
-/// The files under their own names, none of which is there.
+/// The files under their own names, none of which is there. Where the folder cannot be made, writing into it says so.
 Result<void> export_files(const store::Store& archive, const app::KeptCalibration& kept, const std::string& folder) {
+  if (std::error_code ignored; !std::filesystem::exists(folder, ignored))
+    std::filesystem::create_directories(folder, ignored);
   for (const store::KeptFile& file : kept.calibration.value.files) {
     AXIOMETRY_TRY(const app::Rendered bytes, app::calibration_file(archive, kept.calibration.id, file.role));
     const std::string name = (std::filesystem::path(folder) / last_part(file.name)).string();

@@ -162,7 +162,8 @@ Result<void> put_sequence(const std::string& text, PlanRequestDraft& wish) {
 // The order is that of the help.
 constexpr PlanOption plan_option_table[] = {
     {"--axis", "NAME", "Name of the axis", of_axis, false, put_name},
-    {"--kind", "KIND", "linear (mm) or rotary (°); linear when not given", of_axis, false, put_kind},
+    {"--kind", "KIND", "linear (mm) or rotary (°); linear when not given, which an axis A, B or C is not", of_axis,
+     false, put_kind},
     {"--travel", "FROM:TO",
      "Axis travel (3.1). A rotary axis of exactly 360° is taken for one that turns without end, unless --soft-limits "
      "are given",

@@ -37,9 +37,10 @@ Result<Station> station_of(const std::string& text) {
   const auto place = parse_vector(text);
   if (place) return Station{*place, {}};
   const auto parts = text::split(text, ',');
-  if (parts.size() == 3 &&
-      std::ranges::any_of(parts, [](std::string_view p) { return parse_number(text::trim(p)).has_value(); }))
-    return std::unexpected(place.error());
+  const auto numbers = static_cast<std::size_t>(
+      std::ranges::count_if(parts, [](std::string_view p) { return parse_number(text::trim(p)).has_value(); }));
+  const bool misread_place = parts.size() == 3 ? numbers > 0 : parts.size() > 1 && numbers == parts.size();
+  if (misread_place) return std::unexpected(place.error());
   AXIOMETRY_TRY(const std::string bytes, whole_file(text));
   return in_file(formats::read_station(bytes), text);
 }

@@ -99,6 +99,8 @@ TEST_F(TrackingPlanFiles, SaysWhatIsMissingOrWrong) {
   auto r = request("");
   EXPECT_THAT(refusal(r), HasSubstr("found no station"));
   EXPECT_THAT(refusal(request("1,2,x")), HasSubstr("expected three numbers"));
+  EXPECT_THAT(refusal(request("100,80")), HasSubstr("found \"100,80\", expected three numbers"));
+  EXPECT_THAT(refusal(request("1,2.json")), HasSubstr("cannot open"));
   EXPECT_THAT(refusal(request(folder_.file("none.json"))), HasSubstr("cannot open"));
   EXPECT_THAT(refusal(request(folder_.written("bad.json", "{\"station\": [1, 2]}"))), HasSubstr("bad.json:1:"));
   r = request("100,80,-600");

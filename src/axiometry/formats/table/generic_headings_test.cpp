@@ -69,6 +69,11 @@ TEST(GenericHeadings, ASignThatTheNameLeavesOpenIsAsked) {
     });
     EXPECT_TRUE(answer_under(bytes).contains("\"sign\" of an import profile")) << answer_under(bytes);
   }
+  for (const char* added : {"Added", "Addiert", "Ajouté"}) {  // as in a report of a table of compensation
+    const std::string answer =
+        answer_under(fmt::format("Position / mm,{0} ↑ / µm,{0} ↓ / µm\n0,1,2\n100,2,1\n200,2,3\n", added));
+    EXPECT_TRUE(answer.contains("\"sign\" of an import profile")) << answer;
+  }
 }
 
 TEST(GenericHeadings, AWordOfANameIsNoDirectionWhereTheTargetsGoBothWays) {

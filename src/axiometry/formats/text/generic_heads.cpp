@@ -92,8 +92,11 @@ constexpr std::string_view ignored_words[] = {
     "promedio", "spannweite", "reversal", "umkehrspanne", "limit", "limits", "limite", "limites", "tolerance",
     "tolérance", "toleranz", "tolleranza", "tolerancia", "grenze", "grenzwert", "obergrenze", "untergrenze", "公差",
     "平均", "平均值", "标准差", "標準偏差"};
-// Deviations, or what takes them away: names alone do not say.
-constexpr std::string_view correction_words[] = {"correction",
+// Deviations, or what takes them away ("Added ↑" of our own reports of tables): names alone do not say.
+constexpr std::string_view correction_words[] = {"added",
+                                                 "addiert",
+                                                 "ajouté",
+                                                 "correction",
                                                  "corrections",
                                                  "corr",
                                                  "korrektur",
