@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { fileURLToPath } from 'node:url';
 import { settle } from './pages.mjs';
-import { example, shows } from './world.mjs';
+import { example, shows, sideways } from './world.mjs';
 
 const bare = fileURLToPath(new URL('../../examples/simulated-backlash.json', import.meta.url));
 /** Readings in one direction of approach, which are marked in the list. */
@@ -63,6 +63,21 @@ export const layout = {
         const heights = await page.locator('.test-list .title > a').evaluateAll((all) => all.map((one) => one.getBoundingClientRect().height));
         assert.ok(Math.max(...heights) < 45, `${locale}, ${width} px: titles of ${heights} px`);
       }
+  },
+
+  async 'a name without a blank, longer than the window, stands within it'(world) {
+    const name = 'W'.repeat(150);
+    const { id } = await world.api('POST', '/api/machines', { name, location: name });
+    for (const width of [390, 1280]) {
+      const page = await world.page({ width });
+      for (const path of [`/machines/${id}`, '/machines']) {
+        await page.goto(path);
+        await shows(page.locator('main'), name);
+        assert.ok((await sideways(page)) <= 0, `${width} px: ${path} is wider than the window`);
+      }
+      const hidden = await page.locator('.machines .table-frame').evaluate((frame) => frame.scrollWidth - frame.clientWidth);
+      assert.ok(hidden <= 0, `${width} px: ${hidden} px of the list are out of sight`);
+    }
   },
 
   async 'the fields of the editor and the figures of a test stay within their panels'(world) {

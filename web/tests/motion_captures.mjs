@@ -2,7 +2,7 @@
 // A straightness captured live: what is said at each stop, taken back, kept and evaluated.
 import assert from 'node:assert/strict';
 import { createServer } from 'node:net';
-import { downloaded, shows } from './world.mjs';
+import { downloaded, shows, sideways } from './world.mjs';
 import { start_server } from './server.mjs';
 
 /** An instrument that sends a reading a hundred times a second to whoever connects: 1.5 µm, and a little noise. */
@@ -132,6 +132,10 @@ export const motion_captures = {
       const page = await world.page();
       await page.goto(`/captures/${id}`);
       await shows(page.locator('.readout .position'), /µm/);
+      const narrow = await world.page({ width: 390, locale: 'de-DE' });
+      await narrow.goto(`/captures/${id}`);
+      await narrow.getByRole('button', { name: 'Die nächste Zielposition hat keinen Messwert' }).waitFor();
+      assert.ok((await sideways(narrow)) <= 0, 'what is said has room on a phone in the longer language');
       await page.getByRole('button', { name: 'The next target has no reading' }).click();
       await shows(page.locator('.readout .next'), /2 ↑/);
       await page.getByRole('button', { name: 'Take this reading' }).click();

@@ -85,7 +85,7 @@ export const t = texts({
   stop_at_lines: ['stop before each line', 'Halt vor jeder Linie'],
   rollover: ['the axis counts to 360° only (rollover)', 'Achse zählt nur bis 360° (Modulo-Achse)'],
   frame: ['Coordinates', 'Koordinaten'],
-  frame_active: ['as active on the control', 'wie an der Steuerung aktiv'],
+  frame_active: ['as active on the control', 'an der Steuerung aktive'],
   frame_machine: ['of the machine', 'der Maschine'],
   frame_offset: ['Work offset', 'Nullpunktverschiebung'],
   trigger: ['Trigger M code', 'Trigger-M-Befehl'],
