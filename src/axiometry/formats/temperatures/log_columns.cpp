@@ -111,9 +111,10 @@ Head head_of(std::string_view cell) {
       head.name = name;
       return head;
     }
-    head.other_unit = head.other_unit || (!closing.empty() && (open == '[' || unit.size() > 1 || unit == "%") &&
-                                          text::is_one_of(unit, other_units)) ||
-                      text::is_one_of(unit, travel_units);
+    head.other_unit =
+        head.other_unit ||
+        (!closing.empty() && (open == '[' || unit.size() > 1 || unit == "%") && text::is_one_of(unit, other_units)) ||
+        text::is_one_of(unit, travel_units);
   }
   head.unit = find_temperature_unit(cell);
   return head;
