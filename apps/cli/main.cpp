@@ -144,8 +144,7 @@ int run(int argc, char** argv) {
   add_completion(verbs, exit_code);
   add_manual(verbs, exit_code);
   try {
-    if (const std::string fault = unknown_verb(program, argc, argv); !fault.empty())
-      throw CLI::ValidationError(fault);
+    if (const std::string fault = unknown_verb(program, argc, argv); !fault.empty()) throw CLI::ValidationError(fault);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {

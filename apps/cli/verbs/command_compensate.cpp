@@ -10,6 +10,7 @@
 #include "axiometry/app/files/output.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/nc/axis_table.h"
 #include "cli/failure.h"
 #include "cli/flags/compensate_flags.h"
 #include "cli/flags/correction_flags.h"
@@ -64,6 +65,8 @@ int run(CompensateArguments& arguments) {
   const app::CompensateFiles& files = arguments.files;
   if (files.test.empty()) throw MissingOption("FILE");
   if (arguments.request.control.empty()) throw MissingOption("--for");
+  if (const auto known = nc::axis_table_named(arguments.request.control); !known)
+    throw UsageError("--for", known.error().message);
   std::vector<app::InputFile> inputs;
   for (const std::string& file : {files.test, files.existing, files.retest})
     if (!file.empty()) inputs.push_back({file, false});

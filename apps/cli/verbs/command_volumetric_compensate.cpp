@@ -10,6 +10,7 @@
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/volumetric/volume_compensation.h"
 #include "axiometry/base/text.h"
+#include "axiometry/nc/axis_table.h"
 #include "cli/failure.h"
 #include "cli/flags/compensate_flags.h"
 #include "cli/flags/experiment_flags.h"
@@ -65,6 +66,8 @@ int run(VolumetricCompensateArguments& arguments) {
   app::VolumeCompensationRequest& request = arguments.request;
   if (request.result.empty()) throw MissingOption("RESULT");
   if (request.how.control.empty()) throw MissingOption("--for");
+  if (const auto known = nc::axis_table_named(request.how.control); !known)
+    throw UsageError("--for", known.error().message);
   if (!arguments.has_component) request.component = request.along;
   const std::vector<app::InputFile> inputs = {{request.result, false}};
   app::OutputNames& outputs = arguments.outputs.outputs;

@@ -67,6 +67,8 @@ constexpr std::string_view other_units[] = {"%",   "%rh",  "% rh", "rh", "%rf", 
                                             "hpa", "mbar", "bar",  "pa", "kpa", "psi",  "ppm",    "v",    "mv",
                                             "a",   "ma",   "w",    "hz", "lx",  "lux",  "m/s",    "dbm",  "mm",
                                             "µm",  "um",   "ohm",  "Ω",  "1",   "-"};
+/// Of these also without brackets: "position_mm", which is no temperature of 20 °C at 20 mm.
+constexpr std::string_view travel_units[] = {"mm", "µm", "um", "nm", "arcsec", "urad", "µrad", "mrad"};
 constexpr std::string_view no_values[] = {"-",   "--",    "---",  "nan", "na",    "n/a",    "null",        "none",
                                           "err", "error", "open", "oor", "fault", "fehler", "unavailable", "unknown"};
 
@@ -109,8 +111,10 @@ Head head_of(std::string_view cell) {
       head.name = name;
       return head;
     }
-    head.other_unit = head.other_unit || (!closing.empty() && (open == '[' || unit.size() > 1 || unit == "%") &&
-                                          text::is_one_of(unit, other_units));
+    head.other_unit =
+        head.other_unit ||
+        (!closing.empty() && (open == '[' || unit.size() > 1 || unit == "%") && text::is_one_of(unit, other_units)) ||
+        text::is_one_of(unit, travel_units);
   }
   head.unit = find_temperature_unit(cell);
   return head;

@@ -93,31 +93,12 @@ constexpr std::string_view ignored_words[] = {
     "tolérance", "toleranz", "tolleranza", "tolerancia", "grenze", "grenzwert", "obergrenze", "untergrenze", "公差",
     "平均", "平均值", "标准差", "標準偏差"};
 // Deviations, or what takes them away ("Added ↑" of our own reports of tables): names alone do not say.
-constexpr std::string_view correction_words[] = {"added",
-                                                 "addiert",
-                                                 "ajouté",
-                                                 "correction",
-                                                 "corrections",
-                                                 "corr",
-                                                 "korrektur",
-                                                 "korrekturen",
-                                                 "korrekturwert",
-                                                 "korrekturwerte",
-                                                 "kompensation",
-                                                 "kompensationswert",
-                                                 "komp",
-                                                 "compensation",
-                                                 "compensations",
-                                                 "comp",
-                                                 "correzione",
-                                                 "correzioni",
-                                                 "compensazione",
-                                                 "corrección",
-                                                 "correccion",
-                                                 "compensación",
-                                                 "compensacion",
-                                                 "补偿",
-                                                 "補正"};
+constexpr std::string_view correction_words[] = {
+    "added",        "addiert",           "ajouté",       "correction",    "corrections",
+    "corr",         "korrektur",         "korrekturen",  "korrekturwert", "korrekturwerte",
+    "kompensation", "kompensationswert", "komp",         "compensation",  "compensations",
+    "comp",         "correzione",        "correzioni",   "compensazione", "corrección",
+    "correccion",   "compensación",      "compensacion", "补偿",          "補正"};
 constexpr std::string_view minus_words[] = {"minus", "moins", "meno", "menos"};
 constexpr std::string_view up_words[] = {
     "up",       "forward",   "fwd",      "positive", "hin",    "vor",     "vorwärts", "vorwaerts", "positiv",
