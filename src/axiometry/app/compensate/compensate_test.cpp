@@ -296,8 +296,8 @@ TEST(Compensate, AReversalIsNotCalledScatter) {
 
 /// What stands side by side is one parameter: of one direction there is no E.
 TEST(Compensate, AReTestOfOneDirectionShowsWhatBothTestsHave) {
-  const auto outcome = [](NamedTest before, NamedTest again) {
-    const auto made = compensate({std::move(before), {}, std::move(again)}, {.control = "linuxcnc"});
+  const auto outcome = [](NamedTest before, NamedTest again, std::optional<TableCurves> curves = {}) {
+    const auto made = compensate({std::move(before), {}, std::move(again)}, {.control = "linuxcnc", .curves = curves});
     EXPECT_TRUE(made) << made.error().message;
     if (!made) return std::string();
     const report::Document document = present(*made, {}).document;
@@ -321,7 +321,7 @@ TEST(Compensate, AReTestOfOneDirectionShowsWhatBothTestsHave) {
   EXPECT_THAT(outcome(before, again), testing::MatchesRegex("E from [^E]*\nE of the re-test: .*"));
   EXPECT_THAT(outcome(before, without(again, Direction::down)),
               testing::MatchesRegex("E↑ from [^E]*\nE↑ of the re-test: .*"));
-  EXPECT_THAT(outcome(without(before, Direction::up), again),
+  EXPECT_THAT(outcome(without(before, Direction::up), again, TableCurves::both_ways),
               testing::MatchesRegex("E↓ from [^E]*\nE↓ of the re-test: .*"));
 }
 

@@ -282,7 +282,7 @@ TEST(TemperatureLogs, RefuseWhatNobodyCanKnow) {
 }
 
 TEST(TemperatureLogs, TakeNoNumberOfAnythingElseForATemperature) {
-  const char* const none = "found no line of a time and a temperature";
+  const char* const none = "beside the time in a temperature log, expected a column that says that it is a temperature";
   for (const char* head : {"time;Humidity [%]", "time;Position [mm]", "time;CO2", "time;position_mm", "time;Dev. um"}) {
     EXPECT_THAT(refusal(fmt::format("{}\n2026-03-02 09:00;41\n2026-03-02 09:10;42\n", head)), HasSubstr(none)) << head;
     EXPECT_THAT(refusal(fmt::format("{}\n09:00:00;41\n09:10:00;42\n", head)), HasSubstr(none)) << head;
