@@ -48,6 +48,6 @@ export const offline = {
     await shows(page.getByRole('alert').first(), 'Another program answers');
     await page.unroute(/plans-.*\.js$/);
     await page.getByRole('button', { name: 'Try again' }).click();
-    await shows(page.locator('h1'), 'Plans');
+    await shows(page.locator('h1'), 'Test plans');
   },
 };
