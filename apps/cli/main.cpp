@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,11 +60,14 @@ std::string unknown_word(std::string_view word, const std::vector<std::string_vi
                      near ? fmt::format("perhaps {}", *near) : fmt::format("one of {}", fmt::join(known, ", ")));
 }
 
+/// A group of options is a subcommand too, without a name.
+bool is_verb(const CLI::App* app) { return !app->get_name().empty(); }
+
 /// Of a word that is no verb, such as that of "store tests", CLI11 would say only that a verb is missing.
 std::string unknown_verb(const CLI::App& program, int argc, char** argv) {
   const CLI::App* level = &program;
   for (int k = 1; k < argc && k <= 2; ++k) {
-    const auto verbs = level->get_subcommands([](const CLI::App*) { return true; });
+    const auto verbs = level->get_subcommands(is_verb);
     if (verbs.empty()) return "";
     std::vector<std::string_view> known = {"--help", "-h"};
     if (k == 1) known.emplace_back("--version");
@@ -81,11 +85,16 @@ std::string unknown_flag(const CLI::App& program, const std::string& what) {
   const std::size_t at = what.find(" --");
   if (!what.starts_with("The following argument") || at == what.npos) return what;
   const std::string word = what.substr(at + 1, what.find_first_of(" =", at + 1) - at - 1);
+  const auto is_given = [](const CLI::App* app) { return is_verb(app) && app->parsed(); };
   const CLI::App* verb = &program;
-  while (!verb->get_subcommands().empty()) verb = verb->get_subcommands().front();
+  for (auto given = verb->get_subcommands(is_given); !given.empty(); given = verb->get_subcommands(is_given))
+    verb = given.front();
+  std::vector<const CLI::App*> groups = verb->get_subcommands(std::not_fn(is_verb));
+  groups.push_back(verb);
   std::vector<std::string> known;
-  for (const CLI::Option* option : verb->get_options())
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (const CLI::App* group : groups)
+    for (const CLI::Option* option : group->get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
   const auto near = axiometry::text::nearest(word, std::vector<std::string_view>(known.begin(), known.end()));
   return near ? fmt::format("found {}, expected perhaps {}", axiometry::text::quoted(word), *near) : what;
 }
