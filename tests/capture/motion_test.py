@@ -189,10 +189,10 @@ def main():
         led.type("")
         led.send(lines[stops[1] + 50:stops[1] + 150])
         for rest in ("", "u", "skip"):  # lines longer than any key, whose rest is none either
-            led.process.stdin.write("x" * 1025)
-            led.process.stdin.flush()
-            time.sleep(0.3)
-            led.process.stdin.write(rest + "\n")
+            for piece in ("x" * 1025, rest + "\n"):  # each is read before the next, and before the end
+                led.process.stdin.write(piece)
+                led.process.stdin.flush()
+                time.sleep(0.3)
         led.process.stdin.write("e\n")
         led.process.stdin.flush()
         out, err = led.end(5)
