@@ -6,6 +6,7 @@ const first_paint_ms = 300;
 // On a machine that is slow or busy even a plain text of the same program takes long: there, what the page adds to it.
 const added_paint_ms = 150;
 const change_ms = 50;
+const added_change_ms = 40;  // to asking the program for the least there is
 const times = 9;
 const attempts = 3;
 
@@ -63,7 +64,20 @@ async function within(what, bound_of, measure) {
   assert.ok(found < bound, `${what}: found a median of ${found.toFixed(1)} ms, expected below ${bound.toFixed(0)} ms`);
 }
 
-const within_a_change = () => change_ms;
+/** As for the first paint: where even the least answer is slow, what a change adds to it. */
+async function bound_of_change(page) {
+  const asked = await page.evaluate(async (count) => {
+    const found = [];
+    for (let i = 0; i < count; i++) {
+      const began = performance.now();
+      await (await fetch('/api/health')).text();
+      await new Promise((drawn) => requestAnimationFrame(drawn));
+      found.push(performance.now() - began);
+    }
+    return found;
+  }, times);
+  return Math.max(change_ms, median(asked) + added_change_ms);
+}
 
 export const timing = {
   async 'the first paint comes within 300 ms'(world) {
@@ -81,7 +95,7 @@ export const timing = {
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     const field = page.getByLabel(/misalignment/i).first();
     await field.waitFor();
-    await within('new uncertainties', within_a_change, () => changes(page, field, '.headline', ['11', '2', '3', '4', '5', '6', '7', '8', '9']));
+    await within('new uncertainties', () => bound_of_change(page), () => changes(page, field, '.headline', ['11', '2', '3', '4', '5', '6', '7', '8', '9']));
   },
 
   async 'a change of a plan becomes a new plan within 50 ms'(world) {
@@ -89,6 +103,6 @@ export const timing = {
     await page.goto('/plans/new');
     await shows(page.locator('.figures'), /Targets/);
     const dwell = page.getByLabel('Dwell (s)');
-    await within('new plan', within_a_change, () => changes(page, dwell, '.figures', ['4', '8', '12', '16', '20', '24', '28', '32', '36']));
+    await within('new plan', () => bound_of_change(page), () => changes(page, dwell, '.figures', ['4', '8', '12', '16', '20', '24', '28', '32', '36']));
   },
 };
