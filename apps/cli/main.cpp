@@ -2,9 +2,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -40,18 +37,6 @@ void occupy_closed_standard_streams() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) < 0)
       static_cast<void>(::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY));
-}
-
-/// The trials of every hypothesis and input take the same memory again, and of memory that was given back in between
-/// the system would fill each page with zeros first, which may take as long as the trials. What lasts for days gives it
-/// back.
-void keep_freed_memory([[maybe_unused]] std::string_view verb) {
-#if defined(__GLIBC__)
-  constexpr int kept_at_most = 32 << 20, one_of_these_at_most = 4 << 20;
-  if (verb == "serve" || verb == "capture") return;
-  static_cast<void>(::mallopt(M_TRIM_THRESHOLD, kept_at_most));
-  static_cast<void>(::mallopt(M_MMAP_THRESHOLD, one_of_these_at_most));
-#endif
 }
 
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& known) {
@@ -175,7 +160,6 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occupy_closed_standard_streams();
-  if (argc > 1) keep_freed_memory(argv[1]);
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {  // out of memory and the like; our own faults are Results
