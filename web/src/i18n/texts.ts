@@ -26,14 +26,13 @@ const french_come = async (): Promise<void> => {
   const pairs = (await import('./fr.json')).default;
   french.value = new Map(Object.entries(pairs).map(([english, other]) => [english, unbroken(other)]));
 };
+let coming: Promise<void> = Promise.resolve();
 effect(() => {
-  if (language.value === 'fr' && french.peek() === null) void french_come().catch(() => undefined);
+  if (language.value === 'fr' && french.peek() === null) coming = french_come().catch(() => undefined);
 });
 
 /** When the language that this browser was left in can be read. */
-export async function language_known(): Promise<void> {
-  if (language.value === 'fr' && french.value === null) await french_come().catch(() => undefined);
-}
+export const language_known = (): Promise<void> => coming;
 
 function text_of(row: Row): string {
   if (language.value === 'fr') return french.value?.get(row[2] === undefined ? row[0] : `${row[0]} [${row[2]}]`) ?? row[0];
