@@ -141,6 +141,7 @@ constexpr Phrase refusals_verbs_rows[] = {
      "Name {0} einer Quelle; erwartet: 1 bis {1} Buchstaben, Ziffern, „-“, „_“ oder „.“"},
     {"found the output {0=}, expected a file ending in .json or .csv, or --to with one of {1=}",
      "Ausgabe {0}; erwartet: eine Datei mit der Endung .json oder .csv, oder --to mit einem von {1}"},
+    {"found the output {0=}, expected a file ending in {1=}", "Ausgabe {0}; erwartet: eine Datei mit der Endung {1}"},
     {"found the plan itself, expected another file for the program",
      "der Plan selbst; erwartet: eine andere Datei für das Programm"},
     {"found the recording {0=}, expected a file ending in .csv, .txt, .npy or .umd",
