@@ -6,26 +6,26 @@
 namespace axiometry {
 namespace {
 
-TEST(Simulated, IsAPurposeInAnySpelling) {
+TEST(SimulatedPurpose, IsAPurposeInAnySpelling) {
   for (const char* purpose : {"simulation", "Simulation", "SIMULATED", "simulated", "Simuliert", "simulé", "simulée",
                               "Simulationen", " simulation ", "Simulator"})
     EXPECT_EQ(simulated_by_purpose(purpose), "found readings that were simulated, expected those of a machine")
         << purpose;
 }
 
-TEST(Simulated, IsAskedOfAPurposeThatSpeaksOfASimulation) {
+TEST(SimulatedPurpose, IsAskedOfAPurposeThatSpeaksOfASimulation) {
   for (const char* purpose : {"Simulated test", "essai simulé", "Maschinensimulation", "comparison with the simulation"})
     EXPECT_EQ(simulated_by_purpose(purpose),
               std::string("found the purpose \"") + purpose +
                   "\", which speaks of a simulation, expected readings of a machine");
 }
 
-TEST(Simulated, IsNoOtherPurpose) {
+TEST(SimulatedPurpose, IsNoOtherPurpose) {
   for (const char* purpose : {"", "acceptance", "Abnahme", "réception", "check after repair", "simultaneous motion", "Simultanbetrieb"})
     EXPECT_FALSE(simulated_by_purpose(purpose)) << purpose;
 }
 
-TEST(Simulated, MarksAMachineOnce) {
+TEST(SimulatedPurpose, MarksAMachineOnce) {
   EXPECT_EQ(simulated_machine(""), "Simulator");
   EXPECT_EQ(simulated_machine("Mill"), "Mill (simulated)");
   EXPECT_EQ(simulated_machine(simulated_machine("Mill")), "Mill (simulated)");
