@@ -94,7 +94,7 @@ def wrongly(bench):
     (bench.folder / "swapped.csv").write_text("".join(swapped))
     bench.refused("station or tool are named wrongly", *identify, "swapped.csv")
     turned = (bench.folder / "run1.csv").read_text().splitlines()
-    (bench.folder / "turned.csv").write_text("\n".join([turned[0]] + [f"{t},{-float(y)}" for t, y in (line.split(",") for line in turned[1:])]) + "\n")
+    (bench.folder / "turned.csv").write_text("\n".join(turned[:2] + [f"{t},{-float(y)}" for t, y in (line.split(",") for line in turned[2:])]) + "\n")
     bench.refused("the instrument counts the other way", *identify, "--parts", "1", "turned.csv")
     (bench.folder / "short.csv").write_text("\n".join(turned[:250]) + "\n")
     bench.refused("say which part it is", *identify, "short.csv")

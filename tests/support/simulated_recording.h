@@ -61,7 +61,7 @@ inline std::vector<TimedLine> lines_of(const std::string& layout, std::size_t ru
   const std::string whole = recording("good", seed, runs);
   std::string_view rest = whole;
   std::size_t number = 0;
-  for (rest.remove_prefix(rest.find('\n') + 1); !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
+  for (rest.remove_prefix(rest.find("\n0") + 1); !rest.empty(); rest.remove_prefix(rest.find('\n') + 1)) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     const double time_s = *parse_number(line.substr(0, line.find(',')));
     const std::string position(line.substr(line.find(',') + 1));

@@ -82,7 +82,7 @@ export const lengths = {
     const table = await downloaded(page, () => page.getByRole('link', { name: '10 of 10 lengths' }).first().click());
     assert.match(table.bytes.toString(), /# Simulated, not measured[\s\S]*station,tool,/);
     const raw = await downloaded(page, () => page.getByRole('link', { name: 'raw recording' }).first().click());
-    assert.match(raw.bytes.toString(), /^time_s,length_mm\n/);
+    assert.match(raw.bytes.toString(), /^# Simulated, not measured\ntime_s,length_mm\n/);
   },
 
   async 'lengths: the expected point, the running length and the points caught are shown while it goes on'(world) {

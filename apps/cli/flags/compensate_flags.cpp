@@ -9,6 +9,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/nc/axis_table.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
 
@@ -134,6 +135,12 @@ void add_measured_flags(const Verb& verb, app::CompensateRequest& request) {
              return {};
            })
       ->group(group);
+}
+
+void check_control_named(const app::CompensateRequest& request) {
+  if (request.control.empty()) throw MissingOption("--for");
+  if (const auto known = nc::axis_table_named(request.control); !known)
+    throw UsageError("--for", known.error().message);
 }
 
 void add_compensate_flags(const Verb& verb, app::CompensateRequest& request) {

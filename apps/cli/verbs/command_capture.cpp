@@ -260,8 +260,9 @@ void add_capture(const Verb& program, int& exit_code) {
       ->type_name("SOURCE")
       ->required();
   verb->add_option("--out", run.out,
-                   "Test as JSON, a whole file after every reading; - writes it once, at the end. Of the lines of a "
-                   "tracking plan, or a part of a volumetric plan, the table of lengths, at the end")
+                   "Test as JSON, a whole file after every reading; - writes it once, at the end ('axiometry convert' "
+                   "makes CSV of it). Of the lines of a tracking plan, or a part of a volumetric plan, the table of "
+                   "lengths as CSV, at the end")
       ->type_name("FILE");
   Flag raw = verb->add_option("--raw", run.raw,
                               "File for every byte of a live stream, or of a pipe at -, as it came (the name of "

@@ -64,9 +64,7 @@ int run(CompensateArguments& arguments) {
   if (arguments.list) return list_controls(arguments);
   const app::CompensateFiles& files = arguments.files;
   if (files.test.empty()) throw MissingOption("FILE");
-  if (arguments.request.control.empty()) throw MissingOption("--for");
-  if (const auto known = nc::axis_table_named(arguments.request.control); !known)
-    throw UsageError("--for", known.error().message);
+  check_control_named(arguments.request);
   std::vector<app::InputFile> inputs;
   for (const std::string& file : {files.test, files.existing, files.retest})
     if (!file.empty()) inputs.push_back({file, false});

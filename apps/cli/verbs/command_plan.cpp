@@ -9,6 +9,7 @@
 #include <vector>
 #include "cli/flags/verb.h"
 
+#include "axiometry/app/files/output.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/plan/plan_request.h"
 #include "axiometry/app/results/outputs.h"
@@ -119,6 +120,8 @@ void settle(const Verb& verb, PlanArguments& arguments, const std::vector<Flag>&
                                            "rotary or linear",
                                            axis));
   if (!checks && arguments.outputs.json.empty()) arguments.outputs.json = "-";
+  if (auto plan = app::check_ending(arguments.outputs.json, {".json"}); !plan)
+    throw UsageError("--out", plan.error().message + "; --sheet writes tables and documents of it");
   if (auto outputs = app::check_outputs(arguments.outputs); !outputs)
     throw UsageError("--sheet", outputs.error().message);
 }

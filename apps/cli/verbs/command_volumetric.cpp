@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/verbs/command_volumetric.h"
 
+#include "cli/failure.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {
+
+int failed_for_tool(Error error, const std::string& tool) {
+  if (tool.empty() && error.message.starts_with("found no tool, expected one of")) error.message += " (--tool)";
+  return failed(error);
+}
 
 void add_volumetric(const Verb& program, int& exit_code) {
   Verb verb = program.add_subcommand("volumetric",

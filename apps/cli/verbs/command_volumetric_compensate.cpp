@@ -65,9 +65,7 @@ void print_made(const app::VolumeCompensation& made) {
 int run(VolumetricCompensateArguments& arguments) {
   app::VolumeCompensationRequest& request = arguments.request;
   if (request.result.empty()) throw MissingOption("RESULT");
-  if (request.how.control.empty()) throw MissingOption("--for");
-  if (const auto known = nc::axis_table_named(request.how.control); !known)
-    throw UsageError("--for", known.error().message);
+  check_control_named(request.how);
   if (!arguments.has_component) request.component = request.along;
   const std::vector<app::InputFile> inputs = {{request.result, false}};
   app::OutputNames& outputs = arguments.outputs.outputs;
@@ -77,7 +75,7 @@ int run(VolumetricCompensateArguments& arguments) {
     if (const auto spared = outputs.inputs.check_spared(arguments.out); !spared)
       return failed(spared.error(), exit_usage);
   const auto made = app::compensate_volume(request);
-  if (!made) return failed(made.error());
+  if (!made) return failed_for_tool(made.error(), request.tool);
   if (!arguments.out.empty())
     if (const auto written = app::write_file(arguments.out, made->text); !written) return failed(written.error());
   const app::Experiment shown = app::present(*made, arguments.outputs.report);

@@ -165,7 +165,11 @@ void add_volumetric_plan(const Verb& volumetric, int& exit_code) {
   file("--points-out", arguments->points, "Its points as CSV, with a column for the lengths");
   file("--json", arguments->json, "What it will tell, as JSON");
   verb->add_flag("--quiet,-q", arguments->quiet, "No summary in the terminal")->group("Outputs");
-  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  verb->callback([arguments, &exit_code] {
+    if (auto plan = app::check_ending(arguments->out, {".json"}); !plan)
+      throw UsageError("--out", plan.error().message + "; --points-out writes its points as a table");
+    exit_code = run(*arguments);
+  });
 }
 
 }  // namespace axiometry::cli

@@ -36,7 +36,7 @@ int run(VolumetricPredictArguments& arguments) {
   if (const auto spared = app::check_inputs_spared(arguments.outputs.outputs); !spared)
     return failed(spared.error(), exit_usage);
   const auto test = app::predict_test(arguments.request);
-  if (!test) return failed(test.error());
+  if (!test) return failed_for_tool(test.error(), arguments.request.tool);
   if (const int code = finish_experiment(app::present(*test, arguments.outputs.report), arguments.outputs);
       code != exit_done)
     return code;

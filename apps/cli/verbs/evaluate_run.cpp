@@ -148,6 +148,8 @@ class Run {
     if (stdout_is_free_) fmt::print("{}", line(evaluated, arguments_.report, terminal_));
     ++count_;
     auto added = outputs_->add(evaluated, text);
+    for (const std::string& note : outputs_->numbered())
+      fmt::print(stderr, "axiometry: {}\n", report::printable(note));
     if (added) return {};
     output_failed_ = exit_bad_input;
     return std::unexpected(at_outputs(added.error()));

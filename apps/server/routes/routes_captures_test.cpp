@@ -170,7 +170,7 @@ TEST_F(CaptureRoutes, CaptureFromTheSimulatorToAKeptTest) {
   EXPECT_EQ(text(*test.find("machine"), "name"), "Mill (simulated)");
   ASSERT_EQ(test.find("documents")->items().size(), 2u);
   const Response raw = send("GET", "/api/documents/1");
-  EXPECT_TRUE(raw.body.starts_with("time_s,position_mm\n"));
+  EXPECT_TRUE(raw.body.starts_with("# Simulated, not measured\ntime_s,position_mm\n"));
   EXPECT_THAT(send("GET", "/api/tests/1/raw").body, HasSubstr("Simulated, not measured"));
 }
 
@@ -241,7 +241,7 @@ TEST_F(CaptureRoutes, CaptureTheLengthsOfAPlanPartByPartToOneTable) {
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->readings.size(), 2 * testing_support::volume_points);
   const Response raw = send("GET", "/api/captures/1/files/raw");
-  EXPECT_THAT(raw.body, testing::StartsWith("time_s,length_mm\n"));
+  EXPECT_THAT(raw.body, testing::StartsWith("# Simulated, not measured\ntime_s,length_mm\n"));
   EXPECT_THAT(raw.headers, testing::Contains(testing::Pair("Content-Disposition", HasSubstr("capture-1.raw"))));
   EXPECT_EQ(send("GET", "/api/captures/1/files/order").status, 404);
 

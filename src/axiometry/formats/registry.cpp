@@ -6,6 +6,7 @@
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/formats/text/decoded_text.h"
+#include "axiometry/formats/text/other_tables.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
@@ -49,6 +50,7 @@ Result<const Format*> recognise(std::string_view head) {
   const auto decoded = readable ? DecodedText{} : decoded_text(head.substr(0, head.size() / 2 * 2));
   if (!decoded) return std::unexpected(readable.error());
   const std::string_view text = readable ? *readable : decoded->text;
+  AXIOMETRY_TRY_VOID(check_no_other_table(text));
   if (const Format* best = best_for(text)) return best;
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())

@@ -68,7 +68,13 @@ constexpr Phrase files_rows[] = {
      "evaluate --plan PLAN FILE' with the plan the axis moved after",
      "fortlaufende Aufzeichnung ({0}); erwartet: eine gemessene Prüfung; ihre Messwerte entnimmt ihr „axiometry "
      "evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist"},
+    {"found a log of temperatures, or another recording ({0=}), expected a measured test; 'axiometry temperatures' "
+     "and --temperatures take a log, --plan a recording of positions",
+     "Temperaturprotokoll oder andere Aufzeichnung ({0}); erwartet: eine gemessene Prüfung; „axiometry temperatures“ "
+     "und --temperatures nehmen ein Protokoll, --plan eine Aufzeichnung von Positionen"},
     {"found a reading of the kind {0}, expected {1}", "Messwert von der Art {0}; erwartet: {1}"},
+    {"found a report as CSV, which holds results, expected the readings that it was made from",
+     "Bericht als CSV, der Ergebnisse enthält; erwartet: die Messwerte, aus denen er entstand"},
     {"found a row that begins with #, expected names of tests that do not",
      "Zeile beginnt mit #; erwartet: Namen von Prüfungen, die das nicht tun"},
     {"found a run of 1 reading, expected {0#}, one per target (null where it is missing)",
@@ -82,6 +88,8 @@ constexpr Phrase files_rows[] = {
      "zweiter Messwert von Zielposition {0}, Durchlauf {1}; erwartet: nur der in Zeile {2}"},
     {"found a second test {0=}, expected one test", "zweite Prüfung {0}; erwartet: eine Prüfung"},
     {"found a table of 1 row, expected at least {0#}", "Tabelle mit 1 Zeile; erwartet: mindestens {0}"},
+    {"found a table of the results of many tests, expected the readings that it was made from",
+     "Tabelle der Ergebnisse vieler Prüfungen; erwartet: die Messwerte, aus denen sie entstand"},
     {"found a table of {0#} rows, expected at least {1#}", "Tabelle mit {0} Zeilen; erwartet: mindestens {1}"},
     {"found a table without one of cycle, direction, target and ref_error, expected them all",
      "Tabelle ohne cycle, direction, target oder ref_error; erwartet: alle vier"},
@@ -119,6 +127,11 @@ constexpr Phrase files_rows[] = {
      "is turned",
      "in Spalte {0} Sollwert minus {1}; erwartet: gemessen minus Sollwert; im Format generic gelesen, wird das "
      "Vorzeichen umgekehrt"},
+    {"found lengths of a tracking interferometer, expected a measured test; 'axiometry tracking evaluate' takes them",
+     "Längen eines Tracking-Interferometers; erwartet: eine gemessene Prüfung; „axiometry tracking evaluate“ nimmt sie"},
+    {"found lengths of a volumetric calibration, expected a measured test; 'axiometry volumetric identify' takes them",
+     "Längen einer volumetrischen Kalibrierung; erwartet: eine gemessene Prüfung; „axiometry volumetric identify“ "
+     "nimmt sie"},
     {"found lengths without a unit; they were taken in mm", "Längen ohne Einheit; sie wurden in mm genommen"},
     {"found metadata below the header, expected it above line {0#}",
      "Angaben unter der Kopfzeile; erwartet: sie stehen über Zeile {0}"},
@@ -208,6 +221,8 @@ constexpr Phrase files_rows[] = {
      "Wörter {0} in {1}; trennen sie Achsen, oder nennen sie ausgelassene Messwerte?"},
     {"found time running backwards: {0}; the times of the readings are left out",
      "rückwärts laufende Zeit: {0}; die Zeiten der Messwerte sind weggelassen"},
+    {"found tolerance tables, expected a measured test; --tolerance-table names such a file",
+     "Toleranztabellen; erwartet: eine gemessene Prüfung; --tolerance-table nennt eine solche Datei"},
     {"found whole numbers between commas, some with leading zeros; commas may be decimal marks as well as delimiters: "
      "save the file with semicolons or tabs between the columns",
      "ganze Zahlen zwischen Kommas, einige mit führenden Nullen; die Kommas können Dezimal- oder Trennzeichen sein: "

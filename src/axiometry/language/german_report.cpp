@@ -164,6 +164,8 @@ constexpr Phrase report_rows[] = {
     {"file of the test", "Datei der Prüfung"},
     {"found readings that were simulated, expected those of a machine",
      "simulierte Messwerte; erwartet: solche einer Maschine"},
+    {"found the purpose {0=}, which speaks of a simulation, expected readings of a machine",
+     "Zweck {0}, in dem von einer Simulation die Rede ist; erwartet: Messwerte einer Maschine"},
     {"from a normal distribution about the value", "aus einer Normalverteilung um den Wert"},
     {"from the Monte Carlo distribution", "aus der Monte-Carlo-Verteilung"},
     {"from the Monte Carlo distribution where there is one, else a normal one",

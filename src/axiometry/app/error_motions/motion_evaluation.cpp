@@ -113,8 +113,8 @@ void add_gaps(MeasuredMotion& measured) {
     measured.remarks.push_back(
         "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
   if (!measured.instrument) measured.remarks.emplace_back(no_instrument_remark);
-  if (text::equal_ignoring_case(measured.metadata.conditions.purpose, simulation_purpose))
-    measured.remarks.emplace_back("found readings that were simulated, expected those of a machine");
+  if (auto why = simulated_by_purpose(measured.metadata.conditions.purpose))
+    measured.remarks.push_back(*std::move(why));
 }
 
 Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFile file, bool angle) {

@@ -17,6 +17,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
+#include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
 #include "axiometry/standards/iso230_2/rules/environment_findings.h"
@@ -35,7 +36,13 @@ Result<const formats::Format*> format_of_id(std::string_view head, const std::st
   if (forced.empty()) {
     auto recognised = formats::recognise(head);
     if (recognised && (*recognised)->id != generic_format) return recognised;
-    if (const auto recording = formats::recognise_recording(head))
+    const auto recording = formats::recognise_recording(head);
+    if (recording && formats::sensors_of_log(head))
+      return fail(
+          fmt::format("found a log of temperatures, or another recording ({}), expected a measured test; 'axiometry "
+                      "temperatures' and --temperatures take a log, --plan a recording of positions",
+                      (*recording)->title));
+    if (recording)
       return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
                               (*recording)->title));
     return recognised;

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,6 +16,7 @@
 
 #include "axiometry/app/files/fail_system.h"
 #include "axiometry/app/files/synced.h"
+#include "axiometry/base/text.h"
 
 namespace axiometry::app {
 namespace {
@@ -171,6 +173,13 @@ Result<void> OutputFile::commit() {
     return fail_system(name_, "write");
   neighbour_.clear();
   return folder_synced(name_) ? Result<void>() : fail_system(name_, "write");
+}
+
+Result<void> check_ending(const std::string& name, std::initializer_list<std::string_view> endings) {
+  const std::string ending = std::filesystem::path(name).extension().string();
+  if (ending.empty() || text::is_one_of(ending, endings)) return {};
+  return fail(
+      fmt::format("found the output {}, expected a file ending in {}", text::quoted(name), fmt::join(endings, ", ")));
 }
 
 Result<void> write_file(const std::string& name, std::string_view bytes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,10 @@ class OutputFile {
   int descriptor_ = -1;
   std::string buffer_;
 };
+
+/// Fails where a name ends in something else: a file that is called a table and is none misleads whoever opens it. "-"
+/// and a name without an ending say nothing.
+Result<void> check_ending(const std::string& name, std::initializer_list<std::string_view> endings);
 
 /// The whole file in one step.
 Result<void> write_file(const std::string& name, std::string_view bytes);

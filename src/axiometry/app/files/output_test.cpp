@@ -163,6 +163,17 @@ TEST_F(OutputTest, WritesWhatALinkPointsToAndKeepsTheLink) {
   EXPECT_EQ(content("a.txt"), "new");
 }
 
+TEST_F(OutputTest, IsCalledWhatItIs) {
+  for (const char* name : {"-", "", "plan", "/dev/stdout", "a.b/plan", "x.json", "x.JSON", "Plan of X.Json"})
+    EXPECT_TRUE(check_ending(name, {".json"})) << name;
+  const auto table = check_ending("x.csv", {".json"});
+  ASSERT_FALSE(table);
+  EXPECT_EQ(table.error().message, "found the output \"x.csv\", expected a file ending in .json");
+  const auto json = check_ending("x.json", {".csv", ".txt"});
+  ASSERT_FALSE(json);
+  EXPECT_EQ(json.error().message, "found the output \"x.json\", expected a file ending in .csv, .txt");
+}
+
 TEST_F(OutputTest, SaysWhyItCannotWrite) {
   const auto result = write_file(path("no/such/folder.txt"), "x");
   ASSERT_FALSE(result);

@@ -8,9 +8,11 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/model/simulated.h"
 
 namespace axiometry::app {
 namespace {
@@ -160,6 +162,7 @@ Result<bool> CaptureSession::begin(bool whole) {
     if (!enough) return false;
     AXIOMETRY_TRY(layout_, formats::recognise_recording(std::string_view(head_).substr(0, most_to_recognise)));
   }
+  simulated_ = says_simulated(head_);
   formats::RecordingOptions recording = options_.recording;
   if (recording.arrival_s) recording.arrival_s = [arrival = arrival_s_] { return *arrival; };
   if (motion_) {
@@ -296,6 +299,10 @@ Result<Test> CaptureSession::test() const {
         {false, fmt::format("the stream shows {} lost of {} samples", reader_->lost(), samples_ + reader_->lost())});
   for (std::string& text : remarks()) test.provenance.remarks.push_back({false, std::move(text)});
   test.provenance.format = layout();
+  if (!simulated_) return test;
+  test.metadata.machine.name = simulated_machine(test.metadata.machine.name);
+  test.metadata.conditions.purpose = simulation_purpose;
+  test.metadata.conditions.comment = simulated_note;
   return test;
 }
 

@@ -79,6 +79,9 @@ class CaptureSession {
   std::size_t unfinished() const { return reader_ ? reader_->unfinished() : head_.size() - head_.rfind('\n') - 1; }
   std::uint64_t without_break() const { return reader_ ? reader_->without_break() : 0; }
 
+  /// Whether the recording says that nobody measured it; the test says it then too.
+  bool simulated() const { return simulated_; }
+
   /// The test as far as it has come; fails while there is none yet (capture::captured_test()).
   Result<Test> test() const;
 
@@ -121,6 +124,7 @@ class CaptureSession {
   std::string head_;                                  // until the layout is known
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
+  bool simulated_ = false;
   std::vector<std::string> remarks_;
   std::vector<capture::CapturedReading> found_;  // not handed on yet
 };

@@ -11,6 +11,7 @@
 #include "axiometry/base/counted.h"
 #include "axiometry/capture/capture_result.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
+#include "axiometry/model/simulated.h"
 
 namespace axiometry::app {
 Result<CapturedLengths> captured_lengths(const TrackingPlan& plan, const CaptureSession& session) {
@@ -29,6 +30,7 @@ Result<CapturedLengths> captured_lengths(const TrackingPlan& plan, const Capture
                             counted(found.standstills, "standstill")));
   lengths.approaches = approaches.size();
   lengths.samples = session.samples();
+  lengths.simulated = session.simulated();
   lengths.layout = session.layout();
   lengths.notes.push_back(fmt::format("a continuous recording of {} samples gave {} of the {} lengths of the plan",
                                       session.samples(), lengths.readings.size(), approaches.size()));
@@ -51,7 +53,7 @@ Result<CapturedLengths> read_length_recording(Source& source, const TrackingPlan
 }
 
 std::string length_capture_table(const CapturedLengths& lengths) {
-  std::string text;
+  std::string text = lengths.simulated ? fmt::format("# {}\n", simulated_note) : "";
   for (const std::string& note : lengths.notes) text += fmt::format("# {}\n", note);
   return text + formats::write_tracking_lengths(lengths.readings, lengths.times_s);
 }

@@ -21,6 +21,7 @@ struct CapturedLengths {
   std::vector<std::string> notes;  ///< what could not be matched, where the beam was broken, …; sentences
   std::string layout;              ///< of the recording
   std::string sha256;              ///< of its file; empty for a live one
+  bool simulated = false;          ///< as the recording says
 };
 
 /// What a session that was opened with this plan has found. Fails as StopListener::lengths() does, and without any

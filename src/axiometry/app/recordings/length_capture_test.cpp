@@ -188,7 +188,7 @@ TEST(LengthCapture, CountsDownWhereThatIsSaid) {
   RecordedLines lines;
   std::string turned = lines.bytes();
   std::string text;
-  std::size_t at = turned.find('\n') + 1;
+  std::size_t at = turned.find("\n0") + 1;
   text = turned.substr(0, at);
   while (at < turned.size()) {
     const std::size_t comma = turned.find(',', at), end = turned.find('\n', at);

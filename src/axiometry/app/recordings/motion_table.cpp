@@ -42,16 +42,19 @@ std::string one_line(std::string text) {
 }
 
 /// Lines "# key: value" that the reader of the table knows.
-std::string statements(const MotionListener& motion, const MotionOrigin& origin) {
+std::string statements(const CaptureSession& session, const MotionOrigin& origin) {
+  const MotionListener& motion = *session.motion();
+  const std::string simulated =
+      origin.simulated.empty() && session.simulated() ? std::string(simulated_note) : origin.simulated;
   const Plan& plan = motion.values().plan();
   std::string text = fmt::format("# error: {}\n", motion.error().text());
   if (motion.stated().sense) text += fmt::format("# positive: {}\n", motion.stated().sense->text());
   if (!plan.axis.name.empty()) text += fmt::format("# axis.name: {}\n", one_line(plan.axis.name));
-  const std::string machine = origin.simulated.empty() ? plan.machine : simulated_machine(plan.machine);
+  const std::string machine = simulated.empty() ? plan.machine : simulated_machine(plan.machine);
   if (!machine.empty()) text += fmt::format("# machine.name: {}\n", one_line(machine));
   if (!origin.date.empty()) text += fmt::format("# test.date: {}\n", origin.date);
-  if (!origin.simulated.empty())
-    text += fmt::format("# test.purpose: {}\n# test.comment: {}\n", simulation_purpose, origin.simulated);
+  if (!simulated.empty())
+    text += fmt::format("# test.purpose: {}\n# test.comment: {}\n", simulation_purpose, simulated);
   for (const std::string& part : motion.stated().equipment) text += fmt::format("# equipment: {}\n", one_line(part));
   return text;
 }
@@ -86,7 +89,7 @@ Result<std::string> motion_table(const CaptureSession& session, const MotionOrig
   if (values.empty()) return fail(fmt::format("found no reading for any of the {} approaches", session.expected()));
   AXIOMETRY_TRY_VOID(motion.values().check_positions());
   const std::string_view unit = motion_unit_name(motion.unit());
-  std::string text = statements(motion, origin) + notes(session, origin);
+  std::string text = statements(session, origin) + notes(session, origin);
   text += fmt::format("position_mm,run,direction,{}_{},time_s,scatter_{},drift_{},samples\n", motion.error().text(),
                       unit, unit, unit);
   for (const PlannedValue& value : values) {

@@ -12,11 +12,13 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
+#include "axiometry/model/simulated.h"
 
 namespace axiometry::app {
 namespace {
 
 constexpr double fractions_per_count = 256.0;
+constexpr std::string_view counts_note = "Simulated displacements";
 
 void append_whole(std::string& text, long long x) {
   char digits[24];
@@ -64,6 +66,10 @@ Result<RawLayout> raw_layout_of(std::string_view name) {
       fmt::format("found the recording {}, expected a file ending in .csv, .txt, .npy or .umd", text::quoted(name)));
 }
 
+bool says_simulated(std::string_view head) {
+  return head.starts_with(fmt::format("# {}", simulated_note)) || head.starts_with(counts_note);
+}
+
 Result<RecordingEncoder> RecordingEncoder::make(RawLayout layout, const RawSetting& setting) {
   if (layout == RawLayout::umd && setting.kind == AxisKind::rotary)
     return fail("found counts of a wavelength for a rotary axis, expected a .csv, .txt or .npy recording");
@@ -73,10 +79,12 @@ Result<RecordingEncoder> RecordingEncoder::make(RawLayout layout, const RawSetti
 std::string RecordingEncoder::head() const {
   switch (layout_) {
     case RawLayout::text:
-      if (setting_.lengths) return "time_s,length_mm\n";
-      return setting_.kind == AxisKind::linear ? "time_s,position_mm\n" : "time_s,position_deg\n";
+      return fmt::format("# {}\ntime_s,{}\n", simulated_note,
+                         setting_.lengths                     ? "length_mm"
+                         : setting_.kind == AxisKind::linear ? "position_mm"
+                                                             : "position_deg");
     case RawLayout::npy: return npy_head(setting_.samples);
-    case RawLayout::umd: return "Simulated displacements, counts of half a wavelength\r\n";
+    case RawLayout::umd: return fmt::format("{}, counts of half a wavelength\r\n", counts_note);
   }
   return {};
 }

@@ -11,12 +11,12 @@
 #include "axiometry/model/axis.h"
 #include "axiometry/model/recording.h"
 
-/// Recordings written as instruments and loggers write them, sample by sample as they come.
+/// Simulated recordings, written as instruments and loggers write them, sample by sample as they come.
 namespace axiometry::app {
 
 /// By the extension of the file's name.
 enum class RawLayout {
-  text,  ///< ".csv", ".txt": a header, then "time_s,position_mm" (or _deg), seven decimals each
+  text,  ///< ".csv", ".txt": a note that it is simulated, then "time_s,position_mm" (or _deg), seven decimals each
   npy,   ///< ".npy": NumPy's float64 of N rows and 2 columns, little-endian
   umd,   ///< ".umd": lines of a µMD interferometer, 8 whole numbers; linear axes only
 };
@@ -31,6 +31,10 @@ struct RawSetting {
   Length wavelength;        ///< in air; a count of `umd` is half of it
   bool lengths = false;     ///< of a tracking interferometer, where positions are no coordinates of an axis
 };
+
+/// Whether the beginning of a recording says that nobody measured it, as RecordingEncoder and the simulated motions
+/// write it. One of NumPy has no place for that.
+bool says_simulated(std::string_view head);
 
 /// The bytes of a recording, sample by sample.
 class RecordingEncoder {

@@ -166,16 +166,23 @@ Result<void> ManyOutputs::add_json(std::string_view text) {
   return json_->write(text);
 }
 
+/// Of its report. Nobody's report is overwritten, and none is left out for its name.
+std::string ManyOutputs::own_name(const Evaluated& evaluated) {
+  const std::string name = report_name(evaluated);
+  const std::string who = evaluated.test.provenance.file + (evaluated.name.empty() ? "" : ":" + evaluated.name);
+  std::string own = name;
+  for (std::size_t k = 2; !names_taken_.emplace(own, who).second; ++k) own = fmt::format("{}-{}", name, k);
+  if (own != name)
+    numbered_.push_back(fmt::format("the report of {} is called {}: that of {} is called {}", text::quoted(who),
+                                    text::quoted(own), text::quoted(names_taken_.at(name)), text::quoted(name)));
+  return own;
+}
+
 Result<void> ManyOutputs::add(const Evaluated& evaluated, const std::string& json) {
   if (json_) AXIOMETRY_TRY_VOID(add_json(json.empty() ? json_line(evaluated) : json));
   for (OutputFile& table : tables_) AXIOMETRY_TRY_VOID(table.write(combined_csv_row(evaluated, uncertainty_)));
   if (templates_.empty()) return {};
-  const std::string name = report_name(evaluated);
-  const std::string who = evaluated.test.provenance.file + (evaluated.name.empty() ? "" : ":" + evaluated.name);
-  const auto [taken, is_new] = names_taken_.emplace(name, who);
-  if (!is_new)
-    return fail(fmt::format("found the tests {} and {} with the same report name {}, expected different ones",
-                            taken->second, who, text::quoted(name)));
+  const std::string name = own_name(evaluated);
   for (const std::string& name_of_all : templates_) {
     const std::string report = with_test_name(name_of_all, name);
     AXIOMETRY_TRY_VOID(inputs_.check_spared(report));

@@ -70,7 +70,7 @@ std::string json_line(const Evaluated& evaluated);
 
 /// Writes the outputs of many tests as they come, in memory that does not grow with their number: one
 /// JSON array, one combined CSV, and for other reports one file per test, whose name takes the place
-/// of "{name}". The JSON and the CSV appear when commit() succeeds, and not at all otherwise.
+/// of "{name}", with a number behind it where another test has that name. The JSON and the CSV appear when commit() succeeds, and not at all otherwise.
 class ManyOutputs {
  public:
   /// Fails when a report that is not CSV has no "{name}", the folder of one is not there, or an output cannot be made.
@@ -79,11 +79,14 @@ class ManyOutputs {
   /// `json` is json_line() of it where that is known already.
   Result<void> add(const Evaluated& evaluated, const std::string& json = {});
   Result<void> add_error(const std::string& file, const Error& error);
+  /// Since the last call: of which tests the report has a number, and which one has the name.
+  std::vector<std::string> numbered() { return std::exchange(numbered_, {}); }
   Result<void> commit();
 
  private:
   ManyOutputs() = default;
   Result<void> add_json(std::string_view text);
+  std::string own_name(const Evaluated& evaluated);
 
   report::Options options_;
   InputFiles inputs_;
@@ -93,6 +96,7 @@ class ManyOutputs {
   std::vector<OutputFile> tables_;
   std::vector<std::string> templates_;
   std::map<std::string, std::string> names_taken_;  // report name → the test it belongs to
+  std::vector<std::string> numbered_;
 };
 
 }  // namespace axiometry::app

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/series.h"
+#include "tests/support/temporary_folder.h"
+
 namespace axiometry::app {
 namespace {
 
@@ -19,6 +22,26 @@ TEST(ManyOutputs, AreRefusedBeforeTheFirstTestWhereTheirFolderIsNotThere) {
   EXPECT_EQ(fault_of_many("{name}.pdf"), "");
   EXPECT_EQ(fault_of_many("./{name}.pdf"), "");
   EXPECT_EQ(fault_of_many("{name}/report.pdf"), "") << "not known before the name is";
+}
+
+TEST(ManyOutputs, NumberTheReportsOfTestsThatHaveOneName) {
+  const testing_support::TemporaryFolder folder;
+  OutputNames names;
+  names.reports = {folder.file("{name}.svg")};
+  auto outputs = ManyOutputs::create(names, {});
+  ASSERT_TRUE(outputs) << outputs.error().to_string();
+  const Series series = testing_support::make_series({0, 1}, {{0, 1}, {3, 1}}, {});
+  Evaluated evaluated = evaluate_test({{}, series, {}}, {}).value();
+  for (const char* file : {"a/x.csv", "b/x.csv", "x-2.csv"}) {
+    evaluated.test.provenance.file = file;
+    ASSERT_TRUE(outputs->add(evaluated)) << file;
+  }
+  for (const char* report : {"x.svg", "x-2.svg", "x-2-2.svg"}) EXPECT_NE(folder.content(report), "") << report;
+  EXPECT_EQ(outputs->numbered(),
+            (std::vector<std::string>{
+                "the report of \"b/x.csv\" is called \"x-2\": that of \"a/x.csv\" is called \"x\"",
+                "the report of \"x-2.csv\" is called \"x-2-2\": that of \"b/x.csv\" is called \"x-2\""}));
+  EXPECT_TRUE(outputs->numbered().empty());
 }
 
 }  // namespace

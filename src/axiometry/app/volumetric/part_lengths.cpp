@@ -11,6 +11,7 @@
 #include "axiometry/app/recordings/stop_notes.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
+#include "axiometry/model/simulated.h"
 
 namespace axiometry::app {
 namespace {
@@ -103,6 +104,7 @@ Result<PartLengths> part_lengths(const CalibrationPlan& plan, std::optional<Part
                             part_text(plan, parts), counted(found.standstills, "standstill")));
   lengths.planned = stops.places.size();
   lengths.samples = session.samples();
+  lengths.simulated = session.simulated();
   lengths.layout = session.layout();
   lengths.notes.push_back(fmt::format("{}: a continuous recording of {} samples gave {} of {} lengths",
                                       part_text(plan, parts), session.samples(), lengths.places.size(),
@@ -138,7 +140,7 @@ Result<PartLengths> read_part_recording(Source& source, const CalibrationPlan& p
 }
 
 std::string part_lengths_table(const PartLengths& lengths) {
-  std::string text;
+  std::string text = lengths.simulated ? fmt::format("# {}\n", simulated_note) : "";
   for (const std::string& note : lengths.notes) text += fmt::format("# {}\n", note);
   return text + formats::write_volumetric_lengths(lengths.lengths);
 }

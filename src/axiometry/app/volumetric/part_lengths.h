@@ -27,6 +27,7 @@ struct PartLengths {
   std::vector<std::string> notes;  ///< what could not be matched, where the beam was broken, …; sentences
   std::string layout;              ///< of the recording
   std::string sha256;              ///< of its file; empty for a live one
+  bool simulated = false;          ///< as the recording says
 };
 
 /// What a session has found that was opened with any part of this plan. Its standstills are held against every part.

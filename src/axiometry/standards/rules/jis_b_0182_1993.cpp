@@ -42,9 +42,9 @@ constexpr auto three_sigma_figures = std::to_array<RuleFigure>({
     {"A", "A", "Bidirectional accuracy of positioning", "", Evidence::second_hand, "A", wider, false, three_sigma_A},
     {"E", "E", "Bidirectional systematic deviation of positioning", "", Evidence::second_hand, "E", "", false,
      three_sigma_E},
-    {"R", "R", "Bidirectional repeatability of positioning", "nos. 342, 346", Evidence::text, "R", wider, false,
+    {"R", "R", "Bidirectional repeatability of positioning", "342, 346", Evidence::text, "R", wider, false,
      three_sigma_R},
-    {"B", "B", "Reversal value", "nos. 342, 346", Evidence::text, "B", "", false, three_sigma_B},
+    {"B", "B", "Reversal value", "342, 346", Evidence::text, "B", "", false, three_sigma_B},
 });
 
 }  // namespace

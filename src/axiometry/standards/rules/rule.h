@@ -51,7 +51,7 @@ struct RuleFigure {
   std::string_view key;     ///< in JSON, unique within a rule: "P_s_max"
   std::string_view symbol;  ///< as report::symbol() reads it; empty where the rule has none that is known
   std::string_view title;   ///< "Positioning uncertainty"
-  std::string_view clause;  ///< of the rule, where it is known; else empty
+  std::string_view clause;  ///< of the rule, or numbers of its terms, in no language; empty where it is not known
   Evidence evidence;
   std::string_view counterpart;  ///< key of the parameter of ISO 230-2:2014 that it is taken for; empty for none
   /// In what the formula differs from that parameter's; empty where both always have one value.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/files/output.h"
 #include "axiometry/app/live/disk/stop_marks.h"
 #include "axiometry/app/live/runs/capture_date.h"
 #include "axiometry/app/live/runs/capture_telling.h"
@@ -375,6 +376,7 @@ auto from_stream(const LiveCapture& capture, const CaptureObserver& observer, Ca
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer) {
   AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
+  AXIOMETRY_TRY_VOID(check_ending(run.out, {".json"}));
   AXIOMETRY_TRY(Plan plan, load_plan(options.plan, options.part.value_or(1)));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(std::move(plan), options));
   return from_source(run, observer, std::move(session), [](Run& reading) { return reading(); });

@@ -20,7 +20,8 @@ struct CaptureRun {
   std::string from;    ///< file, "-", "tcp://…", "serial://…", or of a motion "simulator://…"
   std::string raw;     ///< of a live source or a pipe: file of all bytes that came; must not exist
   std::string resume;  ///< instead: such a file, which is played first and goes on
-  std::string out;     ///< test file, rewritten after every reading; "-" writes it once at the end; may be empty
+  std::string out;     ///< test file (.json) or table (.csv, .txt), rewritten after every reading; "-" writes it once at
+                       ///< the end; may be empty
   Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
   std::string keys{};                  ///< of a finished recording: file of what was said at its stops, stop_marks.h
   std::string simulated{};             ///< of readings that nobody measured: what their table says of them
@@ -54,7 +55,8 @@ struct CaptureOutcome {
 /// pipe for which a raw file is named, goes to that file before it is used; the test file is whole at every moment.
 /// Fails as CaptureSession does, on a MiB without a line break from a live source, on a source that cannot be opened
 /// and on files that cannot be written; the files hold then what has come so far. Of a raw recording what is sound is
-/// played (play_into()). Fails at once when the test file would take the place of the recording or the plan.
+/// played (play_into()). Fails at once when the test file would take the place of the recording or the plan, or
+/// has a name that ends as that of something else.
 Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& options,
                                    const CaptureObserver& observer);
 

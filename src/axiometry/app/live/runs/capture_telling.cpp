@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/files/source.h"
 #include "axiometry/app/live/runs/capture_date.h"
 #include "axiometry/app/recordings/motion_table.h"
 #include "axiometry/formats/format.h"
@@ -57,11 +58,24 @@ void CaptureTelling::tell_events(const std::vector<capture::CaptureEvent>& event
     if (observer_.event) observer_.event(events[events_told_]);
 }
 
+/// Of what was read, where it stays in a file; empty where nobody can read it again.
+std::string CaptureTelling::recording_sha256() const {
+  std::string recording = run_.resume.empty() ? run_.raw : run_.resume;
+  if (recording.empty()) recording = run_.from;
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(recording, unknown)) return {};
+  const auto source = Source::open(recording);
+  if (!source) return {};
+  const auto sha256 = source->whole_sha256();
+  return sha256 ? sha256->value_or("") : "";
+}
+
 /// A test needs two targets, so there is no file before them; and none of a recording that does not fit.
 Result<void> CaptureTelling::write_test(const CaptureSession& session, const Moment& moment) {
   if (run_.out.empty() || session.stops() != nullptr || (run_.out == "-" && !moment.last)) return {};
   static const formats::Format* const json = formats::find_format("json");
-  const auto test = dated_test(session, run_.from, moment.first_arrival);
+  auto test = dated_test(session, run_.from, moment.first_arrival);
+  if (test && moment.last) test->provenance.sha256 = recording_sha256();
   return put(test ? Result<std::string>(json->write(*test)) : std::unexpected(test.error()), moment);
 }
 

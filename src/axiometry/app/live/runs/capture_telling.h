@@ -31,6 +31,7 @@ class CaptureTelling {
  private:
   Result<void> tell_values(const CaptureSession& session, const Moment& moment);
   void tell_events(const std::vector<capture::CaptureEvent>& events, double until_s);
+  std::string recording_sha256() const;
   Result<void> write_test(const CaptureSession& session, const Moment& moment);
   Result<void> write_table(const CaptureSession& session, const Moment& moment);
   Result<void> put(const Result<std::string>& result, const Moment& moment);

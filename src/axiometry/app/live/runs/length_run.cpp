@@ -16,6 +16,7 @@ namespace axiometry::app {
 Result<LengthOutcome> run_length_capture(const CaptureRun& run, const CaptureOptions& options,
                                          const CaptureObserver& observer) {
   AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
+  AXIOMETRY_TRY_VOID(check_ending(run.out, {".csv", ".txt"}));
   AXIOMETRY_TRY(const TrackingPlan plan, read_tracking_plan_file(options.plan));
   AXIOMETRY_TRY(CaptureSession session, CaptureSession::open(plan, options));
   AXIOMETRY_TRY(HeardSource heard, hear_source(run, std::move(session), observer));
@@ -27,6 +28,7 @@ Result<LengthOutcome> run_length_capture(const CaptureRun& run, const CaptureOpt
 Result<PartOutcome> run_part_capture(const CaptureRun& run, const CaptureOptions& options,
                                      const CaptureObserver& observer) {
   AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
+  AXIOMETRY_TRY_VOID(check_ending(run.out, {".csv", ".txt"}));
   AXIOMETRY_TRY(const std::string bytes, whole_file(options.plan));
   AXIOMETRY_TRY(const volumetric::CalibrationPlan plan, in_file(formats::read_volumetric_plan(bytes), options.plan));
   if (!options.part && plan.runs.size() > 1)

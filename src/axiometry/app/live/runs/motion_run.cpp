@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/files/output.h"
 #include "axiometry/app/live/runs/marks_of_run.h"
 #include "axiometry/app/live/runs/recording_spared.h"
 #include "axiometry/app/live/sources/own_options.h"
@@ -57,6 +58,7 @@ Result<CaptureRun> played_by_simulator(CaptureRun run, const OwnOptions& own, co
 Result<MotionOutcome> run_motion_capture(const CaptureRun& run, CaptureOptions options,
                                          const CaptureObserver& observer) {
   AXIOMETRY_TRY_VOID(check_recording_spared(run, options.plan));
+  AXIOMETRY_TRY_VOID(check_ending(run.out, {".csv", ".txt"}));
   AXIOMETRY_TRY(const auto simulator, told_simulator(run.from));
   if (simulator) AXIOMETRY_TRY_VOID(hear_simulated_motion(options));
   AXIOMETRY_TRY_VOID(take_marks(run, *options.motion));

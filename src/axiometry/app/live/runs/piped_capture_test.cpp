@@ -15,6 +15,7 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/live/runs/capture_run.h"
 #include "axiometry/app/recordings/raw_times.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "tests/support/simulated_recording.h"
 #include "tests/support/temporary_folder.h"
@@ -85,6 +86,7 @@ TEST_F(PipedCaptureTest, EveryByteIsKeptAndGivesTheSameReadingsAgain) {
   EXPECT_TRUE(bytes.starts_with(kept));  // up to the last reading of the plan
   EXPECT_GT(kept.size(), bytes.size() / 2);
   EXPECT_TRUE(has_times(raw_));
+  EXPECT_THAT(folder_.content("x.json"), HasSubstr("\"sha256\": \"" + sha256(kept) + "\""));
   const auto again = capture(raw_, "");
   ASSERT_TRUE(again) << again.error().to_string();
   ASSERT_EQ(again->result.readings.size(), 12u);

@@ -61,6 +61,19 @@ TEST(SimulatedRun, WritesATableThatSaysThatItWasSimulated) {
   EXPECT_EQ(read->metadata.machine.name, "Simulator");
 }
 
+TEST(SimulatedRun, ItsRawRecordingPlayedAgainSaysItToo) {
+  SimulatedRun simulated("simulator://?seed=7&size=8&speed=60");
+  ASSERT_TRUE(run_motion_capture(simulated.run, simulated.options, {}));
+  SimulatedRun again(simulated.run.raw);
+  again.run.raw.clear();
+  const auto outcome = run_motion_capture(again.run, again.options, {});
+  ASSERT_TRUE(outcome) << outcome.error().to_string();
+  const auto read = formats::read_motion_csv(again.table());
+  ASSERT_TRUE(read) << read.error().to_string();
+  EXPECT_EQ(read->metadata.conditions.purpose, "simulation");
+  EXPECT_EQ(read->metadata.machine.name, "Simulator");
+}
+
 TEST(SimulatedRun, WithKeysTheAxisStandsAtEachStopUntilItIsDone) {
   SimulatedRun simulated("simulator://?speed=60", StopSign::keys);
   const Plan plan = testing_support::straightness_plan();

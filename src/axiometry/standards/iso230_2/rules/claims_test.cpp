@@ -114,6 +114,8 @@ TEST(Claims, OfTheTestFallWithAnythingThatIsNotStated) {
       {"5.1", [](axiometry::Test& t) { t.metadata.conditions.feed = 0.0; }},
       {"5.1", [](axiometry::Test& t) { t.metadata.conditions.dwell = Duration::s(0.0); }},
       {"1", [](axiometry::Test& t) { t.metadata.conditions.purpose = "Simulation"; }},
+      {"1", [](axiometry::Test& t) { t.metadata.conditions.purpose = "simulated"; }},
+      {"1", [](axiometry::Test& t) { t.metadata.conditions.purpose = "Simulierte Messung"; }},
       // Errors that are known and not corrected.
       {"4.1", [](axiometry::Test& t) { t.metadata.instrument.sign_reversed = true; }},
       {"4.1", [](axiometry::Test& t) { t.metadata.instrument.gain = 1.01; }},
