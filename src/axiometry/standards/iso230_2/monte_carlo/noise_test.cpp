@@ -94,6 +94,16 @@ TEST(NoiseModels, KeepTheMeasuredValueInTheInterval) {
   }
 }
 
+/// Much noise and little scatter: moved back, what the noise may have made of R↑ lies on both sides of 0.
+TEST(NoiseModels, StateNoRangeBelowZero) {
+  const MonteCarlo result = run(table2_with({}, 8.0));
+  for (std::size_t p = 0; p < std::size(parameters); ++p)
+    if (parameters[p].member != &AxisParameters::B_mean)
+      EXPECT_GE(result.distributions[p]->low, 0.0) << parameters[p].key;
+  EXPECT_EQ(result.distributions[at_R + 1]->low, 0.0);
+  EXPECT_LT(result.distributions[std::size(parameters) - 1]->low, 0.0) << "B̄ has a sign";
+}
+
 TEST(NoiseModels, StateTheEnvelopeOfAllAndWhereItsEndsComeFrom) {
   const MonteCarlo result = run(table2_with({}));
   const ParameterDistribution& d = *result.distributions[at_R];
