@@ -175,7 +175,7 @@ constexpr Phrase report_rows[] = {
     {"no verdict", "keine Entscheidung"},
     {"no verdict: the parameter does not exist in this test.",
      "keine Entscheidung: Den Kennwert gibt es in dieser Prüfung nicht."},
-    {"no {0#} is known", "kein {0} bekannt"},
+    {"no {0#} is known, so that nothing is decided", "kein {0} bekannt, sodass nichts entschieden wird"},
     {"none: {0#} is larger than {1#}, so that no value could be accepted.",
      "keine: {0} ist größer als {1}, sodass kein Wert angenommen werden könnte."},
     {"not applicable: one approach from each direction", "nicht anwendbar: eine Anfahrt aus jeder Richtung"},

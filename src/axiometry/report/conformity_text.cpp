@@ -35,7 +35,7 @@ std::string_view words_of(const std::optional<Measurand>& measurand) {
 /// All rest on one method.
 std::string origin_of(std::span<const Judgement> judgements) {
   const auto known = std::ranges::find_if(judgements, [](const Judgement& j) { return j.uncertainty.has_value(); });
-  if (known == judgements.end()) return "no u is known";
+  if (known == judgements.end()) return "no u is known, so that nothing is decided";
   return origin_of(known->uncertainty->method) + std::string(words_of(known->uncertainty->measurand));
 }
 
@@ -145,12 +145,10 @@ std::string rule_statement(std::span<const Judgement> judgements, AxisKind kind,
 }
 
 std::string incomplete_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {
-  constexpr std::string_view lacks = "the uncertainty is incomplete";
   const bool asks = std::ranges::any_of(judgements, [](const Judgement& j) {
     return j.rule.kind != DecisionRule::Kind::simple && j.uncertainty.has_value();
   });
-  const auto found = std::ranges::find_if(
-      assessment.findings, [&](const iso230_2::Finding& finding) { return finding.message.starts_with(lacks); });
+  const auto found = std::ranges::find(assessment.findings, "uncertainty-stated", &iso230_2::Finding::id);
   if (!asks || found == assessment.findings.end()) return "";
   return fmt::format("p_c and verdicts hold only as far as what lacks is negligible: {}.", found->message);
 }

@@ -29,12 +29,12 @@ std::string record_statement(const iso230_2::Assessment& assessment, const Optio
 /// The rule that was used, its formula, and where u came from. Nothing without a judgement.
 std::string rule_statement(std::span<const iso230_2::Judgement> judgements, AxisKind kind, const Options& options);
 
-/// Why nothing was decided on some parameters, a sentence for each reason: "A, E: undecided, because …".
 /// That the uncertainty which decides is known to lack something; empty under simple acceptance, and where nothing
 /// lacks.
 std::string incomplete_statement(std::span<const iso230_2::Judgement> judgements,
                                  const iso230_2::Assessment& assessment);
 
+/// Why nothing was decided on some parameters, a sentence for each reason: "A, E: undecided, because …".
 std::vector<std::string> withheld_statements(std::span<const iso230_2::Judgement> judgements);
 
 /// The statement with its symbols T, g, u and U in italics.

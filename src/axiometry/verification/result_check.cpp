@@ -240,7 +240,9 @@ void check_record(const Value& uncertainty, const Found& found, Ledger& ledger) 
     if (method != "monte_carlo") continue;
     if (const auto u = number_member(own, "u")) check("u", Interval::of(*u));
     if (const auto ends = envelope_of(own)) {
-      check("low", smaller(*y, ends->first));
+      // Moved to another mean an end may lie below 0, where no range and no largest value is.
+      const bool has_a_sign = static_cast<Parameter>(k) == Parameter::B_mean;
+      check("low", smaller(*y, has_a_sign ? ends->first : larger(ends->first, Interval(0))));
       check("high", larger(*y, ends->second));
     }
   }

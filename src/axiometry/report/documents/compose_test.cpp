@@ -244,6 +244,35 @@ TEST(ConformitySection, SaysWhereNoValueCouldBeAccepted) {
   EXPECT_THAT(plain_text(table.notes.at(2)), HasSubstr("g is larger than T"));
 }
 
+std::vector<std::string> notes_on_decisions(const Reported& test) {
+  std::vector<std::string> notes;
+  for (const RichText& note : tables(section(composed(test), "conformity")).at(0).notes)
+    notes.push_back(plain_text(note));
+  return notes;
+}
+
+TEST(ConformitySection, SaysThatNothingIsDecidedWithoutAnUncertainty) {
+  Reported bare = reported_without_metadata();
+  bare.judge({tolerance("A", 1)}, {uncertainty::DecisionRule::Kind::guard_band, 2.0});
+  EXPECT_THAT(notes_on_decisions(bare), Contains(HasSubstr("no u is known, so that nothing is decided")));
+}
+
+/// Whatever the trials know, nobody said anything of the contributors that the standard asks for.
+TEST(ConformitySection, SaysWhatLacksWhereAnnexAStatesNothing) {
+  Reported bare = reported_without_metadata();
+  iso230_2::MonteCarlo trials;
+  auto& A = trials.distributions[0].emplace();
+  A.summary.sd = 0.1;
+  A.summary.distribution = uncertainty::SampledDistribution({{9.0, 10.0, 0, 1000}});
+  A.by_hypothesis = {A.summary};
+  A.low = 9.0;
+  A.high = 10.0;
+  bare.assessment.monte_carlo = trials;
+  bare.judge({tolerance("A", 30)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
+  EXPECT_THAT(notes_on_decisions(bare), Contains(HasSubstr("hold only as far as what lacks is negligible: no "
+                                                           "uncertainty is stated after Annex A")));
+}
+
 TEST(ConformitySection, LeavesUndecidedWhereAllThatIsDrawnLiesBelowALimitThatTheValueExceeds) {
   Reported table2 = reported_table2();
   iso230_2::MonteCarlo trials;

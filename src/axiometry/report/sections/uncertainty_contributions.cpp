@@ -25,14 +25,16 @@ Facts advice(const std::vector<Contribution>& all, const Subject& subject, const
   return facts;
 }
 
-/// A last row with u of every parameter.
+/// A last row with u of every parameter. One on which nothing acts has none, which is not 0.
 void add_total(Table& table, const Subject& subject, const Options& options) {
   const ParameterScale scale = parameter_scale(subject.test.metadata.axis.kind, options.unit);
   std::vector<TableCell> row = {{strong("All together")}};
-  for (std::size_t p = 0; p < std::size(iso230_2::parameters); ++p)
-    if (subject.assessment.evaluation.parameters.*iso230_2::parameters[p].member)
-      row.push_back(
-          {strong(shown_uncertainty(Deviation::native(standard_uncertainty(subject.assessment, p)), scale, options))});
+  for (std::size_t p = 0; p < std::size(iso230_2::parameters); ++p) {
+    if (!(subject.assessment.evaluation.parameters.*iso230_2::parameters[p].member)) continue;
+    const double u = standard_uncertainty(subject.assessment, p);
+    row.push_back(u > 0.0 ? TableCell{strong(shown_uncertainty(Deviation::native(u), scale, options))}
+                          : quiet_cell("–"));
+  }
   table.rows.push_back(std::move(row));
 }
 

@@ -124,6 +124,20 @@ TEST(UncertaintySections, SayWhatToImproveFirst) {
               HasSubstr("Uncertainty of A: Temperature of the machine, less 20 °C, 64\u00a0% of the variance"));
 }
 
+std::string row_of_the_total(const Reported& reported) {
+  const std::string all = words(section(composed(reported), "contributions"));
+  const std::size_t start = all.find("All together|");
+  return start == std::string::npos ? "" : all.substr(start, all.find('\n', start) - start);
+}
+
+TEST(UncertaintySections, StateNoSumWhereNothingActs) {
+  Reported reported = with(monte_carlo);
+  EXPECT_THAT(row_of_the_total(reported), AllOf(HasSubstr("All together|"), Not(HasSubstr("|–|"))));
+  for (std::size_t p = 0; p < std::size(iso230_2::parameters); ++p)
+    if (iso230_2::parameters[p].key == "R_up") reported.assessment.monte_carlo->distributions[p].reset();
+  EXPECT_THAT(row_of_the_total(reported), HasSubstr("|–|")) << "not 0, which would be read as exact";
+}
+
 TEST(UncertaintySections, ListTheInputsWithTheirDistributions) {
   EXPECT_THAT(words(section(composed(with(monte_carlo)), "contributions")),
               AllOf(HasSubstr("uniform from 0.9 to 1.1|0.0577|°C|the whole test"), HasSubstr("(assumed)"),

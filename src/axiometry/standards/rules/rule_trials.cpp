@@ -41,6 +41,12 @@ bool draws_moments_alone(const Test& test, const iso230_2::MonteCarloOptions& op
          options.type_a != iso230_2::TypeA::resampled;
 }
 
+/// Ranges, largest values and scatters are no less than 0.
+bool has_a_sign(const RuleFigure& figure) { return figure.key == "B_mean"; }
+
+/// Moved back the distribution of a hypothesis may lie below 0.
+double lower_end(const RuleFigure& figure, double low) { return has_a_sign(figure) ? low : std::max(low, 0.0); }
+
 void take_interval(ComparedFigure& figure, const std::optional<iso230_2::ParameterDistribution>& found,
                    bool has_no_readings) {
   if (figure.figure->of_single_readings && has_no_readings)
@@ -50,7 +56,7 @@ void take_interval(ComparedFigure& figure, const std::optional<iso230_2::Paramet
   else if (!found->refusal.empty())
     figure.no_interval_because = "no normal scatter explains a reading";
   else
-    figure.interval = FigureInterval{Deviation::native(std::min(found->low, found->value)),
+    figure.interval = FigureInterval{Deviation::native(std::min(lower_end(*figure.figure, found->low), found->value)),
                                      Deviation::native(std::max(found->high, found->value)),
                                      Deviation::native(found->summary.sd), found->summary.stable};
 }

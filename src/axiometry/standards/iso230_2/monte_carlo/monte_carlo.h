@@ -59,7 +59,7 @@ struct ParameterDistribution {
   double bias() const { return value - summary.mean; }      ///< what noise has added to the measured value
   std::vector<uncertainty::OutputSummary> by_hypothesis{};  ///< in the order of those that are not refuted
   /// The interval that is stated: lowest lower and highest upper end of all hypotheses, and of each moved by
-  /// shift_of().
+  /// shift_of(). Of a parameter, which is no less than 0 unless it is B̄, neither is its lower end.
   double low = 0.0;
   double high = 0.0;
   std::size_t low_from = 0;  ///< the hypotheses, among those not refuted, that give these ends …

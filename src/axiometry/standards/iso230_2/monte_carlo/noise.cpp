@@ -61,7 +61,7 @@ class NoiseModeller {
   NoiseModels operator()() {
     add({"none", "no noise in the readings", false, {}, ""}, {ReadingNoise{}}, nullptr);
     add_stated();
-    if (result_.models.size() > 1 && question_.drifts && !question_.only_input) add_single_errors();
+    if (states_noise_of_readings() && question_.drifts && !question_.only_input) add_single_errors();
     return std::move(result_);
   }
 
@@ -76,6 +76,10 @@ class NoiseModeller {
   }
 
  private:
+  /// A resolution is the error of a target and a drift that of a run: neither acts on B, and the former not on R. Where
+  /// nothing more is stated, errors of single readings would be all that is known of these.
+  bool states_noise_of_readings() const { return stated_.environment > 0.0 || stated_.noise.reading > 0.0; }
+
   void add_stated() {
     const bool environment = stated_.environment > 0.0;
     const ReadingNoise& noise = stated_.noise;

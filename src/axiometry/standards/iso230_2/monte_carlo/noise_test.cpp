@@ -94,6 +94,16 @@ TEST(NoiseModels, KeepTheMeasuredValueInTheInterval) {
   }
 }
 
+/// Much noise and little scatter: moved back, what the noise may have made of R↑ lies on both sides of 0.
+TEST(NoiseModels, StateNoRangeBelowZero) {
+  const MonteCarlo result = run(table2_with({}, 8.0));
+  for (std::size_t p = 0; p < std::size(parameters); ++p)
+    if (parameters[p].member != &AxisParameters::B_mean)
+      EXPECT_GE(result.distributions[p]->low, 0.0) << parameters[p].key;
+  EXPECT_EQ(result.distributions[at_R + 1]->low, 0.0);
+  EXPECT_LT(result.distributions[std::size(parameters) - 1]->low, 0.0) << "B̄ has a sign";
+}
+
 TEST(NoiseModels, StateTheEnvelopeOfAllAndWhereItsEndsComeFrom) {
   const MonteCarlo result = run(table2_with({}));
   const ParameterDistribution& d = *result.distributions[at_R];
@@ -170,28 +180,45 @@ TEST(NoiseModels, TakeAnEnvironmentThatIsNextToNothingForNone) {
   EXPECT_THAT(keys(models_of(table2_with({}, 1e-165))), ElementsAre("none"));
 }
 
-TEST(NoiseModels, HoldAReadingThatStandsOutForAnErrorToo) {
-  axiometry::Test test = table2_with({}, 0.3);
+axiometry::Test with_error_of_a_reading(const axiometry::Test& test, double error) {
   std::vector<double> readings;
   for (Direction direction : {Direction::up, Direction::down})
     for (std::size_t i = 0; i < test.series.target_count(); ++i)
       for (double x : test.series.cell(i, direction)) readings.push_back(x);
-  const auto with_error = [&](double error) {
-    std::vector<double> changed = readings;
-    changed[5 * 8 + 2] += error;
-    axiometry::Test own = test;
-    own.series = Series::make_dense({test.series.targets().begin(), test.series.targets().end()}, 5, changed).value();
-    return own;
-  };
+  readings[5 * 8 + 2] += error;
+  axiometry::Test own = test;
+  own.series = Series::make_dense({test.series.targets().begin(), test.series.targets().end()}, 5, readings).value();
+  return own;
+}
+
+/// The first size at which it may be one, well before no interval is stated; 0 where none is.
+double first_suspected_error(const axiometry::Test& test) {
+  for (double error = 0.0; error < 3.0; error += 0.05)
+    for (const std::string& key : keys(models_of(with_error_of_a_reading(test, error))))
+      if (key == "single-errors") return error;
+  return 0.0;
+}
+
+TEST(NoiseModels, HoldAReadingThatStandsOutForAnErrorToo) {
+  const axiometry::Test test = table2_with({}, 0.3);
   EXPECT_THAT(keys(models_of(test)), testing::Not(testing::Contains("single-errors")));
-  double suspected = 0.0;  // the first size at which it may be one, well before no interval is stated
-  for (double error = 0.0; error < 3.0 && suspected == 0.0; error += 0.05)
-    for (const std::string& key : keys(models_of(with_error(error))))
-      if (key == "single-errors") suspected = error;
+  const double suspected = first_suspected_error(test);
   ASSERT_GT(suspected, 0.0);
-  const MonteCarlo before = run(test), result = run(with_error(suspected));
+  const MonteCarlo before = run(test), result = run(with_error_of_a_reading(test, suspected));
   EXPECT_TRUE(result.distributions[at_R]->refusal.empty());
   EXPECT_LT(result.distributions[at_R]->low, before.distributions[at_R]->value);
+}
+
+/// Nothing that is stated acts on R and B then: an interval of a suspected error alone would claim to know them.
+TEST(NoiseModels, KnowNothingOfSingleReadingsByAResolution) {
+  const double suspected = first_suspected_error(table2_with({}, 0.3));
+  ASSERT_GT(suspected, 0.0);
+  axiometry::Test test = with_error_of_a_reading(table2_with({}, 0.0), suspected);
+  test.metadata.gum.instrument_resolution = Deviation::native(0.1);
+  EXPECT_THAT(keys(models_of(test)), ElementsAre("none", "white"));
+  const MonteCarlo result = run(test);
+  EXPECT_TRUE(result.distributions[at_A].has_value());
+  EXPECT_FALSE(result.distributions[at_R].has_value());
 }
 
 TEST(NoiseModels, TakeAWhiteRecordingForWhiteNoiseAlone) {

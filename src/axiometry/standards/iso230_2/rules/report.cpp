@@ -282,7 +282,8 @@ std::optional<Finding> uncertainty_stated(const Case& c) {
   if (absent.empty()) return std::nullopt;
   if (!c.uncertainty)
     return missing("uncertainty-stated", "8.2.1",
-                   fmt::format("no uncertainty is stated: nothing was given of {}", fmt::join(absent, ", ")));
+                   fmt::format("no uncertainty is stated after Annex A: nothing was given of {}",
+                               fmt::join(absent, ", ")));  // other methods may state one
   return missing(
       "uncertainty-stated", "8.2.1",
       fmt::format("the uncertainty is incomplete and too small: nothing was given of {}", fmt::join(absent, ", ")));
