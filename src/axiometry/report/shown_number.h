@@ -40,6 +40,11 @@ std::string shown_deviation(Deviation deviation, const Options& options);
 /// exceeds.
 std::string shown_limit(Deviation limit, const ParameterScale& scale, const Options& options);
 
+/// T − g in the unit shown, to so many decimals (negative: tens) and never above itself, and T + g never below: a value
+/// that is held against what is printed must not be accepted, or rejected, where the decision is another.
+double acceptance_limit_to(double limit, int decimals);
+double rejection_limit_to(double limit, int decimals);
+
 /// A contribution to the uncertainty to Options::uncertainty_digits, in the unit of the scale.
 std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Options& options);
 
