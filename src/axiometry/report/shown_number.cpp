@@ -71,6 +71,12 @@ std::string shown_short(double x, const Options& options, int significant_digits
   return localised(fmt::format("{:.{}g}", x, significant_digits), options);
 }
 
+std::string shown_vector(Vector3 v, const Options& options, int significant_digits) {
+  const std::string_view separator = options.numbers.decimal_mark == ',' ? "; " : ", ";
+  const auto number = [&](double x) { return shown_short(x, options, significant_digits); };
+  return fmt::format("({}{}{}{}{})", number(v.x), separator, number(v.y), separator, number(v.z));
+}
+
 int position_decimals(std::span<const Position> targets) {
   const auto shows = [](double x, int decimals) {
     const double unit = std::pow(10.0, decimals);

@@ -113,6 +113,13 @@ TEST(Show, RoundsTheGuardBandSoThatNothingSeemsAcceptedOrRejectedThatIsNot) {
   EXPECT_DOUBLE_EQ(rejection_limit_to(13512.2, -1), 13520);
 }
 
+TEST(Show, PartsCoordinatesByWhatIsNoDecimalMark) {
+  EXPECT_EQ(shown_vector({0.5, -1, 2}, {}, 3), "(0.5, \u22121, 2)");
+  Options comma;
+  comma.numbers.decimal_mark = ',';
+  EXPECT_EQ(shown_vector({0.5, -1, 2}, comma, 3), "(0,5; \u22121; 2)");
+}
+
 TEST(Show, HasNoMoreDigitsOfTheGuardBandThanOneBeyondThoseOfARoundedValue) {
   Reported table2 = reported_table2();  // 9600 ± 4300
   table2.options.unit = DisplayUnit::nm;
