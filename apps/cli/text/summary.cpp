@@ -129,15 +129,18 @@ std::string tolerance_row(const iso230_2::Judgement& judgement, const app::Evalu
   const AxisKind kind = e.test.metadata.axis.kind;
   const report::ParameterScale scale = report::parameter_scale(kind, options.unit);
   const int decimals = report::limit_decimals(report::show(judgement, e.assessment, kind, options));
-  const auto number = [&](const std::optional<Deviation>& x) {
-    return x ? format_fixed(x->in_native() * scale.per_native, decimals, options.numbers) : std::string("–");
+  const auto number = [&](const std::optional<Deviation>& x, double (*printed)(double, int)) {
+    return x ? format_fixed(printed(x->in_native() * scale.per_native, decimals), decimals, options.numbers)
+             : std::string("–");
   };
   const auto& [tolerance, rule, magnitude, known, decision, withheld] = judgement;
   std::string text = terminal.bold(left(tolerance.parameter->symbol, symbol_width));
   text += right(report::shown_limit(tolerance.limit, scale, options), widths.number);
   if (widths.guarded > 0)
-    text += right(number(magnitude ? judgement.acceptance_limit() : std::nullopt), widths.guarded) +
-            right(number(magnitude ? judgement.rejection_limit() : std::nullopt), widths.guarded);
+    text += right(number(magnitude ? judgement.acceptance_limit() : std::nullopt, report::acceptance_limit_to),
+                  widths.guarded) +
+            right(number(magnitude ? judgement.rejection_limit() : std::nullopt, report::rejection_limit_to),
+                  widths.guarded);
   if (widths.probability > 0)
     text += right(report::translated(report::shown_conformity(decision, options), options), widths.probability);
   return text + "  " + verdict_text(decision.verdict, options, terminal) + "\n";

@@ -57,6 +57,15 @@ constexpr Phrase scatter_rows[] = {
      "die Messwerte steigen von Durchlauf zu Durchlauf, um {0} vom ersten zum letzten, wo sie um "
      "Zielposition und Durchlauf um {1} streuen ({2}): ein Zeichen, dass die Maschine thermisch nicht "
      "stabil war; {3}, und nichts ist entfernt"},
+    {"found {0#} of {1#} runs, each direction counted, equal to another at all {2#} targets, such as run {3#} to run "
+     "{4#} with the other sign; chance hardly makes that, and what was copied was not measured",
+     "{0} von {1} Durchläufen, jede Richtung gezählt, an allen {2} Zielpositionen gleich einem anderen, etwa Durchlauf "
+     "{3} dem Durchlauf {4} mit umgekehrtem Vorzeichen; der Zufall macht das kaum, und was kopiert wurde, wurde nicht "
+     "gemessen"},
+    {"found {0#} of {1#} runs, each direction counted, equal to another at all {2#} targets, such as run {3#} to run "
+     "{4#}; chance hardly makes that, and what was copied was not measured",
+     "{0} von {1} Durchläufen, jede Richtung gezählt, an allen {2} Zielpositionen gleich einem anderen, etwa Durchlauf "
+     "{3} dem Durchlauf {4}; der Zufall macht das kaum, und was kopiert wurde, wurde nicht gemessen"},
     {"no parameter depends on it by more than 1 %", "kein Parameter hängt um mehr als 1\u00a0% von ihm ab"},
     {"no parameter depends on these shifts by more than 1 %",
      "kein Parameter hängt um mehr als 1\u00a0% von diesen Verschiebungen ab"},

@@ -140,6 +140,11 @@ TEST(Words, ChangeTheFirstLetterOfWordsAlone) {
 
 TEST(Words, TellNumbersFromClauses) {
   EXPECT_EQ(with_decimal_mark("12.5 µm, 5.3.2, A.2, v1.5, ISO 230.", ','), "12,5 µm, 5.3.2, A.2, v1.5, ISO 230.");
+  EXPECT_EQ(with_decimal_mark("(−0.577, −0.577, 1) mm", ','), "(−0,577; −0,577; 1) mm");
+  EXPECT_EQ(with_decimal_mark("(100, 80, −600)", ','), "(100; 80; −600)");
+  EXPECT_EQ(with_decimal_mark("(0,577, 1, 2)", ','), "(0,577; 1; 2)") << "set with the mark of a report already";
+  EXPECT_EQ(with_decimal_mark("(−0.577, −0.577, 1)", '.'), "(−0.577, −0.577, 1)");
+  EXPECT_EQ(with_decimal_mark("12.5 µm (5.3.2, A.2), 3 (4)", ','), "12,5 µm (5.3.2, A.2), 3 (4)");
   EXPECT_TRUE(has_no_words("U_M,DEVICE = 12 µm/(m·°C)"));
   EXPECT_TRUE(has_no_words("2s_i↑"));
   EXPECT_FALSE(has_no_words("1 run"));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace axiometry::language {
 namespace {
@@ -47,6 +48,36 @@ bool is_decimal_point(std::string_view text, std::size_t at) {
   return !follows && !goes_on;
 }
 
+/// "−0,577", "12", one mark at most.
+bool is_coordinate(std::string_view text) {
+  constexpr std::string_view minus = "\u2212";
+  if (text.starts_with(minus)) text.remove_prefix(minus.size());
+  const auto digits_or_mark = [](char c) { return is_digit(c) || c == ',' || c == '.'; };
+  return !text.empty() && is_digit(text.front()) && is_digit(text.back()) &&
+         std::ranges::all_of(text, digits_or_mark) && std::ranges::count_if(text, std::not_fn(is_digit)) <= 1;
+}
+
+/// "0,5, −1, 2,25": what stands between the brackets of a place or of a direction.
+bool is_coordinates(std::string_view text) {
+  constexpr std::string_view separator = ", ";
+  if (!text.contains(separator)) return false;
+  for (std::size_t end = text.find(separator); end != std::string_view::npos; end = text.find(separator)) {
+    if (!is_coordinate(text.substr(0, end))) return false;
+    text.remove_prefix(end + separator.size());
+  }
+  return is_coordinate(text);
+}
+
+/// A comma cannot both end whole numbers and part coordinates: "(0,5, 1)" → "(0,5; 1)".
+void part_coordinates(std::string& text) {
+  for (std::size_t open = text.find('('); open != std::string::npos; open = text.find('(', open + 1)) {
+    const std::size_t close = text.find(')', open);
+    if (close == std::string::npos) return;
+    if (!is_coordinates(std::string_view(text).substr(open + 1, close - open - 1))) continue;
+    for (std::size_t at = text.find(", ", open); at < close; at = text.find(", ", at)) text[at] = ';';
+  }
+}
+
 }  // namespace
 
 bool has_no_words(std::string_view text) {
@@ -73,6 +104,7 @@ std::string with_decimal_mark(std::string_view text, char mark) {
   std::string all(text);
   for (std::size_t k = 0; k < all.size(); ++k)
     if (text[k] == '.' && is_decimal_point(text, k)) all[k] = mark;
+  if (mark == ',') part_coordinates(all);
   return all;
 }
 

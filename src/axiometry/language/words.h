@@ -12,7 +12,8 @@ namespace axiometry::language {
 /// symbols that were set already, are signs.
 bool has_no_words(std::string_view text);
 
-/// The numbers with that decimal mark: "12.5 µm" → "12,5 µm", but neither "5.3.2" nor "A.2" nor "v1.5".
+/// The numbers with that decimal mark: "12.5 µm" → "12,5 µm", but neither "5.3.2" nor "A.2" nor "v1.5". Where the mark
+/// is a comma, coordinates in brackets are parted by semicolons: "(0.5, 1, 2)" → "(0,5; 1; 2)".
 std::string with_decimal_mark(std::string_view text, char mark);
 
 /// 'as the user gave it' or "…", all of it.

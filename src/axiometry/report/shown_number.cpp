@@ -49,6 +49,16 @@ std::string shown_limit(Deviation limit, const ParameterScale& scale, const Opti
   return shown_short(limit.in_native() * scale.per_native, options, digits_of_decimals);
 }
 
+double acceptance_limit_to(double limit, int decimals) {
+  constexpr double rounding = 1e-9;  // of the calculation: 10 − 0.3 is 9.7
+  const double unit = std::pow(10.0, decimals);
+  const double nearest = std::round(limit * unit) / unit;
+  return std::abs(nearest - limit) <= rounding * std::max(1.0, std::abs(limit)) ? nearest
+                                                                                : std::floor(limit * unit) / unit;
+}
+
+double rejection_limit_to(double limit, int decimals) { return -acceptance_limit_to(-limit, decimals); }
+
 std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Options& options) {
   const double value = U.in_native() * scale.per_native;
   if (value == 0.0) return "0";
@@ -59,6 +69,12 @@ std::string shown_exact(double x, const Options& options) { return localised(for
 
 std::string shown_short(double x, const Options& options, int significant_digits) {
   return localised(fmt::format("{:.{}g}", x, significant_digits), options);
+}
+
+std::string shown_vector(Vector3 v, const Options& options, int significant_digits) {
+  const std::string_view separator = options.numbers.decimal_mark == ',' ? "; " : ", ";
+  const auto number = [&](double x) { return shown_short(x, options, significant_digits); };
+  return fmt::format("({}{}{}{}{})", number(v.x), separator, number(v.y), separator, number(v.z));
 }
 
 int position_decimals(std::span<const Position> targets) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "axiometry/base/vector3.h"
 #include "axiometry/model/axis.h"
 #include "axiometry/report/report.h"
 
@@ -40,6 +41,11 @@ std::string shown_deviation(Deviation deviation, const Options& options);
 /// exceeds.
 std::string shown_limit(Deviation limit, const ParameterScale& scale, const Options& options);
 
+/// T − g in the unit shown, to so many decimals (negative: tens) and never above itself, and T + g never below: a value
+/// that is held against what is printed must not be accepted, or rejected, where the decision is another.
+double acceptance_limit_to(double limit, int decimals);
+double rejection_limit_to(double limit, int decimals);
+
 /// A contribution to the uncertainty to Options::uncertainty_digits, in the unit of the scale.
 std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Options& options);
 
@@ -48,6 +54,9 @@ std::string shown_exact(double x, const Options& options);
 
 /// So many significant digits at most, for numbers that were computed: 1744.209.
 std::string shown_short(double x, const Options& options, int significant_digits = 7);
+
+/// "(0.5, −1, 2)" to so many significant digits; parted by semicolons where the decimal mark is a comma.
+std::string shown_vector(Vector3 v, const Options& options, int significant_digits);
 
 /// Decimals that show every target fully, at most 4.
 int position_decimals(std::span<const Position> targets);

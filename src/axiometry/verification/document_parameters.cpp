@@ -186,10 +186,15 @@ void check_decision_line(const PrintedTable& table, std::size_t row, const Value
       continue;
     }
     const Interval right = Interval::of(*stated) * scale;
-    page.ledger.text([&] { return place(head); }, printed, right, magnitude(right) * Interval::of(1e-14),
-                     head == "u"   ? coarse_places(right, page.uncertainty_digits)
-                     : head == "g" ? 0
-                                   : std::max(0, coarse - 1));
+    const auto named = [&] { return place(head); };
+    if (head.starts_with('T')) {
+      // What lies nearer to a printed number than the second rounding of T and g is that number.
+      const Interval rounding = larger(Interval(1), magnitude(right)) * Interval::of(1e-9);
+      page.ledger.inward(named, printed, right, rounding, head == "T − g", std::max(0, coarse - 1));
+      continue;
+    }
+    page.ledger.text(named, printed, right, magnitude(right) * Interval::of(1e-14),
+                     head == "u" ? coarse_places(right, page.uncertainty_digits) : 0);
   }
   const std::string p_c = table.cell(row, "pc");
   const auto least = number_member(&decision, "probability_least");

@@ -58,6 +58,15 @@ class Ledger {
       differences.push_back({place(), std::string(printed), shown(right, 8)});
   }
 
+  /// A limit that is rounded to the side on which less is accepted, or rejected: by less than a unit of its last place.
+  template <std::invocable Place>
+  void inward(const Place& place, std::string_view printed, const Interval& right, const Interval& rounding,
+              bool downward, int coarse) {
+    ++figures;
+    if (!rounds_inward(printed, right, rounding, downward, coarse))
+      differences.push_back({place(), std::string(printed), shown(right, 8)});
+  }
+
   /// Any two things that must be the same words.
   template <std::invocable Place>
   void words(const Place& place, std::string_view printed, std::string_view right) {
@@ -72,6 +81,8 @@ class Ledger {
   static bool is_number(double x);
   static std::string exact_text(double x);
   static bool rounds_to(std::string_view printed, const Interval& right, const Interval& rounding, int coarse);
+  static bool rounds_inward(std::string_view printed, const Interval& right, const Interval& rounding, bool downward,
+                            int coarse);
 };
 
 }  // namespace axiometry::verification

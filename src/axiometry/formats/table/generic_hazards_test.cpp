@@ -270,6 +270,21 @@ TEST(GenericHazards, AUnitThatMakesDeviationsImpossibleIsAskedAbout) {
   EXPECT_FALSE(with_unit("µm", 0.0).contains("really")) << "nothing is no unit mistaken";
 }
 
+/// A factor of 1000 that leaves deviations as an axis may have them.
+TEST(GenericHazards, AUnitThatMeasuredPositionsContradictIsAskedAbout) {
+  const auto with_unit = [](std::string unit, double factor) {
+    return filed(fmt::format("Soll [mm];Ist [mm];Abweichung [{}]\n", unit), [&](const Row& r) {
+      return fmt::format("{};{:.6f};{}\n", r.target, r.target + r.deviation * 1e-3, r.deviation * factor);
+    });
+  };
+  const std::string answer = answer_to(with_unit("mm", 1.0 / 8.0));
+  EXPECT_FALSE(answer.contains("in which unit are they?")) << "nor in µm are they that difference";
+  for (const auto& wrong : {with_unit("mm", 1.0), with_unit("nm", 1.0), with_unit("µm", 1e-3)})
+    EXPECT_TRUE(answer_to(wrong).contains("\"reading_unit\"")) << answer_to(wrong);
+  for (const auto& right : {with_unit("mm", 1e-3), with_unit("µm", 1.0), with_unit("nm", 1e3)})
+    EXPECT_FALSE(answer_to(right).contains("\"reading_unit\"")) << answer_to(right);
+}
+
 TEST(GenericHazards, LatinOneAndUtf16AreReadAndTold) {
   const std::string latin = filed("Messger\xE4t\nSoll [mm];Abweichung [\xB5m]\n",
                                   [](const Row& r) { return fmt::format("{};{}\n", r.target, r.deviation); });

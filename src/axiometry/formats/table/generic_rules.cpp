@@ -117,13 +117,15 @@ void decide_reading_unit(Draft& draft, std::size_t target, std::span<const std::
 
 /// A unit that is a thousand times too large shows: no axis that is tested departs by a hundredth of its way, which is
 /// a millimetre or a degree at least. One a thousand times too small shows where readings differ by less than 0.05 µm
-/// over 100 mm or more: a machine of steel grows by as much in 0.05 K.
+/// over 100 mm or more: a machine of steel grows by as much in 0.05 K. Between these a column of measured positions
+/// tells.
 void doubt_reading_unit(Draft& draft, std::size_t target, std::span<const std::size_t> readings) {
   constexpr double share_of_way = 0.01, least_way = 1.0;        // mm or °
   constexpr double least_departure = 5e-5, far_enough = 100.0;  // mm
   const ImportProfile& profile = draft.guess.profile;
   if (profile.target_unit == nullptr || profile.reading_unit == nullptr) return;
   const double way = position_in(*profile.target_unit, draft.facts[target].range()).in_native();
+  const auto position = positions_beside(draft, target);
   for (const std::size_t c : readings) {
     const Unit& unit = profile.columns[c].unit != nullptr ? *profile.columns[c].unit : *profile.reading_unit;
     if (profile.columns[c].role != ImportRole::deviation || unit.kind != profile.target_unit->kind) continue;
@@ -132,6 +134,12 @@ void doubt_reading_unit(Draft& draft, std::size_t target, std::span<const std::s
     const bool too_far = departs >= std::max(least_way, share_of_way * way);
     const bool too_true =
         unit.kind == AxisKind::linear && way >= far_enough && departs > 0.0 && departs < least_departure;
+    const Unit* by_positions = position ? unit_by_positions(draft, target, *position, c) : nullptr;
+    if (!too_far && !too_true && by_positions != nullptr && by_positions != &unit)
+      return draft.ask("reading_unit",
+                       fmt::format("found readings ({}) that are the difference of {} and target in {}, "
+                                   "not in {}; in which unit are they?",
+                                   draft.called(c), draft.called(*position), by_positions->symbol, unit.symbol));
     if (!too_far && !too_true) continue;
     return draft.ask("reading_unit",
                      fmt::format("found readings that differ by {:.6g} {} over {:.6g} {} of targets; are "

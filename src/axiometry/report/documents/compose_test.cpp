@@ -213,7 +213,7 @@ TEST(ConformitySection, ShowsLimitsProbabilityAndRiskOfEveryDecision) {
   const Section conformity = section(composed(table2), "conformity");
   const Table table = tables(conformity).at(0);
   EXPECT_THAT(row_text(table.rows.at(0)),
-              ElementsAre("A", "9.6", "2.1", "10", "6.49", "13.51", "57.7\u00a0%", "–", "undecided"));
+              ElementsAre("A", "9.6", "2.1", "10", "6.48", "13.52", "57.7\u00a0%", "–", "undecided"));
   EXPECT_THAT(row_text(table.rows.at(1)), ElementsAre("B", "4.12", "0.46", "3", "2.245", "3.755", "0.73\u00a0%",
                                                       "0.73\u00a0%\u00a0producer’s", "does not conform"));
   EXPECT_THAT(plain_text(table.notes.at(0)),

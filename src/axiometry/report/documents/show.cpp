@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "axiometry/report/report.h"
 #include "axiometry/report/shown_number.h"
@@ -62,11 +63,13 @@ int decimals_of_decision(const iso230_2::Judgement& judgement, double per_native
   const double limit = judgement.tolerance.limit.in_native() * per_native;
   decimals = decimals_beside(value, limit, decimals, [&](int) { return limit; });
   if (judgement.rule.kind == uncertainty::DecisionRule::Kind::simple) return decimals;
-  for (const auto& guarded : {judgement.acceptance_limit(), judgement.rejection_limit()}) {
-    if (!guarded) continue;
+  const auto beside = [&](const std::optional<Deviation>& guarded, double (*printed)(double, int)) {
+    if (!guarded) return;
     const double border = guarded->in_native() * per_native;
-    decimals = decimals_beside(value, border, decimals, [&](int places) { return rounded_to(border, places + 1); });
-  }
+    decimals = decimals_beside(value, border, decimals, [&](int places) { return printed(border, places + 1); });
+  };
+  beside(judgement.acceptance_limit(), acceptance_limit_to);
+  beside(judgement.rejection_limit(), rejection_limit_to);
   return decimals;
 }
 

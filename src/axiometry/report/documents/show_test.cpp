@@ -101,6 +101,25 @@ TEST(Show, TellsOnWhichSideOfTheGuardBandTheValueLies) {
   EXPECT_EQ(limit_decimals(beside(20.0, 1.0)), 1);
 }
 
+// 10 − 3.5122… and 10 + 3.5122…
+TEST(Show, RoundsTheGuardBandSoThatNothingSeemsAcceptedOrRejectedThatIsNot) {
+  EXPECT_DOUBLE_EQ(acceptance_limit_to(6.487771786493827, 2), 6.48);
+  EXPECT_DOUBLE_EQ(rejection_limit_to(13.512228213506173, 2), 13.52);
+  EXPECT_DOUBLE_EQ(acceptance_limit_to(6.4821, 2), 6.48);
+  EXPECT_DOUBLE_EQ(rejection_limit_to(13.5179, 2), 13.52);
+  EXPECT_DOUBLE_EQ(acceptance_limit_to(10.0 - 0.3, 2), 9.7) << "a number as it is printed stays itself";
+  EXPECT_DOUBLE_EQ(rejection_limit_to(10.0 + 0.1 + 0.2, 2), 10.3);
+  EXPECT_DOUBLE_EQ(acceptance_limit_to(6487.77, -1), 6480);
+  EXPECT_DOUBLE_EQ(rejection_limit_to(13512.2, -1), 13520);
+}
+
+TEST(Show, PartsCoordinatesByWhatIsNoDecimalMark) {
+  EXPECT_EQ(shown_vector({0.5, -1, 2}, {}, 3), "(0.5, \u22121, 2)");
+  Options comma;
+  comma.numbers.decimal_mark = ',';
+  EXPECT_EQ(shown_vector({0.5, -1, 2}, comma, 3), "(0,5; \u22121; 2)");
+}
+
 TEST(Show, HasNoMoreDigitsOfTheGuardBandThanOneBeyondThoseOfARoundedValue) {
   Reported table2 = reported_table2();  // 9600 ± 4300
   table2.options.unit = DisplayUnit::nm;

@@ -216,13 +216,11 @@ std::string place(Vector3 v, const Options& options) {
 
 /// What the points were chosen for: with another tool or another mounting they may be out of reach or sight.
 Facts planned_setup(const TrackingSetup& setup, const Options& options) {
-  const Vector3 axis = setup.limits.reflector_axis;
   return {"For this set-up",
           {{plain("Station, about"), text_cell(place(setup.station.position_mm, options))},
            {plain("Reflector, from where the axes stand"), text_cell(place(setup.tool_offset_mm, options))},
            {plain("The reflector looks along"),
-            text_cell(fmt::format("({}, {}, {}), up to {}° aside", shown_short(axis.x, options, 3),
-                                  shown_short(axis.y, options, 3), shown_short(axis.z, options, 3),
+            text_cell(fmt::format("{}, up to {}° aside", shown_vector(setup.limits.reflector_axis, options, 3),
                                   shown_short(setup.limits.incidence_most_deg, options)))},
            {plain("Safe radius about the station"),
             text_cell(shown_short(setup.limits.safe_radius_mm, options) + "\u00a0mm")}}};

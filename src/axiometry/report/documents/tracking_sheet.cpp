@@ -73,16 +73,12 @@ std::string obstacle_text(const Sheet& sheet, const CylinderObstacle& cylinder) 
 
 void append_limits(Facts& facts, const Sheet& sheet) {
   const TrackerLimits& limits = sheet.plan.setup.limits;
-  const Vector3 axis = limits.reflector_axis;
   facts.facts.push_back(fact("Range", fmt::format("{} to {}", shown_short(limits.range_least_mm, sheet.options),
                                                   sheet.mm(limits.range_most_mm))));
   facts.facts.push_back(
       fact("Elevation of the beam", fmt::format("{} to {}", sheet.degrees(limits.elevation_lowest_deg),
                                                 sheet.degrees(limits.elevation_highest_deg))));
-  facts.facts.push_back(
-      fact("The reflector looks along",
-           fmt::format("({}, {}, {})", shown_short(axis.x, sheet.options, 3), shown_short(axis.y, sheet.options, 3),
-                       shown_short(axis.z, sheet.options, 3))));
+  facts.facts.push_back(fact("The reflector looks along", shown_vector(limits.reflector_axis, sheet.options, 3)));
   facts.facts.push_back(fact("Largest incidence", sheet.degrees(limits.incidence_most_deg)));
   facts.facts.push_back(fact("Safe radius about the station", sheet.mm(limits.safe_radius_mm)));
   facts.facts.push_back(fact("Least length of a line", sheet.mm(limits.line_least_mm)));

@@ -62,12 +62,15 @@ class RowNumbers {
         scale_(parameter_scale(subject.test.metadata.axis.kind, options.unit)),
         decimals_(limit_decimals(shown)) {}
   TableCell exact(Deviation x) const { return text_cell(shown_limit(x, scale_, options_)); }
-  TableCell rounded(const std::optional<Deviation>& x) const {
-    return x ? text_cell(format_fixed(x->in_native() * scale_.per_native, decimals_, options_.numbers))
-             : quiet_cell("–");
-  }
+  TableCell acceptance(const std::optional<Deviation>& x) const { return guarded(x, acceptance_limit_to); }
+  TableCell rejection(const std::optional<Deviation>& x) const { return guarded(x, rejection_limit_to); }
 
  private:
+  TableCell guarded(const std::optional<Deviation>& x, double (*printed)(double, int)) const {
+    if (!x) return quiet_cell("–");
+    return text_cell(format_fixed(printed(x->in_native() * scale_.per_native, decimals_), decimals_, options_.numbers));
+  }
+
   const Options& options_;
   ParameterScale scale_;
   int decimals_;
@@ -79,7 +82,6 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
   const AxisKind kind = subject.test.metadata.axis.kind;
   const ShownParameter shown = show(judgement, subject.assessment, kind, options);
   const RowNumbers numbers(subject, options, shown);
-  const auto if_judged = [&](std::optional<Deviation> x) { return numbers.rounded(magnitude ? x : std::nullopt); };
   std::vector<TableCell> row = {{symbol(tolerance.parameter->symbol)}};
   row.push_back(magnitude ? TableCell{strong(shown.value)} : quiet_cell("–"));
   if (want.uncertainty)
@@ -88,8 +90,9 @@ std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& s
   row.push_back(numbers.exact(tolerance.limit));
   if (want.guard_band) {
     const bool none = magnitude && judgement.has_guard_band() && !judgement.acceptance_limit();
-    row.push_back(none ? quiet_cell("none") : if_judged(judgement.acceptance_limit()));
-    row.push_back(if_judged(judgement.rejection_limit()));
+    row.push_back(none ? quiet_cell("none")
+                       : numbers.acceptance(magnitude ? judgement.acceptance_limit() : std::nullopt));
+    row.push_back(numbers.rejection(magnitude ? judgement.rejection_limit() : std::nullopt));
   }
   if (want.uncertainty) {
     row.push_back(decision.probability_range ? text_cell(shown_conformity(decision, options)) : quiet_cell("–"));

@@ -27,6 +27,8 @@ const t = texts({
   worse: ['larger', 'größer'],
   several: ['These tests state their uncertainties by different methods: {list}. Each is held against the other as its own method states it.',
             'Diese Prüfungen geben ihre Unsicherheit nach verschiedenen Verfahren an: {list}. Verglichen wird jede so, wie ihr Verfahren sie angibt.'],
+  incomplete: ['The uncertainty of {list} is incomplete and too small, since nothing was given of some of its contributors: differences held against it may be marked as larger than the combined uncertainty that are not.',
+               'Die Unsicherheit von {list} ist unvollständig und zu klein, weil zu einigen ihrer Beiträge nichts angegeben wurde: Differenzen können als größer als die kombinierte Unsicherheit gekennzeichnet sein, die es nicht sind.'],
   no_method: ['no uncertainty', 'ohne Unsicherheit'],
   with_interval: ['Value, interval', 'Wert, Intervall'],
   value_only: ['Value', 'Wert'],
@@ -59,6 +61,8 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   const methods = tests.map((test) => record_method(test));
   const named = methods.map((method) => (method === null ? t('no_method') : method_title(method)));
   const several = new Set(methods.filter((method) => method !== null)).size > 1;
+  const incomplete = tests.filter((test) => test.result.findings.some((finding) => finding.id === 'uncertainty-stated') &&
+    test.shown.some((row) => row.low !== null));
   const stacked = narrow.value || (printing.value && tests.length > most_beside_on_paper);
   return (
     <section class={`panel flush parameters-table ${tests.length > 5 ? 'many' : ''}`}>
@@ -103,6 +107,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
         </table>
       </div>
       {several && <p class="small foot several">{t('several', { list: [...new Set(named)].join(', ') })}</p>}
+      {tests.length > 1 && incomplete.length > 0 && <p class="small foot incomplete">{t('incomplete', { list: incomplete.map((test) => test.title).join(', ') })}</p>}
       {tests.length > 1 && <p class="small quiet foot">{t('legend')}</p>}
     </section>
   );

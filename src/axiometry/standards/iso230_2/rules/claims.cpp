@@ -155,6 +155,7 @@ void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
   };
   ask(rules::part_of_axis_travel(c));
   ask(rules::readings_repeat_exactly(c));
+  ask(rules::readings_copied(c));
   ask(assessment.progression);
   if (!assessment.temperatures_recorded) ask(rules::temperature_change(c));  // a log has findings of its own
   ask(rules::impossible_date(c));

@@ -142,6 +142,8 @@ TEST(Claims, OfTheTestFallWithReadingsAndDaysThatAskForAWord) {
   };
   const std::pair<const char*, Change> changes[] = {
       {"readings-repeat-exactly", [&](axiometry::Test& t) { on_runs(t, 0.0); }},
+      {"readings-copied",
+       [](axiometry::Test& t) { t.series = make_series(table2::targets, table2::up, table2::up); }},
       {"ordered-progression", [&](axiometry::Test& t) { on_runs(t, 30.0); }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-01-01"; }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "0001-01-01"; }},
@@ -231,17 +233,17 @@ TEST(Claims, OfTheTestAreContradictedByWhatTheStandardForbids) {
 
 /// The complete test on other targets, with n runs.
 axiometry::Test on(const std::vector<double>& targets, std::size_t n = 5) {
-  std::vector<RunDeviations> runs;
-  for (std::size_t j = 0; j < n; ++j) {
-    RunDeviations run;
-    for (std::size_t i = 0; i < targets.size(); ++i) run.push_back(0.1 * static_cast<double>((i * 7 + j * 3) % 5));
-    runs.push_back(run);
-  }
+  std::vector<RunDeviations> up(n), down(n);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      up[j].push_back(0.1 * static_cast<double>((i * 7 + j * 3) % 5));
+      down[j].push_back(0.1 * static_cast<double>((i * 3 + j * 2) % 7));
+    }
   axiometry::Test test = whole();
   test.metadata.axis.compensation_points = {-5};
   test.metadata.axis.travel_begin = Position::native(targets.front() - 10);
   test.metadata.axis.travel_end = Position::native(targets.back() + 10);
-  test.series = make_series(targets, runs, runs);
+  test.series = make_series(targets, up, down);
   return test;
 }
 

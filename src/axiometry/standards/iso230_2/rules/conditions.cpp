@@ -71,12 +71,6 @@ bool corrects_itself(const Metadata& metadata) {
   });
 }
 
-/// Of the readings there are. Their s would not do: the mean of equal readings is rounded.
-bool all_equal(std::span<const double> cell) {
-  const auto first = std::ranges::find_if_not(cell, [](double x) { return std::isnan(x); });
-  return std::all_of(first, cell.end(), [&](double x) { return std::isnan(x) || x == *first; });
-}
-
 /// +1 when the readings of a cell only rise from run to run, −1 when they only fall, else 0.
 int progression(std::span<const double> cell) {
   if (cell.back() == cell.front()) return 0;
@@ -160,27 +154,6 @@ std::optional<Finding> part_of_axis_travel(const Case& c) {
   return note("part-of-axis-travel", "3.2",
               fmt::format("found {} measured of an axis travel of {}; the results hold for that part only",
                           position_text(c, c.travel()), position_text(c, *whole)));
-}
-
-std::optional<Finding> readings_repeat_exactly(const Case& c) {
-  const AxisParameters& p = c.evaluation.parameters;
-  const auto repeats = [&](Direction direction) {
-    for (std::size_t i = 0; i < c.series.target_count(); ++i)
-      if (!all_equal(c.series.cell(i, direction))) return false;
-    return true;
-  };
-  const bool up = p.R_up && repeats(Direction::up), down = p.R_down && repeats(Direction::down);
-  if (!up && !down) return std::nullopt;
-  if ((p.R_up && !up) || (p.R_down && !down)) {
-    const std::string_view copied = up ? "↑" : "↓";
-    return note("readings-repeat-exactly", "3.18",
-                fmt::format("found the same reading {} in every run at every target, expected some scatter; copied or "
-                            "coarsely rounded readings make R{} zero",
-                            copied, copied));
-  }
-  return note("readings-repeat-exactly", "3.18",
-              "found the same reading in every run at every target, expected some scatter; copied or coarsely "
-              "rounded readings make every repeatability zero");
 }
 
 std::optional<Finding> straight_slope(const Case& c) {

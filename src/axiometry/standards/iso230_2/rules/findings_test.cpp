@@ -282,6 +282,34 @@ TEST(Findings, MentionAReversalErrorThatIsTheSameEverywhere) {
   EXPECT_EQ(finding(assessed(make_series(half_metre, exact, exact)), "3.17"), "");
 }
 
+std::string copied_finding(std::span<const RunDeviations> up, std::span<const RunDeviations> down) {
+  return finding(assessed(make_series(table2::targets, {up.begin(), up.end()}, {down.begin(), down.end()})), "3.18",
+                 "copied was not measured");
+}
+
+TEST(Findings, AskAboutRunsThatAreCopiesOfOthers) {
+  EXPECT_EQ(copied_finding(table2::up, table2::down), "");
+  EXPECT_EQ(copied_finding(table2::up, table2::up),
+            "note: found 5 of 10 runs, each direction counted, equal to another at all 11 targets, such as run 1↓ to run "
+            "1↑; chance hardly makes that, and what was copied was not measured");
+  auto down = table2::down;
+  down[3] = down[1];
+  EXPECT_THAT(copied_finding(table2::up, down), HasSubstr("found 1 of 10 runs, each direction counted, equal to another "
+                                                          "at all 11 targets, such as run 4↓ to run 2↓;"));
+  down = table2::up;
+  for (auto& run : down)
+    for (double& x : run) x = -x;
+  EXPECT_THAT(copied_finding(table2::up, down), HasSubstr("such as run 1↓ to run 1↑ with the other sign;"));
+}
+
+/// Of a good axis to 1 µm, runs agree at most targets, and now and then at all of them.
+TEST(Findings, TakeCoarseReadingsThatAgreeForHonest) {
+  const RunDeviations most = {0, 1, 1, 2, 2, 3, 3, 2, 2, 1, 1};
+  std::vector<RunDeviations> runs(5, most);
+  for (std::size_t j = 2; j < runs.size(); ++j) runs[j][2 * j] += 1.0;  // two runs agree everywhere
+  EXPECT_EQ(copied_finding(runs, table2::down), "");
+}
+
 TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {
   std::vector<RunDeviations> sloping = runs(5, 5);
   for (auto& run : sloping)
