@@ -180,6 +180,13 @@ std::optional<double> mean_reversal(const Series& series) {
   return sum / static_cast<double>(count);
 }
 
+/// Whether every target was approached as often from both sides.
+bool is_measured_alike(const Series& series) {
+  for (std::size_t i = 0; i < series.target_count(); ++i)
+    if (series.count(i, Direction::up) != series.count(i, Direction::down)) return false;
+  return true;
+}
+
 Result<void> check_covered(std::span<const Wanted> wanted, std::span<const double> nodes, std::string_view of) {
   const double slack = 1e-9 * std::max(1.0, std::abs(nodes.back()) + std::abs(nodes.front()));
   if (nodes.front() >= wanted.front().position - slack && nodes.back() <= wanted.back().position + slack) return {};
@@ -214,12 +221,14 @@ Result<Fit> fit_correction(const Series& series, AxisKind kind, const FitRequest
   if (request.curves == TableCurves::with_backlash && !reversal)
     return fail("found no target that was approached from both sides, expected one for a backlash");
 
+  // One curve for both directions lies in their middle also where one of them was measured more often, or alone.
+  const bool in_middle = request.curves == TableCurves::both_ways && reversal && !is_measured_alike(series);
+  const double taken_off = in_middle || request.curves == TableCurves::with_backlash ? *reversal : 0.0;
   std::vector<std::vector<Wanted>> curves;
   if (request.curves == TableCurves::each_way) {
     curves = {up, down};
   } else {
-    const bool with_backlash = request.curves == TableCurves::with_backlash;
-    curves = {joined(up, down, with_backlash ? *reversal : 0.0)};
+    curves = {joined(up, down, taken_off)};
   }
   const bool is_backlash_alone = request.nodes.size() == 1;
   if (!is_backlash_alone && !request.hold_ends)
@@ -235,6 +244,7 @@ Result<Fit> fit_correction(const Series& series, AxisKind kind, const FitRequest
   for (const std::vector<Wanted>& wanted : curves)
     values.push_back(request.method == Method::interpolation ? interpolated(wanted, request.nodes)
                                                              : least_squares(wanted, request.nodes, lambda));
+  if (in_middle) shift(values.front(), -0.5 * *reversal);
   if (values.size() == 1) values.push_back(values.front());
   if (request.curves == TableCurves::with_backlash) shift(values[1], -*reversal);
   AXIOMETRY_TRY(AxisCorrection correction, AxisCorrection::make(kind, request.nodes, values[0], values[1]));

@@ -37,6 +37,9 @@ struct Fit {
 /// without a target beside them; where nodes are the targets the result is −x̄_i, whatever ρ. λ is 0 unless `smooth`,
 /// then that of a row of decades which foretells inner targets best that were left out, a tenth of them at a time.
 ///
+/// One curve for both directions lies half the mean reversal beside each of them, also at targets that were approached
+/// from one side alone.
+///
 /// Fails without a reading; on each_way and with_backlash where a direction has no reading; on nodes beyond the
 /// targets of a direction that is used (nothing is extrapolated) unless `hold_ends`, naming the range that was
 /// measured.

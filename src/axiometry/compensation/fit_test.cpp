@@ -79,6 +79,26 @@ TEST(FitCorrection, LeavesHalfTheReversalWithOneCurve) {
   EXPECT_NEAR(E_with(series, fit->correction), 3.0, 1e-9);
 }
 
+TEST(FitCorrection, HasNoStepWhereOneDirectionWasMeasuredAlone) {
+  // ↓ lies 3 µm below ↑, and was measured at the last targets alone: the curve stays in the middle.
+  std::vector<double> targets;
+  RunDeviations up, down;
+  for (int i = 0; i < 8; ++i) {
+    targets.push_back(10.0 * i);
+    up.push_back(0.5 * i);
+    down.push_back(i < 4 ? std::nan("") : 0.5 * i - 3.0);
+  }
+  const Series series = make_series(targets, {up, up}, {down, down});
+  for (const Method method : {Method::least_squares, Method::interpolation}) {
+    const auto fit = fit_correction(series, AxisKind::linear,
+                                    {.nodes = targets, .curves = TableCurves::both_ways, .method = method});
+    ASSERT_TRUE(fit) << fit.error().message;
+    for (std::size_t k = 0; k < 8; ++k)
+      for (const Direction direction : {Direction::up, Direction::down})
+        EXPECT_NEAR(fit->correction.values(direction)[k], 1.5 - 0.5 * static_cast<double>(k), 1e-9) << k;
+  }
+}
+
 TEST(FitCorrection, IsNearerToTheReadingsThanInterpolationBetweenTargets) {
   const Series series = bent_axis(21, 3, 0.2);
   const std::vector<double> nodes{0, 40, 80, 120, 160, 200};

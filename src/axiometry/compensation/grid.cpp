@@ -67,7 +67,7 @@ std::optional<std::size_t> steps_between(double start, double end, double step) 
 Result<std::vector<double>> of_step(double start, double end, double step, const GridLimits& limits) {
   const double steps = (end - start) / step;
   const std::size_t most = limits.points > 0 ? limits.points : AxisCorrection::nodes_max;
-  if (steps + 1.0 > static_cast<double>(most))
+  if (steps + 1.0 > static_cast<double>(most) + slack)
     return fail(fmt::format("found {:.0f} positions, expected at most {}", steps + 1.0, most));
   const auto count = steps_between(start, end, step);
   if (!count)

@@ -40,6 +40,16 @@ TEST(GridOf, TakesWhatTheUserSays) {
   EXPECT_THAT(*grid_of(uneven, {.start = 5, .step = 25}, {}), ElementsAre(5, 30, 55, 80));
 }
 
+TEST(GridOf, TakesAsManyPointsAsTheControlHolds) {
+  // 1500/999 as a step leads to a whole number of them but for rounding.
+  const std::vector<double> long_axis{0.0, 700.0, 1600.0};
+  for (const std::size_t most : {256uz, 1000uz, 1500uz}) {
+    const auto grid = grid_of(long_axis, {.start = 0.0, .end = 1500.0, .points = most}, {.points = most});
+    ASSERT_TRUE(grid) << grid.error().message;
+    EXPECT_EQ(grid->size(), most);
+  }
+}
+
 TEST(GridOf, BeginsAtAReferencePointAndKeepsAFixedStep) {
   EXPECT_THAT(
       *grid_of(std::vector<double>{-60, -30, 0}, {.end = 0}, {.equidistant = true, .step = 12.7, .anchor = 0.0}),

@@ -60,6 +60,10 @@ constexpr Phrase compensation_rows[] = {
      "it, and no control reads it from the file",
      "neben der Tabelle muss {0} sein, was es bei der Messung der Achse war, plus {1}: Die Vorhersage rechnet damit, "
      "und keine Steuerung liest es aus der Datei"},
+    {"beyond {0#} to {1#} the control does not hold the last value: over the next {2#} it goes on to that of the other "
+     "end",
+     "jenseits von {0} bis {1} hält die Steuerung den letzten Wert nicht: Auf den nächsten {2} geht sie zu dem des "
+     "anderen Endes über"},
     {"compensation", "Kompensation"},
     {"existing_unit: {0}", "existing_unit: {0}"},
     {"found a backlash beside one curve asked for of {0}, expected a curve for each direction, which it has, or "
@@ -102,6 +106,12 @@ constexpr Phrase compensation_rows[] = {
     {"found a step of {0#} and {1#} points from {2#} to {3#}, which would be steps of {4#}",
      "Schritt {0} und {1} Stützpunkte von {2} bis {3}, was Schritte von {4} wären"},
     {"found a step of {0#}, expected one above 0", "Schritt {0}; erwartet: einer über 0"},
+    {"found a table from {0#} to {1#} and targets from {2#} to {3#}: beyond its ends this control does not hold the "
+     "last value but goes on to that of the other end; expected a table over all targets (where it has positions that "
+     "it does not tell: '; range LOW to HIGH' in its head)",
+     "Tabelle von {0} bis {1} und Zielpositionen von {2} bis {3}: Jenseits ihrer Enden hält diese Steuerung den "
+     "letzten Wert nicht, sondern geht zu dem des anderen Endes über; erwartet: eine Tabelle über alle Zielpositionen "
+     "(wo sie Positionen hat, die sie nicht nennt: '; range LOW to HIGH' in ihrem Kopf)"},
     {"found a table from {0#} to {1#} where the targets go from {2#} to {3#}, which it would fit in inches: expected "
      "it in mm, as the table to make, or --existing-unit that says what it is in",
      "eine Tabelle von {0} bis {1}, wo die Zielpositionen von {2} bis {3} gehen, zu denen sie in Zoll passen würde; "

@@ -55,6 +55,7 @@ struct AxisTableLimits {
   bool closes = false;        ///< of a rotary axis: values a whole turn apart are one
   bool linear = true, rotary = true;
   bool cross_only = false;  ///< it moves another axis than the one at whose positions it stands, never that one
+  bool rolls_over = false;  ///< beyond its ends it goes on to the value of the other one, over one step
 };
 
 /// Which of AxisTableOptions a control has at all.

@@ -255,8 +255,10 @@ Result<std::optional<AxisCorrection>> existing_of(const std::optional<NamedTable
   AXIOMETRY_TRY(AxisCorrection read, in_file(nc::read_table(s.control, existing->text, options), existing->name));
   if (!in_inch && s.control.uses.inch)
     AXIOMETRY_TRY_VOID(in_file(check_unit_of_length(read, s.series, s.options.in_inch), existing->name));
+  if (s.control.limits.rolls_over) AXIOMETRY_TRY_VOID(in_file(check_over_targets(read, s.series), existing->name));
   if (s.control.limits.origin == nc::TableOrigin::on_grid) {
-    AXIOMETRY_TRY(read, without_lead_to(s.options.reference, std::move(read), s.series));
+    const LeadOn lead{s.options.reference, s.control.limits.rolls_over};
+    AXIOMETRY_TRY(read, without_lead_to(lead, std::move(read), s.series));
   }
   if (s.control.backlash.empty()) return std::optional(std::move(read));
   AXIOMETRY_TRY(read, without_number_beside(read));
@@ -342,7 +344,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   const Evaluation before = iso230_2::evaluate(test.series);
   const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
   AXIOMETRY_TRY(const compensation::Fit fit, in_file(table_by(s, request.method), name));
-  AXIOMETRY_TRY(std::string text, in_file(nc::write_table(*control, fit.correction, s.options), name));
+  AXIOMETRY_TRY(std::string text, in_file(write_over_targets(*control, fit.correction, s.series, s.options), name));
   AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), name));
 
   std::vector<NamedFinding> findings = findings_of_state(test, s.existing.has_value());

@@ -109,6 +109,35 @@ TEST(Compensate, AnOlderTableLeadsOnToAReferenceBeyondItsTargets) {
     }
 }
 
+/// Beyond its last entry PMAC goes on to its first: where targets lie there the table holds its ends itself.
+TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
+  CompensateRequest request{.control = "pmac", .grid = {.start = 100.0, .end = 400.0, .step = 100.0}};
+  request.table.resolution = 0.1;
+  request.resolution_said = true;
+  const auto first = compensate({evenly_measured(0.02, 3.0)}, request);
+  ASSERT_TRUE(first) << first.error().message;
+  EXPECT_EQ(first->applied.positions().front(), 0.0);
+  EXPECT_EQ(first->applied.positions().back(), 500.0);
+  for (const Direction direction : {Direction::up, Direction::down}) {
+    EXPECT_EQ(first->applied.at(0.0, direction), first->applied.at(100.0, direction));
+    EXPECT_EQ(first->applied.at(500.0, direction), first->applied.at(400.0, direction));
+  }
+  const auto found = std::ranges::find(first->findings, "compensation-rolls-over", &NamedFinding::id);
+  ASSERT_NE(found, first->findings.end());
+  EXPECT_TRUE(language::is_known(found->message, language::Language::german)) << found->message;
+  request.grid = {};
+  const auto next = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", first->text}}, request);
+  ASSERT_TRUE(next) << next.error().message;
+  EXPECT_EQ(next->existing->positions().back(), 400.0) << "as it was asked for";
+  EXPECT_FALSE(has_finding(*next, "compensation-existing-cut"));
+  const std::string short_of_targets = "; range 0 to 400\n#1 DEFINE COMP 5,500000\n16\n32\n48\n64\n0\nI51=1\n";
+  const auto rolled = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", short_of_targets}},
+                                 {.control = "pmac", .curves = TableCurves::both_ways});
+  ASSERT_FALSE(rolled) << "what it did at 500 mm was the value at 0";
+  EXPECT_NE(rolled.error().message.find("goes on to that of the other end"), std::string::npos);
+  EXPECT_TRUE(language::is_known(rolled.error().message, language::Language::german)) << rolled.error().message;
+}
+
 TEST(Compensate, ATableOfAnotherCountIsRefused) {
   for (const char* control : {"fanuc", "pmac"}) {
     CompensateRequest request{.control = control, .resolution_said = true};

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string_view>
+#include <utility>
+
+#include "axiometry/base/rounded_text.h"
 
 namespace axiometry::app {
 namespace {
@@ -31,6 +35,20 @@ NamedFinding finding_of_count(const nc::AxisTableOptions& options, bool was_read
           fmt::format("one count of the control is taken for 1 µm (--resolution): {}", wrong)};
 }
 
+/// Of a table that rolls over: what it does beyond its ends nobody expects. Round a turn it has none.
+std::optional<NamedFinding> finding_of_ends(const AxisCorrection& applied) {
+  const std::vector<double>& positions = applied.positions();
+  if (positions.size() < 2) return std::nullopt;
+  const double low = positions.front(), high = positions.back(), step = positions[1] - low;
+  if (applied.kind() == AxisKind::rotary && high - low + step > 360.0 - 1e-6) return std::nullopt;
+  const std::string_view unit = position_unit(applied.kind());
+  return NamedFinding{
+      "compensation-rolls-over", false,
+      fmt::format("beyond {} to {} {} the control does not hold the last value: over the next {} {} it goes on to that "
+                  "of the other end",
+                  format_rounded(low), format_rounded(high), unit, format_rounded(step), unit)};
+}
+
 }  // namespace
 
 std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, const nc::AxisTableOptions& options,
@@ -50,6 +68,8 @@ std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, cons
          fmt::format("beside the table {} must be what it was while the axis was measured and {:.3f} {} added: the "
                      "prediction counts on it, and no control reads it from the file",
                      control.backlash, backlash, deviation_unit(options.kind))});
+  if (control.limits.rolls_over)
+    if (auto ends = finding_of_ends(applied)) findings.push_back(*std::move(ends));
   return findings;
 }
 

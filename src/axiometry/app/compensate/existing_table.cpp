@@ -51,7 +51,7 @@ Result<void> check_unit_of_length(const AxisCorrection& existing, const Series& 
                   format_rounded(targets.high), in_inch ? "mm" : "inches", in_inch ? "inches" : "mm"));
 }
 
-Result<AxisCorrection> without_lead_to(double reference, AxisCorrection existing, const Series& series) {
+Result<AxisCorrection> without_lead_to(LeadOn lead, AxisCorrection existing, const Series& series) {
   const std::vector<double>& positions = existing.positions();
   const Stretch targets = stretch_of(series), table = stretch_of(positions);
   const bool turns = existing.kind() == AxisKind::rotary && table.high - table.low > 360.0 - beside;
@@ -62,10 +62,17 @@ Result<AxisCorrection> without_lead_to(double reference, AxisCorrection existing
            existing.values(Direction::down)[a] == existing.values(Direction::down)[b];
   };
   std::size_t first = 0, last = positions.size() - 1;
-  while (last > first + 1 && positions[last] > targets.high + beside && positions[last] <= reference + step + beside &&
-         is_alike(last, last - 1))
+  const auto leads_up = [&](std::size_t k) {
+    return positions[k] <= lead.reference + step + beside ||
+           (lead.over_targets && positions[k - 1] <= targets.high + beside);
+  };
+  const auto leads_down = [&](std::size_t k) {
+    return positions[k] >= lead.reference - beside ||
+           (lead.over_targets && positions[k + 1] >= targets.low - beside);
+  };
+  while (last > first + 1 && positions[last] > targets.high + beside && leads_up(last) && is_alike(last, last - 1))
     --last;
-  while (first + 1 < last && positions[first] < targets.low - beside && positions[first] >= reference - beside &&
+  while (first + 1 < last && positions[first] < targets.low - beside && leads_down(first) &&
          is_alike(first, first + 1))
     ++first;
   const auto part = [&](const std::vector<double>& all) {
@@ -74,6 +81,19 @@ Result<AxisCorrection> without_lead_to(double reference, AxisCorrection existing
   };
   return AxisCorrection::make(existing.kind(), part(positions), part(existing.values(Direction::up)),
                               part(existing.values(Direction::down)));
+}
+
+Result<void> check_over_targets(const AxisCorrection& existing, const Series& series) {
+  const Stretch table = stretch_of(existing.positions()), targets = stretch_of(series);
+  const bool turns = existing.kind() == AxisKind::rotary && table.high - table.low > 360.0 - beside;
+  if (turns || (table.low <= targets.low + beside && table.high >= targets.high - beside)) return {};
+  const std::string_view unit = position_unit(existing.kind());
+  return fail(fmt::format(
+      "found a table from {} to {} {} and targets from {} to {} {}: beyond its ends this control does not hold the "
+      "last value but goes on to that of the other end; expected a table over all targets (where it has positions "
+      "that it does not tell: '; range LOW to HIGH' in its head)",
+      format_rounded(table.low), format_rounded(table.high), unit, format_rounded(targets.low),
+      format_rounded(targets.high), unit));
 }
 
 Result<void> check_within_targets(const AxisCorrection& existing, const Series& series) {

@@ -16,10 +16,16 @@ namespace axiometry::app {
 /// unit of length: it is in mm and was read as inches (`in_inch`), or the other way round.
 Result<void> check_unit_of_length(const AxisCorrection& existing, const Series& series, bool in_inch);
 
-/// Without the positions beyond the targets that only lead on to the reference point of a control whose tables reach
-/// it, and one step beyond: with the value of the last one within, which the control holds there anyway. The same
-/// correction, at the positions that were asked for when it was made.
-Result<AxisCorrection> without_lead_to(double reference, AxisCorrection existing, const Series& series);
+/// What positions beyond those that were asked for a control's tables have, with the value of the last one of these.
+struct LeadOn {
+  double reference = 0.0;      ///< they reach it, and one step beyond
+  bool over_targets = false;  ///< and the first step that no target is beyond, where they do not hold their ends
+};
+/// Without them: the same correction, at the positions that were asked for when it was made.
+Result<AxisCorrection> without_lead_to(LeadOn lead, AxisCorrection existing, const Series& series);
+
+/// Fails where targets lie beyond the ends of a table that rolls over there: what it did to them is not in it as read.
+Result<void> check_over_targets(const AxisCorrection& existing, const Series& series);
 
 /// Fails where a table goes beyond the targets, naming what can be asked for instead of its positions.
 Result<void> check_within_targets(const AxisCorrection& existing, const Series& series);

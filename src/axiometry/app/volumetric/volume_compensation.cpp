@@ -229,7 +229,7 @@ Result<VolumeCompensation> compensate_volume(const ErrorModel& model, const Volu
   AXIOMETRY_TRY(fit.correction,
                 compensation::with_zero_at(fit.correction,
                                            control->limits.zero_upwards ? TableCurves::with_backlash : curves, zero));
-  AXIOMETRY_TRY(std::string text, nc::write_table(*control, fit.correction, options));
+  AXIOMETRY_TRY(std::string text, write_over_targets(*control, fit.correction, series, options));
   AXIOMETRY_TRY(AxisCorrection applied, in_file(nc::read_table(*control, text, options), "the table that was made"));
   const double before = range_with(line, nullptr), after = range_with(line, &applied);
   if (!(after < before))
