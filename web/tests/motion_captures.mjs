@@ -63,6 +63,10 @@ export const motion_captures = {
         }
         if (n < 3) await shows(page.locator('.readout'), `${n} of 3`);
       }
+      await shows(page.locator('.stop-keys'), 'until then the last reading can be taken back');
+      await page.getByRole('button', { name: 'Take back the last' }).click();
+      await shows(page.locator('.readout'), '2 of 3');
+      await take.click();
       await page.waitForURL(/\/motions\?capture=\d+$/);
       await shows(page.locator('main'), /EYX \d{4}-.*\.csv, \+Y/);
       await shows(page.locator('main'), /Straightness, range of the residuals\s*↑\s*0\.0/);

@@ -44,6 +44,7 @@ class Run {
   void listen(const LiveCapture& live) {
     connect_ = live.connect;
     room_ = live.raw_limit;
+    end_of_plan_ = PlanEnd(live.for_undo);
     live_ = live;
   }
 
@@ -341,7 +342,7 @@ class Run {
   CaptureSession::End end_ = CaptureSession::End::of_reading;
   CaptureTelling telling_;
   bool stopped_ = false, abandoned_ = false, log_is_sound_ = false;
-  PlanEnd end_of_plan_;
+  PlanEnd end_of_plan_{Duration::s(0)};
 };
 
 /// Listens where the run says and has the reading end as `outcome` does; an error names the source.
