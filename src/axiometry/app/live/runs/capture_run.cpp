@@ -42,10 +42,8 @@ class Run {
       : run_(run), observer_(observer), session_(std::move(session)), piped_(run.raw), telling_(run, observer) {}
 
   void listen(const LiveCapture& live) {
-    connect_ = live.connect;
-    room_ = live.raw_limit;
+    connect_ = live.connect, room_ = live.raw_limit, live_ = live;
     end_of_plan_ = PlanEnd(live.for_undo);
-    live_ = live;
   }
 
   Result<CaptureOutcome> operator()() {

@@ -22,8 +22,9 @@ namespace axiometry::testing_support {
 class TableCaptures : public testing::Test {
  protected:
   std::unique_ptr<app::CaptureService> open(std::vector<app::CaptureSource> sources = {}) {
-    auto service =
-        app::CaptureService::open({.folder = folder_, .sources = std::move(sources), .for_undo = for_undo_}, app::keeping_in(workbench_));
+    app::CaptureSettings settings{.folder = folder_, .sources = std::move(sources)};
+    settings.for_undo = for_undo_;
+    auto service = app::CaptureService::open(std::move(settings), app::keeping_in(workbench_));
     EXPECT_TRUE(service);
     return *std::move(service);
   }
