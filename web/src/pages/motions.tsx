@@ -6,7 +6,6 @@ import type { MotionResult } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { FileDrop } from '../components/file_drop';
 import { KeepCalibration, type SentCalibration } from '../components/keep_calibration';
-import { drop_taker } from '../drop_anywhere';
 import { bytes } from '../numbers';
 import { decimal, language } from '../settings';
 import { empty_form, motion_options, type MotionForm, type MotionKind, type MotionOptions } from './motions/form';
@@ -63,8 +62,6 @@ export function MotionsPage() {
     void add(held_motions.peek());
     held_motions.value = [];
     take_captured(add, set_captured_error);
-    drop_taker.value = (dropped) => void add(dropped);
-    return () => { drop_taker.value = null; };
   }, []);
   useEffect(() => { if (asked.result) set_kind(asked.result.result); }, [asked.result]);
   const sent = useMemo<SentCalibration | null>(
@@ -85,7 +82,7 @@ export function MotionsPage() {
       </div>
       <section class="panel">
         <p>{t('how')}</p>
-        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt,.json" take={{ all: (more) => void add(more) }} />
+        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt,.json" of_page take={{ all: (more) => void add(more) }} />
         {files.length > 0 && (
           <ul class="plain-list">
             {files.map(({ file, is_plan }, k) => (

@@ -259,7 +259,6 @@ export const t = texts({
   look_title: ['Look at a table', 'Eine Tabelle ansehen'],
   look_how: ['A table that a control has, read by that control’s own rule. Nothing of it is kept.', 'Eine Tabelle einer Steuerung, gelesen nach deren eigener Regel. Nichts davon wird behalten.'],
   no_file: ['Choose or drop the file of a table.', 'Bitte die Datei einer Tabelle wählen oder ablegen.'],
-  one_at_a_time: ['One table at a time: {n} {n|other file was|other files were} not taken.', 'Immer nur eine Tabelle: {n} {n|weitere Datei wurde|weitere Dateien wurden} nicht genommen.'],
   kind: ['Kind of axis', 'Art der Achse'],
   linear: ['linear', 'linear'],
   rotary: ['rotary', 'rotatorisch'],
