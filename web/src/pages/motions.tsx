@@ -6,6 +6,7 @@ import type { MotionResult } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { FileDrop } from '../components/file_drop';
 import { KeepCalibration, type SentCalibration } from '../components/keep_calibration';
+import { use_page_words } from '../components/page_words';
 import { bytes } from '../numbers';
 import { decimal, language } from '../settings';
 import { empty_form, motion_options, type MotionForm, type MotionKind, type MotionOptions } from './motions/form';
@@ -16,6 +17,7 @@ import { take_captured } from './motions/captured';
 import { PlanChoice } from './motions/plan_choice';
 import { t } from './motions/texts';
 import { MotionView } from './motions/view';
+import { motion_words } from './motions/words';
 
 function form_data(files: readonly MotionFile[], kind: MotionKind | null, options: MotionOptions): FormData {
   const form = new FormData();
@@ -48,6 +50,7 @@ function use_motions(files: readonly MotionFile[], options: MotionOptions | null
 }
 
 export function MotionsPage() {
+  use_page_words(motion_words);
   const [files, set_files] = useState<readonly MotionFile[]>([]);
   const [captured_error, set_captured_error] = useState<ApiError | null>(null);
   const [form, set_form] = useState<MotionForm>(empty_form);

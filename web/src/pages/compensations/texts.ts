@@ -199,7 +199,6 @@ export const t = texts({
   step_retest: ['Measured again', 'Nachgeprüft'],
   step_predicted: ['predicted', 'vorhergesagt'],
   or_less: ['(95 % of re-tests below {value})', '(95 % der Nachprüfungen unter {value})'],
-  quoted: ['“{text}”', '„{text}“'],
   flag_existing: ['existing table', 'vorhandene Tabelle'],
   flag_retest: ['re-test', 'Nachprüfung'],
   share: ['{share} % ± {u} % of the table act (k = 2)', '{share} % ± {u} % der Tabelle wirken (k = 2)'],
