@@ -12,7 +12,7 @@ export const drop_taker = signal<((files: readonly File[]) => void) | null>(null
 
 /**
  * Files may be dropped on any page: they are shown on the page of tests. A part of a page that takes files itself
- * prevents the default of its own drop event; a page that takes all of them says so by `drop_taker`.
+ * prevents the default of its own drop event; a part that takes those of its whole page says so by `drop_taker`.
  */
 export function DropAnywhere() {
   const [over, set_over] = useState(false);

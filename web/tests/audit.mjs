@@ -4,6 +4,13 @@ import { settle } from './pages.mjs';
 import { shows } from './world.mjs';
 
 export const audit = {
+  async 'the audit trail names what an entry tells in the language of the page'(world) {
+    await world.kept();
+    const page = await world.page({ locale: 'de-DE' });
+    await page.goto('/audit');
+    assert.doesNotMatch(await shows(page.locator('.audit'), /Datei table2\.json[\s\S]*Bytes \d+/), /\b(sha256|content|file|size)\b/);
+  },
+
   async 'a hash of the audit trail is whole under the focus, within the window, and is copied whole'(world) {
     await world.kept();
     const { entries } = await world.api('GET', '/api/audit');

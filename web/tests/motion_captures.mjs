@@ -6,11 +6,11 @@ import { downloaded, shows, sideways } from './world.mjs';
 import { start_server } from './server.mjs';
 
 /** An instrument that sends a reading a hundred times a second to whoever connects: 1.5 µm, and a little noise. */
-async function instrument() {
+async function instrument(head = 'time_s,straightness_um') {
   const server = createServer((socket) => {
     const began = Date.now();
     let sent = 0;
-    socket.write('time_s,straightness_um\n');
+    socket.write(`${head}\n`);
     const timer = setInterval(() => {
       for (; sent < (Date.now() - began) / 10; sent++) socket.write(`${(sent / 100).toFixed(2)},${(1.5 + 0.01 * Math.sin(sent)).toFixed(4)}\n`);
     }, 20);
@@ -63,6 +63,10 @@ export const motion_captures = {
         }
         if (n < 3) await shows(page.locator('.readout'), `${n} of 3`);
       }
+      await shows(page.locator('.stop-keys'), 'until then the last reading can be taken back');
+      await page.getByRole('button', { name: 'Take back the last' }).click();
+      await shows(page.locator('.readout'), '2 of 3');
+      await take.click();
       await page.waitForURL(/\/motions\?capture=\d+$/);
       await shows(page.locator('main'), /EYX \d{4}-.*\.csv, \+Y/);
       await shows(page.locator('main'), /Straightness, range of the residuals\s*↑\s*0\.0/);
@@ -118,6 +122,22 @@ export const motion_captures = {
       assert.deepEqual(asked.postDataJSON().options, { stops: 'keys', equipment: '0012' });
       await page.waitForURL(/\/captures\/\d+$/);
       await shows(page.locator('h1'), 'Readings of EYX');
+    } finally {
+      server.close();
+    }
+  },
+
+  async 'motion captures: a refusal names the field that was left empty, in the words of the page'(world) {
+    const server = await instrument('time_s,reading');
+    try {
+      await listening(world, server);
+      const { id: plan } = await world.api('POST', '/api/plans', { title: 'Straightness of X', axis: null, request });
+      const { id } = await world.api('POST', '/api/captures', { plan, source: 'laser', options: { stops: 'keys' } });
+      for (const [locale, field] of [['en-GB', '“Unit of the stream”'], ['de-DE', '„Einheit des Stroms“'], ['fr-FR', 'Unité du flux']]) {
+        const page = await world.page({ locale });
+        await page.goto(`/captures/${id}`);
+        assert.doesNotMatch(await shows(page.locator('.ending'), field), /--/);
+      }
     } finally {
       server.close();
     }

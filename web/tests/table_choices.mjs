@@ -180,7 +180,11 @@ export const table_choices = {
     await shows(page.locator('.table-files'), 'Unit of the existing table: inch');
     assert.equal((await world.api('GET', `/api/compensations/${id}`)).options.existing_unit, 'inch');
     await page.goto(`/tests/${test}/table`);
-    await page.locator('.file-drop input[type=file]').setInputFiles(given('old.comp', 'nothing of it\n'));
+    const two = await page.evaluateHandle(() => { const all = new DataTransfer(); for (const name of ['old.comp', 'other.comp']) all.items.add(new File(['nothing of it\n'], name)); return all; });
+    await page.locator('.file-drop').waitFor();
+    await page.dispatchEvent('header.bar', 'drop', { dataTransfer: two });
+    await shows(page.locator('.existing-file'), 'old.comp');
+    await shows(page.locator('.file-drop'), 'One file at a time: 1 other file was not taken.');
     for (const { id, title, options } of (await world.api('GET', '/api/controls')).filter(({ limits }) => limits.linear)) {
       await with_control(page, title, title);
       assert.equal(await unit.count(), options.includes('inch') ? 1 : 0, id);

@@ -265,14 +265,14 @@ export const tables = {
     await drop([['x.comp', comp_file([[0, 2, 3], [250, -1, 1], [500, 4, 5]])], ['other.comp', '0 0 0\n']], 'header.bar');
     await shows(page.locator('.chosen-control'), /LinuxCNC, COMP_FILE_TYPE 0[\s\S]*the only one that can read the file as it is/);
     assert.equal(new URL(page.url()).pathname, '/tables', 'it is not taken for a test');
-    await shows(page.locator('main'), 'One table at a time: 1 other file was not taken.');
+    await shows(page.locator('main'), 'One file at a time: 1 other file was not taken.');
     const nodes = page.locator('.nodes');
     await nodes.locator('summary').click();
     await shows(nodes, /0\s+−2\.00\s+−3\.00/);
     await drop([['y.comp', 'nothing of it']], 'main');
     await shows(page.locator('main'), 'No control can read it as it is.');
     assert.equal(await nodes.count(), 0, 'not the table before');
-    assert.doesNotMatch(await page.locator('main').innerText(), /One table at a time/);
+    assert.doesNotMatch(await page.locator('main').innerText(), /One file at a time/);
     await page.getByRole('combobox', { name: 'Search a control' }).fill('FILE_TYPE 1');
     await page.keyboard.press('Enter');
     await shows(page.locator('.notice.bad'), /found[\s\S]*line 1/);

@@ -121,6 +121,8 @@ constexpr Phrase motion_captures_rows[] = {
      "noch "
      "einmal nimmt ihn trotzdem"},
     {"the reading of {0} that had begun", "der begonnene Messwert von {0}"},
+    {"what was said while the capture ended is not used",
+     "was beim Ende der Messung eingegeben wurde, wird nicht verwendet"},
     {"what was said while the connection was away is not used",
      "was eingegeben wurde, während die Verbindung weg war, wird nicht verwendet"},
     {"{0#} more in the same way: not used", "{0} weitere ebenso: nicht verwendet"},

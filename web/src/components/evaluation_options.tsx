@@ -38,6 +38,13 @@ const t = texts({
   curves_each: ['a curve for each direction', 'eine Kurve je Richtung'],
 });
 
+/** What flags of `tracking evaluate` and `volumetric identify` are called here; a flag with its word, where a choice has a name. */
+const flags = {
+  tolerance: 'tolerances', rule: 'rule', reversed: 'reversed', 'break-threshold': 'break_threshold', curves: 'curves', 'curves legendre': 'legendre',
+  'curves nodes': 'nodes', spans: 'spans', reversal: 'reversal', smoothness: 'smoothness', drift: 'drift',
+} as const;
+export const option_label = (flag: string): string | undefined => (flag in flags ? t(flags[flag as keyof typeof flags]) : undefined);
+
 export type Options = Readonly<Record<string, unknown>>;
 
 /** Typed text beside the options it stands for; null where it stands for none. */
@@ -55,7 +62,7 @@ const words = (text: string): string[] => text.split(/[\s,;]+/).filter((word) =>
 function spans_in(text: string): number | number[] | undefined | null {
   const numbers = words(text).map(Number);
   if (numbers.length === 0) return undefined;
-  if (![1, 3].includes(numbers.length) || !numbers.every((n) => Number.isInteger(n) && n >= 1 && n <= 100)) return null;
+  if (![1, 3].includes(numbers.length) || !numbers.every((n) => Number.isInteger(n) && n >= 1 && n <= 400)) return null;
   return numbers.length === 1 ? numbers[0] as number : numbers;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
-import { useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { drop_taker } from '../drop_anywhere';
 import { texts } from '../i18n/texts';
 import './file_drop.css';
 
@@ -13,11 +14,12 @@ interface Props {
   hint: string;               // where one may drop
   accept?: string;
   take: ((file: File) => void) | { all: (files: readonly File[]) => void };
+  of_page?: boolean;          // any file that is dropped on its page belongs here
   children?: ComponentChildren;
 }
 
 /** A place for one file or, where all are taken, for several; the shell, which would take them for tests, does not get them. */
-export function FileDrop({ label, hint, accept, take, children }: Props) {
+export function FileDrop({ label, hint, accept, take, of_page = false, children }: Props) {
   const input = useRef<HTMLInputElement>(null);
   const [over, set_over] = useState(false);
   const [left, set_left] = useState(0);   // of several that were dropped where one is taken
@@ -29,6 +31,13 @@ export function FileDrop({ label, hint, accept, take, children }: Props) {
     else take.all(files);
     set_left(takes_one ? files.length - 1 : 0);
   };
+  const given_now = useRef(given);
+  given_now.current = given;
+  useEffect(() => {
+    if (!of_page) return undefined;
+    drop_taker.value = (files) => given_now.current(files);
+    return () => { drop_taker.value = null; };
+  }, [of_page]);
   const carries = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   return (
     <div class={`file-drop ${over ? 'over' : ''}`}

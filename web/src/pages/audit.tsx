@@ -8,7 +8,7 @@ import { Hash } from '../components/hash';
 import { DataTable } from '../components/table';
 import { when } from '../numbers';
 import { place } from '../router';
-import { action_text, subject_path, subject_text } from './settings/actions';
+import { action_text, detail_name, subject_path, subject_text } from './settings/actions';
 import './settings.css';
 import { t } from './settings/texts';
 
@@ -67,7 +67,7 @@ function Entries({ entries, subject }: { entries: AuditEntry[]; subject: string 
         ...(subject === '' ? [{ key: 'subject', head: t('subject'), class: 'subject', cell: (row: AuditEntry) => <Subject subject={row.subject} /> }] : []),
         { key: 'reason', head: t('reason'), class: 'reason', cell: (row) => row.change.reason },
         { key: 'detail', head: t('detail'), class: 'detail small', cell: (row) => (
-          Object.entries(row.detail).map(([key, value]) => <span key={key}><span class="quiet">{key}</span> <Value value={value} /></span>)
+          Object.entries(row.detail).map(([key, value]) => <span key={key}><span class="quiet">{detail_name(key)}</span> <Value value={value} /></span>)
         ) },
         { key: 'hash', head: t('hash'), class: 'chained', cell: (row) => <Hash hash={row.sha256} /> },
       ]}

@@ -6,6 +6,7 @@ import type { KeptCalibration } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { Hash } from '../components/hash';
+import { use_page_words, words_by } from '../components/page_words';
 import { DataTable } from '../components/table';
 import { VerdictMark } from '../components/verdict';
 import { VersionList } from '../components/versions';
@@ -19,9 +20,14 @@ import { CalibrationResult } from './calibrations/result';
 import { t } from './calibrations/texts';
 import { is_motion_kind } from './motions/form';
 import { MotionHistory } from './motions/history';
+import { motion_label } from './motions/words';
+import { length_label } from './volume/words';
+
+const calibration_words = words_by((flag) => motion_label(flag) ?? length_label(flag));
 
 /** One calibration at one of its versions: figures, findings, files, versions, and what may be done with it. */
 export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
+  use_page_words(calibration_words);
   const version = place.value.query.get('version');
   const asked = use_get<KeptCalibration>(`/api/calibrations/${parts['id']}${query({ version })}`);
   const [doing, set_doing] = useState<'edit' | 'again' | 'withdraw' | null>(null);

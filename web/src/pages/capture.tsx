@@ -4,6 +4,8 @@ import { ApiError, send } from '../api/client';
 import { use_get } from '../api/use';
 import type { Capture, Plan } from '../api/types';
 import { FailureNotice } from '../components/failure';
+import { sentence } from '../components/findings';
+import { use_page_words } from '../components/page_words';
 import { position_unit, unit_sign, when } from '../numbers';
 import { LiveChart, LiveTable } from './capture/filling';
 import { LengthsCapture } from './capture/lengths';
@@ -14,10 +16,12 @@ import { SoFar } from './capture/so_far';
 import { StopButton } from './capture/stop';
 import { t } from './capture/texts';
 import { Events, Said } from './capture/told';
+import { capture_words } from './capture/words';
 import './capture.css';
 
 /** A capture while it goes on, and what came of it. */
 export function CapturePage({ parts }: { parts: Record<string, string> }) {
+  use_page_words(capture_words);
   const [turn, set_turn] = useState(0);
   const live = use_live(parts['id'] ?? '', turn);
   const { capture, readings } = live;
@@ -77,7 +81,7 @@ function Ending({ capture, again }: { capture: Capture; again: () => void }) {
     <div class={`notice ${tone} ending`} role="status">
       <div>
         <h2>{t(capture.state)}</h2>
-        {capture.error !== null && <p>{capture.error}</p>}
+        {capture.error !== null && <p>{sentence(capture.error)}</p>}
         <p>{t(capture.state === 'interrupted' ? 'broken_off' : capture.test === null ? 'nothing_kept' : 'kept')}</p>
         {error && <FailureNotice error={error} />}
       </div>

@@ -5,12 +5,14 @@ import { use_get } from '../api/use';
 import type { Capture, Plan, PlanList, SourceList } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
+import { use_page_words } from '../components/page_words';
 import { position_unit, shortest } from '../numbers';
 import { go, place } from '../router';
 import { MotionFields, motion_options, size_unit_of, stops_of, without_motion } from './capture/motion_fields';
 import { t as t_motion } from './capture/motion_texts';
 import { sent, SourceChoice, SourceOptions, type SourceForm } from './capture/source_fields';
 import { t } from './capture/texts';
+import { capture_words } from './capture/words';
 import { is_of_positions, lasting } from './plan/outcome';
 import './capture.css';
 
@@ -18,6 +20,7 @@ interface Form extends SourceForm { plan: string }
 
 /** Everything a capture needs to begin: a plan to wait for, a stream to listen to. */
 export function NewCapturePage() {
+  use_page_words(capture_words);
   const plans = use_get<PlanList>('/api/plans');
   const sources = use_get<SourceList>('/api/sources');
   const [form, set_form] = useState<Form>({

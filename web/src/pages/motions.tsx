@@ -6,7 +6,7 @@ import type { MotionResult } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { FileDrop } from '../components/file_drop';
 import { KeepCalibration, type SentCalibration } from '../components/keep_calibration';
-import { drop_taker } from '../drop_anywhere';
+import { use_page_words } from '../components/page_words';
 import { bytes } from '../numbers';
 import { decimal, language } from '../settings';
 import { empty_form, motion_options, type MotionForm, type MotionKind, type MotionOptions } from './motions/form';
@@ -17,6 +17,7 @@ import { take_captured } from './motions/captured';
 import { PlanChoice } from './motions/plan_choice';
 import { t } from './motions/texts';
 import { MotionView } from './motions/view';
+import { motion_words } from './motions/words';
 
 function form_data(files: readonly MotionFile[], kind: MotionKind | null, options: MotionOptions): FormData {
   const form = new FormData();
@@ -49,6 +50,7 @@ function use_motions(files: readonly MotionFile[], options: MotionOptions | null
 }
 
 export function MotionsPage() {
+  use_page_words(motion_words);
   const [files, set_files] = useState<readonly MotionFile[]>([]);
   const [captured_error, set_captured_error] = useState<ApiError | null>(null);
   const [form, set_form] = useState<MotionForm>(empty_form);
@@ -63,8 +65,6 @@ export function MotionsPage() {
     void add(held_motions.peek());
     held_motions.value = [];
     take_captured(add, set_captured_error);
-    drop_taker.value = (dropped) => void add(dropped);
-    return () => { drop_taker.value = null; };
   }, []);
   useEffect(() => { if (asked.result) set_kind(asked.result.result); }, [asked.result]);
   const sent = useMemo<SentCalibration | null>(
@@ -85,7 +85,7 @@ export function MotionsPage() {
       </div>
       <section class="panel">
         <p>{t('how')}</p>
-        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt,.json" take={{ all: (more) => void add(more) }} />
+        <FileDrop label={t('choose')} hint={t('drop')} accept=".csv,.txt,.json" of_page take={{ all: (more) => void add(more) }} />
         {files.length > 0 && (
           <ul class="plain-list">
             {files.map(({ file, is_plan }, k) => (

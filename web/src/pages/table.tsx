@@ -4,7 +4,6 @@ import { useEffect, useMemo, useState } from 'preact/hooks';
 import { get, type ApiError } from '../api/client';
 import type { CompensatedControl, CompensationHead, CompensationList, KeptCompensation, Machine, Test } from '../api/types';
 import { use_get } from '../api/use';
-import { drop_taker } from '../drop_anywhere';
 import { day_seconds } from '../components/dates';
 import { FailureNotice } from '../components/failure';
 import { absent } from '../numbers';
@@ -86,11 +85,6 @@ function Correct({ test, controls, active, last, words }: Props) {
   };
   // The table that this test proves was active while it was measured: without it the new one would lack what it does.
   useEffect(() => { if (active !== null && active.control.id === control?.id) take_loaded(); }, []);
-  // A file that is dropped on this page is the table that was active.
-  useEffect(() => {
-    drop_taker.value = control === null ? null : ([first]) => { if (first) set_existing({ file: first, of: null }); };
-    return () => { drop_taker.value = null; };
-  }, [control]);
   const choose = (one: CompensatedControl) => {
     keep_control(test.machine?.id ?? null, one.id);
     set_control({ control: one, why: null });

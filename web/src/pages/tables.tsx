@@ -3,7 +3,6 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { CompensatedControl } from '../api/types';
 import { use_get } from '../api/use';
-import { drop_taker } from '../drop_anywhere';
 import { FailureNotice } from '../components/failure';
 import { Field } from '../components/field';
 import { FileDrop } from '../components/file_drop';
@@ -32,13 +31,7 @@ export function TablesPage() {
   const [file, set_file] = useState<File | null>(() => held_table.peek());
   const [form, set_form] = useState<TableForm>(new_form);
   const change = (part: Partial<TableForm>) => set_form((before) => ({ ...before, ...part }));
-  const [left, set_left] = useState(0);   // of several that were dropped
-  const take = (one: File, others = 0) => { set_file(one); set_left(others); };
-  useEffect(() => {
-    held_table.value = null;
-    drop_taker.value = ([first, ...others]) => { if (first) take(first, others.length); };
-    return () => { drop_taker.value = null; };
-  }, []);
+  useEffect(() => { held_table.value = null; }, []);
   const all = controls.data ?? none;
   const is_too_large = file !== null && file.size > largest_table;
   const readers = use_readers(chosen === null ? file : null, all, kind);
@@ -62,9 +55,8 @@ export function TablesPage() {
           <section class="panel stack tight" aria-labelledby="look-file">
             <header><h2 id="look-file">{t('file')}</h2></header>
             {file && <p><strong class="file-name">{file.name}</strong> <span class="quiet small number">{bytes(file.size)}</span></p>}
-            {left > 0 && <p class="notice caution" role="status">{t('one_at_a_time', { n: left })}</p>}
             {is_too_large && <p class="notice bad" role="alert">{t('too_large', { size: bytes(file.size), limit: bytes(largest_table) })}</p>}
-            <FileDrop label={t(file ? 'choose_other' : 'choose_table')} hint={t('drop_existing')} take={take} />
+            <FileDrop label={t(file ? 'choose_other' : 'choose_table')} hint={t('drop_existing')} of_page take={set_file} />
             <Field label={t('kind')}>
               {(ids) => (
                 <select {...ids} value={kind} onChange={(event) => set_axis(event.currentTarget.value as 'linear' | 'rotary')}>

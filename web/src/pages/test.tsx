@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of one test: what the axis does, how sure that is, and what may be changed about it.
 import { useSignalEffect } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useCallback, useEffect, useRef } from 'preact/hooks';
 import type { Test, Vocabulary } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { field_named, use_page_words } from '../components/page_words';
 import { texts } from '../i18n/texts';
 import { place, unsaved } from '../router';
 import './compensations.css';
@@ -51,10 +52,18 @@ function use_state(test: Test | null): TestState | null {
   return kept.current;
 }
 
+/** Corrections as the panel of changes calls them. */
+const with_corrections_named = (text: string, vocabulary: Vocabulary | null): string =>
+  text.replace(/--correct ([\w=-]+)/g, (all, id: string) => {
+    const found = vocabulary?.corrections.find((one) => one.id === id);
+    return found ? field_named(found.title) : all;
+  });
+
 export function OneTestPage({ parts }: { parts: Record<string, string> }) {
   const version = place.value.query.get('version');
   const loaded = use_get<Test>(test_path(parts['id'] ?? '', '', { version }));
   const vocabulary = use_get<Vocabulary>('/api/vocabulary').data;
+  use_page_words(useCallback((text: string) => with_corrections_named(text, vocabulary), [vocabulary]));
   // After the address has changed, nothing of the former test is shown as if it were this one.
   const fits = loaded.data !== null && String(loaded.data.id) === parts['id'];
   const state = use_state(fits ? loaded.data : null);

@@ -7,6 +7,7 @@ import { as_json, use_posted } from '../api/posted';
 import type { MachineList, TrackingDraft, TrackingPoints, Vocabulary } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { use_page_words } from '../components/page_words';
 import { decimal } from '../settings';
 import { LengthPartsPanel } from './capture/length_parts';
 import { ProgramPanel } from './plan/program';
@@ -19,8 +20,10 @@ import { LinesPanel } from './tracking/lines';
 import { MachinePanel } from './tracking/machine';
 import { look, StationPanel } from './tracking/station';
 import { t } from './tracking/texts';
+import { tracking_words } from './volume/words';
 
 export function TrackingPage() {
+  use_page_words(tracking_words);
   const [{ form, located }, set_page] = useState(tracking_kept.load);
   const [points, set_points] = useState<TrackingPoints | null>(null);
   const [error, set_error] = useState<ApiError | null>(null);

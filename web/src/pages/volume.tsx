@@ -7,6 +7,7 @@ import { as_json, use_posted } from '../api/posted';
 import type { MachineList, Vocabulary, VolumetricDraft, VolumetricPlanRequest } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { use_page_words } from '../components/page_words';
 import { decimal } from '../settings';
 import { LengthPartsPanel } from './capture/length_parts';
 import './plan.css';
@@ -19,8 +20,10 @@ import { MachinePanel } from './volume/machine';
 import { PlanPanel, RunChoice } from './volume/plan';
 import { t } from './volume/texts';
 import './volume/volume.css';
+import { volume_words } from './volume/words';
 
 export function VolumePage() {
+  use_page_words(volume_words);
   const [form, set_form] = useState(volume_kept.load);
   const [asked, set_asked] = useState<VolumetricPlanRequest | null>(null);
   const [chosen_run, choose_run] = useState(0);

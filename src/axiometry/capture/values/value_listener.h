@@ -86,6 +86,7 @@ class ValueListener {
   std::optional<double> now() const;                              ///< the last reading
   bool is_reading() const { return window_from_s_.has_value(); }  ///< within a window
   bool waits_for_key() const { return !held_.empty(); }           ///< a doubtful reading waits to be told
+  bool has_more_said() const { return !pressed_.empty(); }        ///< of press_at(), behind what has come
   const Plan& plan() const { return plan_; }
   const ValueOptions& options() const { return options_; }
 

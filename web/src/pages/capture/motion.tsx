@@ -92,6 +92,7 @@ const is_free_enter = (event: KeyboardEvent): boolean =>
 function StopKeys({ capture, motion }: { capture: Capture; motion: CapturedMotion }) {
   const [error, set_error] = useState<ApiError | null>(null);
   const by_keys = motion.stops === 'keys';
+  const all_read = by_keys && capture.due === null;
   const may_take = (by_keys || motion.waits_for_key) && !motion.is_reading && capture.due !== null;
   const say = (key: Key) => {
     set_error(null);
@@ -119,7 +120,8 @@ function StopKeys({ capture, motion }: { capture: Capture; motion: CapturedMotio
         <button type="button" disabled={capture.due === null} onClick={() => say('skip')}>{t('skip')}</button>
         <button type="button" disabled={capture.taken === 0 && !motion.is_reading && capture.events.length === 0} onClick={() => say('undo')}>{t('undo')}</button>
       </div>
-      {by_keys && <p class="small quiet">{t('take_hint')}</p>}
+      {by_keys && !all_read && <p class="small quiet">{t('take_hint')}</p>}
+      {all_read && <p class="small" role="status">{t('all_read')}</p>}
       {error && <FailureNotice error={error} />}
     </section>
   );

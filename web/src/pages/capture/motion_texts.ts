@@ -40,6 +40,8 @@ export const t = texts({
   what_is_said: ['At the stop', 'Am Halt'],
   take: ['Take this reading', 'Diesen Messwert nehmen'],
   take_hint: ['Enter takes it too, when the axis stands at the next target.', 'Die Eingabetaste nimmt ihn auch, wenn die Achse an der nächsten Zielposition steht.'],
+  all_read: ['Every target is read. The capture ends in ten seconds; until then the last reading can be taken back.',
+    'Jede Zielposition ist gelesen. Die Messung endet in zehn Sekunden; bis dahin lässt sich der letzte Messwert zurücknehmen.'],
   is_this: ['It is of the next target', 'Er gehört zur nächsten Zielposition'],
   skip: ['The next target has no reading', 'Die nächste Zielposition hat keinen Messwert'],
   undo: ['Take back the last', 'Den letzten zurücknehmen'],

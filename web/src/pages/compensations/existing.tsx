@@ -47,7 +47,7 @@ export function ExistingPanel({ existing, set, read, loaded, is_proved, control,
       {existing !== null && children}
       {too_large && <p class="notice bad" role="alert">{t('too_large', { size: bytes(existing.file.size), limit: bytes(largest_table) })}</p>}
       {read.error && !too_large && <FailureNotice error={read.error} message={page_words(read.error.message)} {...(read.error.kind === 'bad_input' ? {} : { retry: read.again })} />}
-      <FileDrop label={t(existing === null ? 'choose_existing' : 'choose_other')} hint={t('drop_existing')} take={(file) => set({ file, of: null })} />
+      <FileDrop label={t(existing === null ? 'choose_existing' : 'choose_other')} hint={t('drop_existing')} of_page take={(file) => set({ file, of: null })} />
     </div>
   );
 }

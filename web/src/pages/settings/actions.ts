@@ -15,11 +15,21 @@ const verbs = {
   attached: ['attached', 'angehängt', 'action'], kept: ['kept', 'gespeichert', 'action'], restored: ['restored', 'wiederhergestellt', 'action'],
   created: ['created', 'angelegt', 'action'], migrated: ['migrated', 'umgestellt', 'action'],
 } as const;
+/** What an entry tells beside its subject, by the names that the archive gives it. */
+const details = {
+  version: ['version', 'Version', 'detail'], sha256: ['SHA-256', 'SHA-256'], content: ['content', 'Inhalt'], file: ['file', 'Datei', 'detail'],
+  format: ['format', 'Format', 'detail'], name_in_file: ['name within the file', 'Name in der Datei'], size: ['bytes', 'Bytes', 'detail'],
+  name: ['name', 'Name', 'detail'], test: ['test', 'Prüfung'], test_version: ['version of the test', 'Version der Prüfung'],
+  tests: ['tests', 'Prüfungen', 'detail'], entries: ['entries', 'Einträge', 'detail'],
+} as const;
+const detail_text = texts(details);
 const noun_text = texts(nouns);
 const verb_text = texts(verbs);
 
 const noun_said = (noun: string): string => (Object.keys(nouns).includes(noun) ? noun_text(noun as keyof typeof nouns) : noun);
 const verb_said = (verb: string): string => (Object.keys(verbs).includes(verb) ? verb_text(verb as keyof typeof verbs) : verb);
+
+export const detail_name = (key: string): string => (Object.keys(details).includes(key) ? detail_text(key as keyof typeof details) : key);
 
 /** "test.received" as "test received". */
 export function action_text(action: string): string {

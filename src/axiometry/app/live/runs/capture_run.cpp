@@ -43,9 +43,8 @@ class Run {
       : run_(run), observer_(observer), session_(std::move(session)), piped_(run.raw), telling_(run, observer) {}
 
   void listen(const LiveCapture& live) {
-    connect_ = live.connect;
-    room_ = live.raw_limit;
-    live_ = live;
+    connect_ = live.connect, room_ = live.raw_limit, live_ = live;
+    end_of_plan_ = PlanEnd(live.for_undo);
   }
 
   Result<CaptureOutcome> operator()() {
@@ -342,7 +341,7 @@ class Run {
   CaptureSession::End end_ = CaptureSession::End::of_reading;
   CaptureTelling telling_;
   bool stopped_ = false, abandoned_ = false, log_is_sound_ = false;
-  PlanEnd end_of_plan_;
+  PlanEnd end_of_plan_{Duration::s(0)};
 };
 
 /// Listens where the run says and has the reading end as `outcome` does; an error names the source.

@@ -83,6 +83,7 @@ struct LiveCapture {
   std::uint64_t raw_limit = UINT64_MAX;  ///< bytes that come at most; then the capture stops
   FreeBytes free = free_bytes;           ///< of the disk of the raw file; DiskRoom says when the capture stops
   std::function<void(CaptureSession&)> beside{};  ///< what source and capture tell each other between its pieces
+  Duration for_undo = Duration::s(0);             ///< heard behind the last reading that a key took, to take it back
 };
 
 /// The same as run_capture(), without a file for the test.

@@ -235,6 +235,13 @@ TEST(MotionCapture, PlaysKeysOfAFinishedRecordingAgain) {
   capture.put("run.keys", keys);
   capture.run.keys = capture.path("run.keys");
   capture.expect_whole();
+  // The last was taken back behind the last of the plan, and taken once more.
+  const double last_s = axis.stops().back().begin_s;
+  capture.put("run.keys", keys.substr(0, keys.rfind('\n', keys.size() - 2) + 1) +
+                              fmt::format("{:.2f},take\n{:.2f},undo\n{:.2f},take\n", last_s + 0.2, last_s + 2.0,
+                                          last_s + 2.1));
+  capture.expect_whole();
+  EXPECT_THAT(capture.events, testing::Contains(HasSubstr("is due again")));
   // One less: the recording is not whole, and says where.
   capture.put("run.keys", keys.substr(0, keys.rfind('\n', keys.size() - 2) + 1));
   const auto outcome = capture();

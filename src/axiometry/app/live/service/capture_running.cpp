@@ -118,14 +118,23 @@ CaptureObserver CaptureService::Running::observer() {
           .keys = [this] { return take_keys(); }};
 }
 
-void CaptureService::Running::press(capture::StopKey key) {
+bool CaptureService::Running::press(capture::StopKey key) {
   const std::scoped_lock lock(mutex_);
-  keys_.push_back(key);
+  if (listens_) keys_.push_back(key);
+  return listens_;
 }
 
 std::vector<capture::StopKey> CaptureService::Running::take_keys() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(keys_, {});
+}
+
+void CaptureService::Running::listen_no_more() {
+  const std::scoped_lock lock(mutex_);
+  listens_ = false;
+  if (std::exchange(keys_, {}).empty()) return;
+  ++state_.revision;
+  tell_notice("what was said while the capture ended is not used");
 }
 
 /// A source that comes and goes all night must not make the state grow: what is told of it is counted then.
@@ -219,6 +228,7 @@ void CaptureService::Running::run() {
     const CaptureObserver watching = observer();
     if (becomes_table(held_->order())) {
       const HeardLive heard = hear_live(std::move(begun_->session), begun_->live, watching);
+      listen_no_more();
       if (!interrupt_) end = conclude_table(heard);
     } else {
       const auto outcome = run_live_capture(std::move(begun_->session), begun_->live, watching);
@@ -311,6 +321,7 @@ void CaptureService::Running::tell(End end) {
   }
   state_.came_to = std::move(end.came_to);
   state_.stage = end.stage;
+  listens_ = false;
   state_.now.reset();
   state_.test = end.test;
   state_.error = std::move(end.error);

@@ -32,7 +32,7 @@ class CaptureService::Running {
 
   void stop() { stop_ = true; }
   void interrupt() { interrupt_ = true; }
-  void press(capture::StopKey key);
+  bool press(capture::StopKey key);  ///< false where nobody listens any more
   void wait_for_end(std::chrono::milliseconds longest);
   CaptureState state(std::optional<CaptureRevision> after) const;  ///< nothing: without readings, events and evaluation
 
@@ -57,6 +57,7 @@ class CaptureService::Running {
   void take_lengths(const CaptureSession& session);
   void take_values(const MotionListener& motion);
   std::vector<capture::StopKey> take_keys();
+  void listen_no_more();
   void evaluate(Test test);
   End conclude(const Result<CaptureOutcome>& outcome);
   static End left_for_later(const Error& error);
@@ -83,6 +84,7 @@ class CaptureService::Running {
   std::size_t standstills_ = 0;  // of lengths, that the state knows
   std::size_t told_ = 0;         // of a motion, readings given and events, which change what is read
   std::vector<capture::StopKey> keys_;
+  bool listens_ = true;  // to keys
   std::jthread thread_;          // last: it uses all of the above
 };
 

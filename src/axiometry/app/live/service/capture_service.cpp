@@ -120,6 +120,7 @@ Result<CaptureService::Begun> CaptureService::begin(const CaptureOrder& order, W
   Begun begun{std::move(source), std::move(session), {.name = {}, .connect = {}, .raw = {}}, {}, std::move(task)};
   begun.live.give_up = own.give_up;
   begun.live.raw_limit = settings_.raw_limit;
+  begun.live.for_undo = settings_.for_undo;
   if (simulated && begun.session.motion() != nullptr) {
     if (way == Way::conclude) return begun;
     AXIOMETRY_TRY(SimulatedMotion made,
@@ -313,9 +314,8 @@ Result<CaptureState> CaptureService::press(store::Id id, capture::StopKey key) {
                             "rotation with the stops keys, trigger or readings",
                             id));
   const auto running = find(id);
-  if (!running || running->ended())
+  if (!running || !running->press(key))
     return fail(ErrorKind::conflict, fmt::format("found capture {} not running, expected one that runs", id));
-  running->press(key);
   return running->state(0);
 }
 

@@ -66,6 +66,7 @@ struct CaptureSettings {
   std::size_t most_at_once = 8;                        ///< captures that run
   std::size_t most_concluding = 2;                     ///< interrupted ones that are read to their end to be kept
   std::uint64_t raw_limit = std::uint64_t{256} << 20;  ///< bytes of one recording
+  Duration for_undo = Duration::s(10);                 ///< of the last reading that a key took, before its capture ends
 };
 
 /// What is asked of a new capture of lengths.

@@ -181,6 +181,28 @@ TEST_F(MotionCaptures, TakesWhatIsSaidAtEachStopAndTakesItBack) {
   EXPECT_EQ(service->press(id, StopKey::take).error().kind, ErrorKind::conflict) << "it has ended";
 }
 
+TEST_F(MotionCaptures, TakesBackTheLastReadingToo) {
+  for_undo_ = Duration::s(3600);
+  const auto service = open({server_.source()});
+  const store::Id id = service->start(wish(brief_plan(), told_by("keys")))->id;
+  server_.send(driven_head);
+  for (const std::size_t stop : {0u, 1u, 2u, 3u}) at_stop(*service, id, stop, StopKey::take);
+  CaptureState state = wait_for(*service, id, [](const CaptureState& s) { return s.taken == 4; });
+  EXPECT_FALSE(state.due);
+  EXPECT_FALSE(has_ended(state.stage)) << "the last may have been taken too soon";
+  ASSERT_TRUE(service->press(id, StopKey::undo));
+  state = wait_for(*service, id, [](const CaptureState& s) { return s.due.has_value(); });
+  EXPECT_EQ(state.taken, 3u);
+  EXPECT_THAT(state.events.empty() ? "" : state.events.back().message, HasSubstr("is due again"));
+  ASSERT_TRUE(service->press(id, StopKey::skip));
+  wait_for(*service, id, [](const CaptureState& s) { return !s.due; });
+  const auto end = service->stop(id);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->stage, Stage::complete) << end->error;
+  EXPECT_EQ(end->came_to->found, 3u);
+  EXPECT_EQ(service->press(id, StopKey::undo).error().kind, ErrorKind::conflict);
+}
+
 TEST_F(MotionCaptures, GoesOnWithWhatWasSaidBeforeTheProgramEnded) {
   store::Id id = 0;
   {

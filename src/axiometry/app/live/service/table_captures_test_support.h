@@ -22,8 +22,9 @@ namespace axiometry::testing_support {
 class TableCaptures : public testing::Test {
  protected:
   std::unique_ptr<app::CaptureService> open(std::vector<app::CaptureSource> sources = {}) {
-    auto service =
-        app::CaptureService::open({.folder = folder_, .sources = std::move(sources)}, app::keeping_in(workbench_));
+    app::CaptureSettings settings{.folder = folder_, .sources = std::move(sources)};
+    settings.for_undo = for_undo_;
+    auto service = app::CaptureService::open(std::move(settings), app::keeping_in(workbench_));
     EXPECT_TRUE(service);
     return *std::move(service);
   }
@@ -45,6 +46,7 @@ class TableCaptures : public testing::Test {
   testing_support::Archive archive_;
   app::Workbench workbench_{archive_.store()};
   std::string folder_ = archive_.folder() + "/captures";
+  Duration for_undo_ = Duration::s(0);
 };
 
 }  // namespace axiometry::testing_support

@@ -123,12 +123,12 @@ class SimulatedMotionStream final : public LiveStream {
     return rests[std::min<std::size_t>(sample, rests.size() - 1)].middle_s();
   }
 
-  /// The next moment of the program: it stands still in the middle of the rest that is due, and is driven back to one
-  /// that was taken back.
+  /// The next moment of the program: it stands still in the middle of the rest that is due, at the last one for as long
+  /// as it may be taken back, and is driven back to one that was taken back.
   double behind(double walked_s) const {
     const double next_s = walked_s + 1.0 / simulated_rate_hz;
     const auto& rests = walk_.rests();
-    if (shared_->done >= rests.size()) return next_s;
+    if (shared_->done >= rests.size()) return std::min(next_s, std::max(walked_s, rests.back().to_s));
     const MotionWalk::Rest& due = rests[shared_->done];
     if (walked_s > due.to_s) return due.from_s;
     return walked_s <= due.middle_s() ? std::min(next_s, due.middle_s()) : next_s;
