@@ -178,10 +178,20 @@ constexpr Phrase volumetric_findings_rows[] = {
      "moved, or lengths of two set-ups or days are mixed",
      "Station {0} mit Werkzeug {1} steht im Segment {3} etwa {2} anderswo als in den übrigen: Das Messgerät wurde "
      "bewegt, oder Längen zweier Aufbauten oder Tage sind vermischt"},
+    {"the axes seem longer, shorter or less square for some of the lengths than for others, most of all for "
+     "station {0=} with tool {1=} in segment {2=}: machine or air were warmer or colder then, or lengths of two "
+     "days are mixed",
+     "die Achsen scheinen für einen Teil der Längen länger, kürzer oder weniger rechtwinklig als für die übrigen, "
+     "am meisten für Station {0} mit Werkzeug {1} im Segment {2}: Maschine oder Luft waren dort wärmer oder "
+     "kälter, oder Längen zweier Tage sind vermischt"},
     {"the lengths do not tell {0}; {1}: no number is given for it",
      "die Längen bestimmen {0} nicht; {1}: dafür ist kein Wert angegeben"},
     {"the lengths do not tell {0}; {1}: no number is given for them",
      "die Längen bestimmen {0} nicht; {1}: dafür sind keine Werte angegeben"},
+    {"the lengths fit axes in the order {0=} from the workpiece to the tool (χ²/ν = {1#}), not {2=} as the chain "
+     "{3=} has it (χ²/ν = {4#})",
+     "die Längen passen zu Achsen in der Reihenfolge {0} vom Werkstück zum Werkzeug (χ²/ν = {1}), nicht {2} wie "
+     "in der Kette {3} (χ²/ν = {4})"},
     {"the lengths show that {0} bend farther than the smoothness allows, up to {1#} times as far: uncertainties may "
      "not hold the truth",
      "die Längen zeigen, dass sich {0} stärker biegen, als die Glattheit zulässt, bis zu {1}-mal so stark: Die "
@@ -250,6 +260,11 @@ constexpr Phrase volumetric_findings_rows[] = {
      "als mm gelesen"},
     {"these stations, tools and points will not tell {0=}; {1}",
      "diese Stationen, Werkzeuge und Punkte bestimmen {0} nicht; {1}"},
+    {"what residuals have too much goes with the direction in which axes came to rest: {0=} differs most, by {1#} "
+     "between both directions of {2=}; where reversal is asked for (constant), errors hold it",
+     "was die Residuen zu viel haben, hängt an der Richtung, in der Achsen zur Ruhe kamen: {0} unterscheidet sich "
+     "am meisten, um {1} zwischen beiden Richtungen von {2}; wird Umkehr verlangt (constant), enthalten die "
+     "Abweichungen sie"},
     {"where stations stand differs between tools {0=} and {1=} by {2#}, and not alike for all stations: the instrument "
      "was moved between the tools, or stations are mixed up",
      "der Ort der Stationen unterscheidet sich zwischen den Werkzeugen {0} und {1} um {2}, und nicht für alle "

@@ -10,6 +10,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
+#include "axiometry/volumetric/identify/residual_causes.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
@@ -275,6 +276,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_unseen(machine, lengths, result, findings);
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
+  add_residual_causes(done, machine, lengths, findings);
   add_set_aside(lengths, result, findings);
   add_breaks(done, lengths, result, findings);
   add_drift(result, findings);

@@ -45,7 +45,7 @@ Result<Identifier> Identifier::make(const MachineModel& machine, const Volumetri
   Identifier identifier(machine, lengths, options);
   AXIOMETRY_TRY_VOID(identifier.check_readings());
   identifier.find_copies();
-  if (options.reversal != Reversal::none) identifier.take_approaches();
+  if (options.reversal != Reversal::none) identifier.approaches_ = directions_of_rest(lengths.readings);
   identifier.judged_.aside.assign(lengths.readings.size(), false);
   identifier.judged_.doubtful.assign(lengths.readings.size(), false);
   identifier.domains_ = curve_domains(machine.travel, identifier.observed_);
@@ -116,19 +116,21 @@ void Identifier::find_copies() {
 
 std::size_t Identifier::copies() const { return static_cast<std::size_t>(std::ranges::count(is_copy_, true)); }
 
-/// An axis came to rest in the direction of its last move within the same station and tool; before its first move: 0.
-void Identifier::take_approaches() {
+std::vector<Approaches> directions_of_rest(std::span<const VolumetricReading> readings) {
+  std::vector<Approaches> directions;
+  directions.reserve(readings.size());
   Approaches now{};
-  for (std::size_t i = 0; i < lengths_.readings.size(); ++i) {
-    const VolumetricReading& reading = lengths_.readings[i];
-    const VolumetricReading* before = i > 0 ? &lengths_.readings[i - 1] : nullptr;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const VolumetricReading& reading = readings[i];
+    const VolumetricReading* before = i > 0 ? &readings[i - 1] : nullptr;
     if (before == nullptr || before->station != reading.station || before->tool != reading.tool)
       now = {};
     else
       for (std::size_t a = 0; a < axis_count; ++a)
         if (const double way = reading.axes_mm[a] - before->axes_mm[a]; way != 0.0) now[a] = way > 0.0 ? 1.0 : -1.0;
-    approaches_.push_back(now);
+    directions.push_back(now);
   }
+  return directions;
 }
 
 std::size_t Identifier::threads() const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "axiometry/volumetric/identify/anomalies.h"
@@ -14,6 +15,9 @@
 
 /// The order of things in identify(). Internal.
 namespace axiometry::volumetric::detail {
+
+/// An axis came to rest in the direction of its last move within the same station and tool; before its first move: 0.
+std::vector<Approaches> directions_of_rest(std::span<const VolumetricReading> readings);
 
 /// What is being fitted: the parts that Problem looks at, in one place.
 class Identifier {
@@ -62,7 +66,6 @@ class Identifier {
       : machine_(machine), lengths_(lengths), options_(options) {}
   Result<void> check_readings();
   void find_copies();
-  void take_approaches();
   Result<void> choose_first_sizes();
   Result<void> choose_sizes();
   struct Trial {
