@@ -140,6 +140,22 @@ constexpr Phrase volumetric_findings_rows[] = {
      "Maschine, "
      "ist nichts gesagt: Er würde in den Steigungen von EXX, EYY und EZZ erscheinen, deren Unsicherheiten ihn nicht "
      "enthalten (scale_u_um_per_m in der Datei der Maschine)"},
+    {"nothing tells in which direction axes had come to rest at {0#} length before their first move at a station "
+     "with a tool: it counts as of the mean of both",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug zur Ruhe gekommen waren: sie zählt als eine des Mittels beider Richtungen"},
+    {"nothing tells in which direction axes had come to rest at {0#} length before their first move at a station "
+     "with a tool: it is left out",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug zur Ruhe gekommen waren: sie ist ausgelassen"},
+    {"nothing tells in which direction axes had come to rest at {0#} lengths before their first move at a station "
+     "with a tool: they are left out",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Längen vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug zur Ruhe gekommen waren: sie sind ausgelassen"},
+    {"nothing tells in which direction axes had come to rest at {0#} lengths before their first move at a station "
+     "with a tool: they count as of the mean of both",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Längen vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug zur Ruhe gekommen waren: sie zählen als solche des Mittels beider Richtungen"},
     {"of displacements the smoothness draws {0=} the farthest towards a straight line, by about {1#}; uncertainties "
      "hold this only as far as the smoothness holds",
      "von den Verschiebungen zieht die Glattheit {0} am weitesten zu einer Geraden hin, um etwa {1}; die "

@@ -3634,7 +3634,7 @@ export interface components {
                 residual_um?: number;
                 normalised?: number;
                 /** @enum {string} */
-                why?: "outlier" | "beside a break";
+                why?: "outlier" | "beside a break" | "unknown direction";
             }[];
             breaks: {
                 reading?: number;

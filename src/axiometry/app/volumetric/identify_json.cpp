@@ -35,6 +35,15 @@ using volumetric::Squareness;
 using volumetric::VolumetricRank;
 using volumetric::VolumetricReading;
 
+const char* why_name(SetAside::Why why) {
+  switch (why) {
+    case SetAside::Why::outlier: return "outlier";
+    case SetAside::Why::beside_break: return "beside a break";
+    case SetAside::Why::unknown_direction: return "unknown direction";
+  }
+  return "";
+}
+
 Value estimate_value(const std::optional<Estimate>& estimate) {
   Value value = Value::object();
   value.add("value", estimate ? Value(estimate->value) : Value());
@@ -208,7 +217,7 @@ Value to_json(const IdentifiedMachine& identified) {
     add_reading(item, identified, s.reading);
     item.add("residual_um", s.residual_um);
     item.add("normalised", s.normalised);
-    item.add("why", s.beside_break ? "beside a break" : "outlier");
+    item.add("why", why_name(s.why));
   }
   Value& breaks = root.add("breaks", Value::array());
   for (const FoundBreak& b : found.breaks) {

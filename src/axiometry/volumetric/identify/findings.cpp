@@ -78,7 +78,7 @@ void add_set_aside(const VolumetricLengths& lengths, const Identification& resul
                    std::vector<VolumetricFinding>& findings) {
   std::vector<SetAside> outliers;
   for (const SetAside& s : result.set_aside)
-    if (!s.beside_break) outliers.push_back(s);
+    if (s.why == SetAside::Why::outlier) outliers.push_back(s);
   if (outliers.empty()) return;
   const SetAside worst =
       *std::ranges::max_element(outliers, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
@@ -124,9 +124,8 @@ std::string break_text(const Identifier& done, const VolumetricLengths& lengths,
       "on have a dead path of their own; on which side of the break the {} between {} measured cannot "
       "be told, and {} left out",
       place_text(lengths, doubt.last_before), reading_text(lengths, found.latest_reading),
-      format_fixed(found.jump_um, 1),
-      doubt.count == 1 ? "one length" : fmt::format("{} lengths", doubt.count), doubt.count == 1 ? "was" : "were",
-      doubt.count == 1 ? "it is" : "they are");
+      format_fixed(found.jump_um, 1), doubt.count == 1 ? "one length" : fmt::format("{} lengths", doubt.count),
+      doubt.count == 1 ? "was" : "were", doubt.count == 1 ? "it is" : "they are");
 }
 
 void add_breaks(const Identifier& done, const VolumetricLengths& lengths, const Identification& result,
@@ -179,6 +178,25 @@ void add_copies(const Identifier& done, std::vector<VolumetricFinding>& findings
   findings.push_back({"volumetric-copies", false,
                       fmt::format("{} row{} of earlier ones in every cell, and count{} once", copies,
                                   copies == 1 ? " is a copy" : "s are copies", copies == 1 ? "s" : "")});
+}
+
+void add_unknown_directions(const Identifier& done, std::vector<VolumetricFinding>& findings) {
+  std::size_t left_out = 0, meant = 0;
+  for (std::size_t i = 0; i < done.approaches().size(); ++i)
+    if (!done.is_copy(i) && has_unknown_direction(done.approaches()[i]))
+      ++(done.is_of_unknown_direction(i) ? left_out : meant);
+  if (left_out > 0)
+    findings.push_back(
+        {"volumetric-unknown-directions", false,
+         fmt::format("nothing tells in which direction axes had come to rest at {} length{} before their "
+                     "first move at a station with a tool: {} left out",
+                     left_out, left_out == 1 ? "" : "s", left_out == 1 ? "it is" : "they are")});
+  if (meant > 0)
+    findings.push_back(
+        {"volumetric-unknown-directions", false,
+         fmt::format("nothing tells in which direction axes had come to rest at {} length{} before their "
+                     "first move at a station with a tool: {} as of the mean of both",
+                     meant, meant == 1 ? "" : "s", meant == 1 ? "it counts" : "they count")});
 }
 
 std::string smoothness_text(const Smoothness& asked, double found, std::string_view of, std::string_view unit) {
@@ -283,6 +301,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_domain(done, machine, findings);
   add_places(done, lengths, findings);
   add_copies(done, findings);
+  add_unknown_directions(done, findings);
   add_smoothness(done, result, findings);
   add_scale(machine, findings);
   std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });

@@ -51,7 +51,7 @@ std::vector<IdentifiedStation> stations_of(const Identifier& done, const Machine
     stations.push_back(station);
   }
   for (std::size_t i = 0; i < lengths.readings.size(); ++i) {
-    if (done.set_aside()[i] || done.in_doubt(i) || done.is_copy(i)) continue;
+    if (done.set_aside()[i] || done.in_doubt(i) || done.is_copy(i) || done.is_of_unknown_direction(i)) continue;
     IdentifiedStation& station = stations[unknowns.stretches[unknowns.stretch_of[i]].virtual_station];
     const double v = done.fit().residuals_um[i], z = v / done.sigmas_um()[i];
     ++station.readings;
@@ -86,12 +86,19 @@ std::vector<FoundBreak> breaks_of(const Identifier& done) {
   return breaks;
 }
 
+std::optional<SetAside::Why> why_set_aside(const Identifier& done, std::size_t reading) {
+  if (done.set_aside()[reading]) return SetAside::Why::outlier;
+  if (done.is_copy(reading)) return std::nullopt;
+  if (done.in_doubt(reading)) return SetAside::Why::beside_break;
+  if (done.is_of_unknown_direction(reading)) return SetAside::Why::unknown_direction;
+  return std::nullopt;
+}
+
 std::vector<SetAside> set_aside_of(const Identifier& done) {
   std::vector<SetAside> aside;
   for (std::size_t i = 0; i < done.set_aside().size(); ++i)
-    if (done.set_aside()[i] || (done.in_doubt(i) && !done.is_copy(i)))
-      aside.push_back(
-          {i, done.fit().residuals_um[i], done.fit().residuals_um[i] / done.sigmas_um()[i], !done.set_aside()[i]});
+    if (const auto why = why_set_aside(done, i))
+      aside.push_back({i, done.fit().residuals_um[i], done.fit().residuals_um[i] / done.sigmas_um()[i], *why});
   return aside;
 }
 

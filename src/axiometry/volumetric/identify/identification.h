@@ -81,10 +81,15 @@ struct FoundBreak {
 };
 
 struct SetAside {
+  enum class Why {
+    outlier,
+    beside_break,       ///< it may fit: but nothing tells on which side of a break it was measured
+    unknown_direction,  ///< nor in which direction axes had come to rest, where that matters
+  };
   std::size_t reading = 0;
-  double residual_um = 0.0;   ///< measured less what the others predict
-  double normalised = 0.0;    ///< over its standard uncertainty
-  bool beside_break = false;  ///< it may fit: but nothing tells on which side of a break it was measured
+  double residual_um = 0.0;  ///< measured less what the others predict
+  double normalised = 0.0;   ///< over its standard uncertainty
+  Why why = Why::outlier;
 };
 
 struct VolumetricRank {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -46,6 +47,7 @@ Result<Identifier> Identifier::make(const MachineModel& machine, const Volumetri
   AXIOMETRY_TRY_VOID(identifier.check_readings());
   identifier.find_copies();
   if (options.reversal != Reversal::none) identifier.approaches_ = directions_of_rest(lengths.readings);
+  identifier.find_unknown_directions();
   identifier.judged_.aside.assign(lengths.readings.size(), false);
   identifier.judged_.doubtful.assign(lengths.readings.size(), false);
   identifier.domains_ = curve_domains(machine.travel, identifier.observed_);
@@ -133,6 +135,27 @@ std::vector<Approaches> directions_of_rest(std::span<const VolumetricReading> re
   return directions;
 }
 
+/// Those before the first move of an axis at a station with a tool. Where they are more than a quarter of a segment, an
+/// axis stood still for long, and too little would be left: they count as of the mean of both directions.
+void Identifier::find_unknown_directions() {
+  of_unknown_direction_.assign(lengths_.readings.size(), false);
+  if (approaches_.empty()) return;
+  struct Counts {
+    std::size_t unknown = 0, all = 0;
+  };
+  std::map<std::tuple<std::size_t, std::size_t, std::size_t>, Counts> segments;
+  const auto segment_of = [&](std::size_t i) -> Counts& {
+    const VolumetricReading& reading = lengths_.readings[i];
+    return segments[{reading.station, reading.tool, reading.segment}];
+  };
+  for (std::size_t i = 0; i < approaches_.size(); ++i) {
+    segment_of(i).unknown += has_unknown_direction(approaches_[i]) ? 1u : 0u;
+    ++segment_of(i).all;
+  }
+  for (std::size_t i = 0; i < approaches_.size(); ++i)
+    of_unknown_direction_[i] = has_unknown_direction(approaches_[i]) && 4 * segment_of(i).unknown <= segment_of(i).all;
+}
+
 std::size_t Identifier::threads() const {
   return options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
 }
@@ -146,7 +169,7 @@ Problem Identifier::problem() const {
 std::size_t Identifier::count() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < judged_.aside.size(); ++i)
-    if (!judged_.aside[i] && !judged_.doubtful[i] && !is_copy_[i]) ++count;
+    if (!judged_.aside[i] && !judged_.doubtful[i] && !has_no_say(i)) ++count;
   return count;
 }
 
@@ -242,7 +265,7 @@ std::vector<double> Identifier::stated_weights() const {
 std::vector<double> Identifier::instrument_weights() const {
   std::vector<double> weights;
   for (std::size_t i = 0; i < sigmas_.size(); ++i)
-    weights.push_back(is_copy_[i] ? 0.0 : 1.0 / (sigmas_[i] * sigmas_[i]));
+    weights.push_back(has_no_say(i) ? 0.0 : 1.0 / (sigmas_[i] * sigmas_[i]));
   return weights;
 }
 
@@ -254,7 +277,7 @@ bool Identifier::set_aside_beyond_limit() {
   const double limit = outlier_limit(stated.size()) * robust_scale(all, fit_->residuals_um);
   bool changed = false;
   for (std::size_t i = 0; i < judged_.aside.size(); ++i) {
-    const bool is_beyond = !is_copy_[i] && std::abs(fit_->residuals_um[i]) > limit * sigmas_[i];
+    const bool is_beyond = !has_no_say(i) && std::abs(fit_->residuals_um[i]) > limit * sigmas_[i];
     changed = changed || is_beyond != judged_.aside[i];
     judged_.aside[i] = is_beyond;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -18,6 +19,9 @@ namespace axiometry::volumetric::detail {
 
 /// An axis came to rest in the direction of its last move within the same station and tool; before its first move: 0.
 std::vector<Approaches> directions_of_rest(std::span<const VolumetricReading> readings);
+inline bool has_unknown_direction(const Approaches& approaches) {
+  return std::ranges::find(approaches, 0.0) != approaches.end();
+}
 
 /// What is being fitted: the parts that Problem looks at, in one place.
 class Identifier {
@@ -50,7 +54,10 @@ class Identifier {
   const PerCurve& plain_variances() const { return plain_variances_; }  ///< without the penalty, before φ
   std::size_t count() const;                                            ///< of readings that are used
   bool is_copy(std::size_t reading) const { return is_copy_[reading]; }
-  std::size_t copies() const;  ///< readings that are written twice
+  /// Left out because nothing tells in which direction an axis had come to rest.
+  bool is_of_unknown_direction(std::size_t reading) const { return of_unknown_direction_[reading]; }
+  const std::vector<Approaches>& approaches() const { return approaches_; }  ///< empty without reversal
+  std::size_t copies() const;                                                ///< readings that are written twice
   Problem problem() const;
 
  private:
@@ -66,6 +73,8 @@ class Identifier {
       : machine_(machine), lengths_(lengths), options_(options) {}
   Result<void> check_readings();
   void find_copies();
+  void find_unknown_directions();
+  bool has_no_say(std::size_t reading) const { return is_copy_[reading] || of_unknown_direction_[reading]; }
   Result<void> choose_first_sizes();
   Result<void> choose_sizes();
   struct Trial {
@@ -108,7 +117,7 @@ class Identifier {
   std::vector<Vector3> tools_mm_;
   std::vector<Approaches> approaches_;
   std::vector<double> sigmas_;
-  std::vector<bool> is_copy_;
+  std::vector<bool> is_copy_, of_unknown_direction_;
   Judged judged_;
   bool drift_ = false;
   TravelBox observed_;
