@@ -138,6 +138,19 @@ TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
   EXPECT_TRUE(language::is_known(rolled.error().message, language::Language::german)) << rolled.error().message;
 }
 
+TEST(Compensate, AScaleThatIsLeftOutIsTold) {
+  CompensateRequest request{.control = "marlin"};
+  const auto untold = compensate({evenly_measured(0.02, 3.0)}, request);
+  ASSERT_TRUE(untold) << untold.error().message;
+  const auto found = std::ranges::find(untold->findings, "compensation-scale-left-out", &NamedFinding::id);
+  ASSERT_NE(found, untold->findings.end());
+  EXPECT_TRUE(language::is_known(found->message, language::Language::german)) << found->message;
+  request.table.steps_per_unit = 200.0;
+  const auto told = compensate({evenly_measured(0.02, 3.0)}, request);
+  ASSERT_TRUE(told) << told.error().message;
+  EXPECT_FALSE(has_finding(*told, "compensation-scale-left-out"));
+}
+
 TEST(Compensate, ATableOfAnotherCountIsRefused) {
   for (const char* control : {"fanuc", "pmac"}) {
     CompensateRequest request{.control = control, .resolution_said = true};
