@@ -128,7 +128,7 @@ TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
   request.grid = {};
   const auto next = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", first->text}}, request);
   ASSERT_TRUE(next) << next.error().message;
-  EXPECT_EQ(next->existing->positions().back(), 400.0) << "as it was asked for";
+  EXPECT_EQ(next->existing->positions().back(), 500.0);
   EXPECT_FALSE(has_finding(*next, "compensation-existing-cut"));
   const std::string short_of_targets = "; range 0 to 400\n#1 DEFINE COMP 5,500000\n16\n32\n48\n64\n0\nI51=1\n";
   const auto rolled = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", short_of_targets}},
