@@ -273,6 +273,10 @@ constexpr Phrase compensation_rows[] = {
      "weder die Prüfung noch --axis nennt die Achse: Die Tabelle ist für X gemacht"},
     {"new table ↑", "neue Tabelle ↑"},
     {"new table ↓", "neue Tabelle ↓"},
+    {"nobody tells the steps per unit of the control (--steps-per-unit): the scale is in the file as a comment alone, "
+     "and what is predicted is of the backlash",
+     "niemand nennt die Schritte je Einheit der Steuerung (--steps-per-unit): Der Maßstab steht in der Datei nur als "
+     "Kommentar, und die Vorhersage gilt dem Umkehrspiel allein"},
     {"number: {0}", "Nummer: {0}"},
     {"one count of the control is taken for 1 µm (--resolution), in the table that was active too: where it is another "
      "amount, all that the table does is wrong in that proportion",

@@ -128,7 +128,7 @@ TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
   request.grid = {};
   const auto next = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", first->text}}, request);
   ASSERT_TRUE(next) << next.error().message;
-  EXPECT_EQ(next->existing->positions().back(), 400.0) << "as it was asked for";
+  EXPECT_EQ(next->existing->positions().back(), 500.0);
   EXPECT_FALSE(has_finding(*next, "compensation-existing-cut"));
   const std::string short_of_targets = "; range 0 to 400\n#1 DEFINE COMP 5,500000\n16\n32\n48\n64\n0\nI51=1\n";
   const auto rolled = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", short_of_targets}},
@@ -136,6 +136,19 @@ TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
   ASSERT_FALSE(rolled) << "what it did at 500 mm was the value at 0";
   EXPECT_NE(rolled.error().message.find("goes on to that of the other end"), std::string::npos);
   EXPECT_TRUE(language::is_known(rolled.error().message, language::Language::german)) << rolled.error().message;
+}
+
+TEST(Compensate, AScaleThatIsLeftOutIsTold) {
+  CompensateRequest request{.control = "marlin"};
+  const auto untold = compensate({evenly_measured(0.02, 3.0)}, request);
+  ASSERT_TRUE(untold) << untold.error().message;
+  const auto found = std::ranges::find(untold->findings, "compensation-scale-left-out", &NamedFinding::id);
+  ASSERT_NE(found, untold->findings.end());
+  EXPECT_TRUE(language::is_known(found->message, language::Language::german)) << found->message;
+  request.table.steps_per_unit = 200.0;
+  const auto told = compensate({evenly_measured(0.02, 3.0)}, request);
+  ASSERT_TRUE(told) << told.error().message;
+  EXPECT_FALSE(has_finding(*told, "compensation-scale-left-out"));
 }
 
 TEST(Compensate, ATableOfAnotherCountIsRefused) {

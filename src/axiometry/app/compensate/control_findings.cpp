@@ -68,6 +68,10 @@ std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, cons
          fmt::format("beside the table {} must be what it was while the axis was measured and {:.3f} {} added: the "
                      "prediction counts on it, and no control reads it from the file",
                      control.backlash, backlash, deviation_unit(options.kind))});
+  if (control.uses.steps_per_unit && options.steps_per_unit == 0.0)
+    findings.push_back({"compensation-scale-left-out", false,
+                        "nobody tells the steps per unit of the control (--steps-per-unit): the scale is in the file "
+                        "as a comment alone, and what is predicted is of the backlash"});
   if (control.limits.rolls_over)
     if (auto ends = finding_of_ends(applied)) findings.push_back(*std::move(ends));
   return findings;

@@ -67,13 +67,11 @@ Result<AxisCorrection> without_lead_to(LeadOn lead, AxisCorrection existing, con
            (lead.over_targets && positions[k - 1] <= targets.high + beside);
   };
   const auto leads_down = [&](std::size_t k) {
-    return positions[k] >= lead.reference - beside ||
-           (lead.over_targets && positions[k + 1] >= targets.low - beside);
+    return positions[k] >= lead.reference - beside || (lead.over_targets && positions[k + 1] >= targets.low - beside);
   };
   while (last > first + 1 && positions[last] > targets.high + beside && leads_up(last) && is_alike(last, last - 1))
     --last;
-  while (first + 1 < last && positions[first] < targets.low - beside && leads_down(first) &&
-         is_alike(first, first + 1))
+  while (first + 1 < last && positions[first] < targets.low - beside && leads_down(first) && is_alike(first, first + 1))
     ++first;
   const auto part = [&](const std::vector<double>& all) {
     return std::vector(all.begin() + static_cast<std::ptrdiff_t>(first),

@@ -18,7 +18,7 @@ Result<void> check_unit_of_length(const AxisCorrection& existing, const Series& 
 
 /// What positions beyond those that were asked for a control's tables have, with the value of the last one of these.
 struct LeadOn {
-  double reference = 0.0;      ///< they reach it, and one step beyond
+  double reference = 0.0;     ///< they reach it, and one step beyond
   bool over_targets = false;  ///< and the first step that no target is beyond, where they do not hold their ends
 };
 /// Without them: the same correction, at the positions that were asked for when it was made.

@@ -283,11 +283,8 @@ const AxisTable pmac_axis_table = {
     .title = "Delta Tau PMAC, COMP and BLCOMP",
     .extension = ".pmc",
     .curves = TableCurves::each_way,
-    .limits = {.equidistant = true,
-               .origin = TableOrigin::on_grid,
-               .zero_upwards = true,
-               .closes = true,
-               .rolls_over = true},
+    .limits =
+        {.equidistant = true, .origin = TableOrigin::on_grid, .zero_upwards = true, .closes = true, .rolls_over = true},
     .uses = {.number = true, .resolution = true, .output_axis = true, .inch = false},
     .sign =
         "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
