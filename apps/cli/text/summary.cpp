@@ -272,6 +272,19 @@ std::string line_verdict(const app::Evaluated& e, Verdict verdict, const report:
 
 constexpr std::string_view line_parameters[] = {"A", "E", "M", "R", "B"};
 
+/// Approached from one direction alone an axis has no A, E and R, but those of that direction, which carry its arrow.
+std::string line_value(std::string_view key, const app::Evaluated& e, const report::Options& options) {
+  const auto value = [&](const iso230_2::ParameterInfo& parameter) {
+    return shown_with_limit(parameter, e, options).value;
+  };
+  const iso230_2::ParameterInfo& both = *iso230_2::find_parameter(key);
+  if (exists(e, both)) return value(both);
+  const bool up = e.test.series.has(Direction::up);
+  if (up == e.test.series.has(Direction::down)) return "–";
+  const auto one = iso230_2::find_parameter(fmt::format("{}_{}", key, up ? "up" : "down"));
+  return one && exists(e, *one) ? value(*one) + (up ? "↑" : "↓") : "–";
+}
+
 }  // namespace
 
 std::string line_header(const report::Options& options, const Terminal& terminal) {
@@ -284,13 +297,8 @@ std::string line_header(const report::Options& options, const Terminal& terminal
 
 std::string line(const app::Evaluated& e, const report::Options& options, const Terminal& terminal) {
   std::string text;
-  std::string unit;
-  for (std::string_view key : line_parameters) {
-    const auto& parameter = *iso230_2::find_parameter(key);
-    const auto shown = shown_with_limit(parameter, e, options);
-    text += right(exists(e, parameter) ? shown.value : "–", line_value_width);
-    unit = shown.unit;
-  }
+  for (std::string_view key : line_parameters) text += right(line_value(key, e, options), line_value_width);
+  const std::string unit = shown_with_limit(*iso230_2::find_parameter("B"), e, options).unit;
   const std::string axis = report::printable(e.test.metadata.axis.name);
   text += "  " + left(unit, 6) + left(axis.empty() ? "–" : axis, 6);
   const iso230_2::Claims claims = iso230_2::claims_of(e.test, e.assessment);

@@ -129,5 +129,19 @@ TEST(MotionReport, HasAnUncertaintyOfTheAngleOfALineAndNoRoundingForAValue) {
   EXPECT_EQ(row_of(straight, "Straightness, range of the residuals").at(2), "0");
 }
 
+/// A second run that is the first one's copy knows no more than that, and nothing of the truth.
+TEST(MotionReport, HasNoUncertaintyOfNothingWhereRunsAgreeToTheLastDigit) {
+  const std::string rows =
+      "position_mm,run,straightness_um\n0,1,1\n400,1,2\n800,1,3.5\n0,2,1\n400,2,2\n800,2,3.5\n";
+  const auto copied = straight_document(rows);
+  for (const char* row : {"Straightness, range of the residuals", "Slope of the line", "Line at position 0"})
+    EXPECT_EQ(row_of(copied, row).at(3), "–") << row;
+  MotionRequest request{.file = "a.csv", .options = {}, .bytes = rows};
+  request.options.instrument = error_motions::InstrumentUncertainty{.a = 0.4};
+  const auto measured = measure_straightness(request);
+  ASSERT_TRUE(measured);
+  EXPECT_TRUE(measured->motion.principal().slope_per_m.tells_U());
+}
+
 }  // namespace
 }  // namespace axiometry::app

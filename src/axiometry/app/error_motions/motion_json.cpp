@@ -77,9 +77,10 @@ Value texts_to_json(const std::vector<std::string>& texts) {
 Value estimate_to_json(const MotionEstimate& e) {
   Value object = Value::object();
   object.add("value", e.value);
-  object.add("u", known(e.u));
-  object.add("k", e.u ? Value(e.k) : Value());
-  object.add("U", e.u ? Value(e.U()) : Value());
+  const bool tells_U = e.tells_U();
+  object.add("u", tells_U ? Value(*e.u) : Value());
+  object.add("k", tells_U ? Value(e.k) : Value());
+  object.add("U", tells_U ? Value(e.U()) : Value());
   object.add("scatter", scatter_word(e.scatter));
   const bool scatters = e.scatter != MotionEstimate::Scatter::none;
   object.add("u_scatter", scatters ? Value(e.scatter_u) : Value());

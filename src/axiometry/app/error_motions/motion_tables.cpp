@@ -31,10 +31,7 @@ using report::verbatim;
 constexpr int digits_alone = 5;  // of a value without U
 constexpr int residual_decimals = 3;
 
-constexpr double rounding = 1e-9;  // of a value, or of its unit: what is smaller is none
-
-/// Rounding is no uncertainty.
-bool tells_something(const MotionEstimate& e) { return e.U() > rounding * std::abs(e.value) && e.U() > rounding; }
+using error_motions::rounding;
 
 std::string unit_per_m(MotionUnit unit) { return fmt::format("{}/m", motion_unit_symbol(unit)); }
 
@@ -149,9 +146,9 @@ report::Document motion_document(std::string_view kind, const std::string& title
 
 std::vector<report::TableCell> estimate_row(std::string_view quantity, std::string_view course, const MotionEstimate& e,
                                             std::string_view unit, const report::Options& options) {
-  if (!e.u || !tells_something(e)) {
+  if (!e.u || e.U_is_rounding()) {
     auto row = value_row(quantity, course, e.value, unit, options);
-    if (e.u) row[3] = {plain("0")};
+    if (e.tells_U()) row[3] = {plain("0")};
     return row;
   }
   const int decimals = decimals_for(e.U(), options.uncertainty_digits);

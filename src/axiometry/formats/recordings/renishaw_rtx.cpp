@@ -41,9 +41,8 @@ class RtxReader final : public RecordingReader {
     if (!header_ && !begun_.empty()) AXIOMETRY_TRY_VOID(begin(sink));
     if (!header_) return fail("found an .rtx recording that ends in its header, expected samples");
     if (interrupted_) return {};
-    if (taken_ < header_->samples)
-      return fail(fmt::format("found {}, expected {} as the header says: the file is cut off",
-                              counted(taken_, "sample"), header_->samples));
+    if (taken_ < header_->samples) return cut_off(taken_);
+    if (end_mark_taken_for_number()) return cut_off(taken_ - 1);
     const std::string_view rest = text::trim(begun_);
     if (rest.empty() || text::equal_ignoring_case(rest, "EOF::")) return {};
     return fail(fmt::format("found more behind the {} that the header says, expected EOF::",
@@ -70,6 +69,16 @@ class RtxReader final : public RecordingReader {
     if (!header_) return {};
     begun_.erase(0, header_->data_at);
     return take_numbers(sink);
+  }
+
+  Result<void> cut_off(std::uint64_t samples) const {
+    return fail(fmt::format("found {}, expected {} as the header says: the file is cut off",
+                            counted(samples, "sample"), header_->samples));
+  }
+
+  /// The end mark with its line ends is as long as a number: where a number is missing it was taken for the last.
+  bool end_mark_taken_for_number() const {
+    return text::equal_ignoring_case(text::trim(last_number_ + begun_), "EOF::");
   }
 
   Result<void> take_numbers(const SampleSink& sink) {
@@ -99,6 +108,7 @@ class RtxReader final : public RecordingReader {
       else
         done = fail(fmt::format("found a number that is not finite in sample {}, expected a position", taken_ + 1));
     }
+    last_number_ = bytes.substr(bytes.size() - rtx_number);
     if (!samples.empty()) AXIOMETRY_TRY_VOID(sink(samples));
     return done;
   }
@@ -107,6 +117,7 @@ class RtxReader final : public RecordingReader {
   AxisKind kind_;
   std::optional<RtxHeader> header_;
   std::string begun_;  // the header, later less than a number, or what follows the last one
+  std::string last_number_;  // its bytes
   std::size_t next_look_ = 1;
   bool interrupted_ = false;
   std::uint64_t taken_ = 0;

@@ -99,6 +99,16 @@ TEST(RenishawRtx, RefusesInWordsWhatIsNotWhole) {
   EXPECT_FALSE(find_recording("renishaw-rtx")->open(options));
 }
 
+TEST(RenishawRtx, TakesNoEndMarkForTheNumberThatIsMissing) {
+  for (const char* end : {"\r\nEOF::\r\n", "\r\nEOF::\r\n\r\n", "EOF::   \r\n", "\r\n\r\nEOF::"}) {
+    const std::string file = replaced(rtx_file(three, 4.0), "\r\nEOF::\r\n", end);
+    EXPECT_EQ(rtx_text(file), "0:0.5 0.25:-1.25 0.5:3") << end;
+    EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 4")),
+                HasSubstr("found 3 samples, expected 4 as the header says: the file is cut off"))
+        << end;
+  }
+}
+
 TEST(RenishawRtx, IsNotTakenForTheOtherFilesOfThatMaker) {
   EXPECT_EQ(find_recording("renishaw-rtx")->recognise("HEADER::\r\nFile type  : rtl\r\nTARGET DATA::\r\n"), 0);
 }

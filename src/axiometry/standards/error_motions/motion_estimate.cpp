@@ -34,6 +34,8 @@ double coverage_of(double degrees) {
   return std::isfinite(degrees) ? numeric::student_t_quantile(two_sigma, cut_degrees(degrees)) : 2.0;
 }
 
+bool MotionEstimate::U_is_rounding() const { return U() <= rounding * std::max(std::abs(value), 1.0); }
+
 MotionEstimate combined(MotionEstimate e) {
   if (e.scatter == MotionEstimate::Scatter::none && !e.instrument_u && !e.other_u) return e;
   const ScatterPart parts[] = {

@@ -19,6 +19,8 @@ struct InstrumentUncertainty {
   double standard(double distance_mm) const { return (a + 1e-3 * b_per_m * distance_mm) / 2.0; }
 };
 
+inline constexpr double rounding = 1e-9;  ///< of a value, or of its unit: what is smaller is none
+
 struct MotionEstimate {
   enum class Scatter {
     none,       ///< one run: it cannot be told from the shape of the way
@@ -38,6 +40,11 @@ struct MotionEstimate {
   std::optional<double> u;  ///< √(scatter² + instrument² + other²)
   double k = 2.0;           ///< Student's t for 95.45 % and ν_eff, cut to a whole number (G.6.4)
   double U() const { return u ? k * *u : 0.0; }
+  bool U_is_rounding() const;
+
+  /// Runs that agree in a figure to its last digit tell nothing of how far it is from the truth: without an instrument
+  /// or a square whose U is stated there is none then, and not 0.
+  bool tells_U() const { return u && (instrument_u || other_u || !U_is_rounding()); }
 };
 
 /// The parts of a sum of independent quantities of type A: its u and ν_eff (GUM G.2b).
