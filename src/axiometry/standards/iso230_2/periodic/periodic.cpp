@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "axiometry/base/counted.h"
 #include "axiometry/model/plan.h"
@@ -330,6 +331,34 @@ void add_spectrum(PeriodicDirection& result, const Means& means, PeriodBand band
     result.spectrum.push_back({Position::native(line.period), Deviation::native(line.amplitude)});
 }
 
+template <typename Quantity>
+void enlarge(Estimate<Quantity>& estimate, double times) {
+  if constexpr (std::is_same_v<Quantity, double>)
+    estimate.u *= times;
+  else if constexpr (std::is_same_v<Quantity, Angle>)
+    estimate.u = Angle::deg(std::min(times * estimate.u.in_deg(), nothing_known_deg));
+  else
+    estimate.u = Quantity::native(times * estimate.u.in_native());
+}
+
+/// The fit takes residuals for independent. Where they go on from target to target, noise like them has more power at
+/// long periods than white noise of the same size, and what is fitted there is as much less certain.
+void enlarge_uncertainties(PeriodicDirection& result, std::size_t targets) {
+  const NoiseCorrelation& noise = result.residual_correlation;
+  result.curve_times = noise.uncertain_beside_white(result.targets_per_period);
+  result.line_times = noise.uncertain_beside_white(2.0 * static_cast<double>(targets));
+  enlarge(result.offset, result.line_times);
+  enlarge(result.slope_native, result.line_times);
+  enlarge(result.period, result.curve_times);
+  enlarge(result.phase_at_zero, result.curve_times);
+  enlarge(result.peak_to_valley, result.curve_times);
+  for (PeriodicHarmonic& h : result.harmonics) {
+    const double times = noise.uncertain_beside_white(result.targets_per_period / static_cast<double>(h.order));
+    enlarge(h.amplitude, times);
+    enlarge(h.phase, times);
+  }
+}
+
 Result<PeriodicDirection> evaluate_direction(const Test& test, Direction direction, const PeriodicOptions& options) {
   const Means means = means_of(test.series, direction);
   const std::string_view unit = unit_of(test);
@@ -361,6 +390,7 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
   result.periods_covered = means.travel() / fits->curve.period;
   result.targets_per_period = fits->curve.period / means.spacing();
   add_spectrum(result, means, band, spectrum, fits->curve, rounding);
+  enlarge_uncertainties(result, means.places.size());
   add_points(result, means);
   return result;
 }
