@@ -181,4 +181,8 @@ std::vector<Finding> periodic_findings(const Test& test, std::span<const Periodi
   return all;
 }
 
+bool PeriodicError::conforming() const {
+  return std::ranges::none_of(findings, [](const Finding& finding) { return finding.severity == Severity::departure; });
+}
+
 }  // namespace axiometry::iso230_2

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 
 #include "axiometry/base/counted.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/numeric/harmonic_fit.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/special_functions.h"
+#include "axiometry/standards/iso230_2/periodic/enlarged_uncertainties.h"
 #include "axiometry/standards/iso230_2/periodic/findings.h"
 
 namespace axiometry::iso230_2 {
@@ -26,7 +26,6 @@ constexpr std::size_t most_harmonics = 4;
 constexpr double significance = 0.01;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double deg = 180.0 / std::numbers::pi;
-constexpr double nothing_known_deg = 103.92304845413264;  // 360/√12: sd of an angle that may be any
 // At twice the spacing equal steps show a cosine and no sine.
 constexpr double shortest_spacings = 2.1;
 constexpr double most_lines = 1e7;
@@ -331,34 +330,6 @@ void add_spectrum(PeriodicDirection& result, const Means& means, PeriodBand band
     result.spectrum.push_back({Position::native(line.period), Deviation::native(line.amplitude)});
 }
 
-template <typename Quantity>
-void enlarge(Estimate<Quantity>& estimate, double times) {
-  if constexpr (std::is_same_v<Quantity, double>)
-    estimate.u *= times;
-  else if constexpr (std::is_same_v<Quantity, Angle>)
-    estimate.u = Angle::deg(std::min(times * estimate.u.in_deg(), nothing_known_deg));
-  else
-    estimate.u = Quantity::native(times * estimate.u.in_native());
-}
-
-/// The fit takes residuals for independent. Where they go on from target to target, noise like them has more power at
-/// long periods than white noise of the same size, and what is fitted there is as much less certain.
-void enlarge_uncertainties(PeriodicDirection& result, std::size_t targets) {
-  const NoiseCorrelation& noise = result.residual_correlation;
-  result.curve_times = noise.uncertain_beside_white(result.targets_per_period);
-  result.line_times = noise.uncertain_beside_white(2.0 * static_cast<double>(targets));
-  enlarge(result.offset, result.line_times);
-  enlarge(result.slope_native, result.line_times);
-  enlarge(result.period, result.curve_times);
-  enlarge(result.phase_at_zero, result.curve_times);
-  enlarge(result.peak_to_valley, result.curve_times);
-  for (PeriodicHarmonic& h : result.harmonics) {
-    const double times = noise.uncertain_beside_white(result.targets_per_period / static_cast<double>(h.order));
-    enlarge(h.amplitude, times);
-    enlarge(h.phase, times);
-  }
-}
-
 Result<PeriodicDirection> evaluate_direction(const Test& test, Direction direction, const PeriodicOptions& options) {
   const Means means = means_of(test.series, direction);
   const std::string_view unit = unit_of(test);
@@ -406,10 +377,6 @@ double PeriodicDirection::curve_native(double position) const {
          std::sin(two_pi * static_cast<double>(h.order) * turns + h.phase.value.in_deg() / deg);
   }
   return y;
-}
-
-bool PeriodicError::conforming() const {
-  return std::ranges::none_of(findings, [](const Finding& finding) { return finding.severity == Severity::departure; });
 }
 
 Result<PeriodicError> periodic_error(const Test& test, const PeriodicOptions& options) {

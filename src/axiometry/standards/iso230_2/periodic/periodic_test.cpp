@@ -318,7 +318,7 @@ TEST(Periodic, HasTheTruthWithinUAmongCorrelatedNoiseToo) {
                  d.coverage_factor * d.harmonics.front().amplitude.u.in_native();
   }
   EXPECT_GE(slope, trials * 9 / 10);
-  EXPECT_GE(amplitude, trials * 9 / 10);
+  EXPECT_GE(amplitude, trials * 17 / 20) << "residuals have lost what the fit took for line and curve";
 }
 
 /// The largest over ρ of (1 − ρ²)/(1 − 2ρ cos ω + ρ²) is 1/sin ω: 2 at twelve targets per period.
