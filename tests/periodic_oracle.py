@@ -101,6 +101,17 @@ def false_alarm(x, z, shortest, longest):
     return -math.expm1(math.log1p(-single) - crossings)
 
 
+def enlargement(rest, nu, targets_per_period):
+    """√g of docs/theory/periodic-error.md, by which U is larger where residuals go on from target to target; else 1."""
+    n = len(rest)
+    seen = float(rest[:-1] @ rest[1:] / (rest @ rest))
+    if seen <= 3.0902 / math.sqrt(n):
+        return 1.0
+    most = min(max(seen + (1 + seen) * (n - nu - 1) / n + 2 * math.sqrt((1 - seen * seen) / n), 0), 1)
+    rho, cosine = np.linspace(0, most, 100001), math.cos(TAU / targets_per_period)
+    return math.sqrt(max(1.0, float(np.max((1 - rho**2) / (1 - 2 * rho * cosine + rho**2)))))
+
+
 class Checks:
     def __init__(self):
         self.failed = 0
@@ -131,6 +142,10 @@ def check(checks, x, readings, known):
         checks.near("log chance", math.log(max(d["false_alarm_probability"], 1e-12)), math.log(max(p, 1e-12)), 1e-3)
     start = known or d["period"]["value"]
     beta, covariance, rest, nu = fit(x, y, start, orders, not known)
+    per_period = (known or beta[-1]) / step
+    times = np.full(len(beta), enlargement(rest, nu, per_period))
+    times[:2] = enlargement(rest, nu, 2 * len(x))
+    covariance = covariance * np.outer(times, times)
     u = np.sqrt(np.diag(covariance))
     s, c = beta[2], beta[3]
     amplitude = math.hypot(s, c)

@@ -169,7 +169,8 @@ constexpr Phrase files_rows[] = {
     {"found numbers with a comma and numbers with a point; which is the decimal mark, point or comma?",
      "Zahlen mit Komma und Zahlen mit Punkt; was ist das Dezimalzeichen, point oder comma?"},
     {"found readings ({0}) that are the difference of {1} and target in {2=}, not in {3=}; in which unit are they?",
-     "Messwerte ({0}), die in {2} die Differenz von {1} und Zielposition sind, nicht in {3}; in welcher Einheit sind sie?"},
+     "Messwerte ({0}), die in {2} die Differenz von {1} und Zielposition sind, nicht in {3}; in welcher Einheit sind "
+     "sie?"},
     {"found readings that differ by {0#} over {1#} of targets; are they really in {2} ({3})?",
      "Messwerte, die sich um {0} unterscheiden, auf {1} der Zielpositionen; sind sie wirklich in {2} ({3})?"},
     {"found rows of runs without a direction; from where was each approached: up, down, visits or run-parity?",

@@ -98,10 +98,11 @@ constexpr Phrase periodic_rows[] = {
      "tests",
      "keine signifikante periodische Abweichung: Rauschen allein ergibt in bis zu {1}\u00a0% solcher Prüfungen eine so "
      "hohe Spitze wie die bei {0}"},
-    {"found residuals that go on from target to target (correlation {0#}): U takes them for independent and is too "
-     "small, and so are chances of white noise",
-     "Residuen, die von Zielposition zu Zielposition zusammenhängen (Korrelation {0}): U hält sie für unabhängig und "
-     "ist zu klein, ebenso Wahrscheinlichkeiten durch weißes Rauschen"},
+    {"found residuals that go on from target to target (correlation {0#}): U of the curve was enlarged {1#} times and "
+     "U of the line {2#} times, and chances of white noise are too small",
+     "Residuen, die von Zielposition zu Zielposition zusammenhängen (Korrelation {0}): U der Kurve wurde auf das "
+     "{1}-Fache und U der Geraden auf das {2}-Fache vergrößert, und Wahrscheinlichkeiten durch weißes Rauschen sind zu "
+     "klein"},
     {"mean of {0#} runs", "Mittelwert aus {0} Durchläufen"},
     {"no, not significant", "nein, nicht signifikant"},
     {"period as given", "vorgegebene Periode"},

@@ -103,29 +103,27 @@ const most_points = 256 * 1024;  // bytes, as the server takes
 
 function Locate({ form, request, locate, points, set_points, asking, busy }: Props & { asking: Asking; busy: boolean }) {
   const [sigma, set_sigma] = useState('');
-  const [found, set_found] = useState<{ file: File; station: TrackingStation } | null>(null);
+  // With what it was found: the report is of that, whatever is typed since.
+  const [found, set_found] = useState<{ file: File; station: TrackingStation; options: string } | null>(null);
   const count = 8;
   const micrometres = parsed(sigma);
   const sigma_fault = sigma.trim() === '' || micrometres !== null ? null : t('not_number', { text: sigma.trim() });
   const options = () => {
-    const tool = request?.setup.tool_offset_mm ?? [0, 0, 0];
     const near = request && form.station.every((text) => text.trim() !== '') ? { near_mm: station_place(request.setup) ?? undefined } : {};
-    return { tool, near, given: micrometres === null ? {} : { machine_sigma_um: micrometres } };
+    return JSON.stringify({ ...near, ...(micrometres === null ? {} : { machine_sigma_um: micrometres }) });
   };
-  const path = (of: string) => {
-    const { near, given } = options();
-    return `/api/tracking/station${of}${query({ language: language.value, decimal: decimal.value, options: JSON.stringify({ ...near, ...given }) })}`;
-  };
+  const path = (of: string, asked: string) => `/api/tracking/station${of}${query({ language: language.value, decimal: decimal.value, options: asked })}`;
   const take = (file: File) => void asking(async () => {
     set_found(null);
     if (sigma_fault !== null) throw new ApiError('refused', `${t('sigma')}: ${sigma_fault}`, 0);
     if (file.size > most_points) throw new ApiError('refused', t('too_large', { n: Math.round(file.size / 1000), most: most_points / 1000 }), 0);
-    const station = (await (await made_of_files(path(''), file)).json()) as TrackingStation;
-    set_found({ file, station });
+    const asked = options();
+    const station = (await (await made_of_files(path('', asked), file)).json()) as TrackingStation;
+    set_found({ file, station, options: asked });
     if (!station.findings.some(({ severity }) => severity === 'serious')) { locate(located_station(station)); set_points(null); }
   });
   const save = (extension: string) => void asking(async () => {
-    if (found) offer(await (await made_of_files(path(`/report.${extension}`), found.file)).blob(), `station.${extension}`);
+    if (found) offer(await (await made_of_files(path(`/report.${extension}`, found.options), found.file)).blob(), `station.${extension}`);
   });
   return (
     <details class="more" open={found !== null || points !== null || undefined}>

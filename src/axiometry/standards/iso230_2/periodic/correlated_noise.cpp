@@ -18,6 +18,10 @@ double NoiseCorrelation::power_beside_white(double targets_per_period) const {
   return std::max(1.0, (1.0 - rho * rho) / (1.0 - 2.0 * rho * cosine + rho * rho));
 }
 
+double NoiseCorrelation::uncertain_beside_white(double targets_per_period) const {
+  return told ? std::sqrt(power_beside_white(targets_per_period)) : 1.0;
+}
+
 double NoiseCorrelation::white_reduction(double reduction, double targets_per_period) const {
   const double rest = power_beside_white(targets_per_period) * (1.0 - reduction);
   return reduction > 0.0 ? reduction / (reduction + rest) : 0.0;

@@ -18,6 +18,9 @@ struct NoiseCorrelation {
   /// that makes the most of it: (1 − ρ²)/(1 − 2ρ cos ω + ρ²) with ω = 2π/targets; 1 or more, at most 1/|sin ω|.
   double power_beside_white(double targets_per_period) const;
 
+  /// How many times as uncertain as by white noise an amplitude of such a period is: √ of that; 1 where none is told.
+  double uncertain_beside_white(double targets_per_period) const;
+
   /// The part of a sum of squares that white noise would have to take away for the same ratio to its power as what was
   /// taken away has to that of this noise.
   double white_reduction(double reduction, double targets_per_period) const;

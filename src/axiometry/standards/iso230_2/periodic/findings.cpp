@@ -151,13 +151,14 @@ class DirectionFindings {
                     figure(sd, 2), deviation_, figure(scatter, 2), deviation_));
   }
 
-  /// What U and the chances take for independent of each other is not.
+  /// What the fit and the chances take for independent of each other is not.
   std::optional<Finding> correlated() const {
     if (!d_.residual_correlation.told) return std::nullopt;
     return note("periodic-correlated-residuals",
-                fmt::format("found residuals that go on from target to target (correlation {:.2f}): U takes them for "
-                            "independent and is too small, and so are chances of white noise",
-                            d_.residual_correlation.lag_one));
+                fmt::format("found residuals that go on from target to target (correlation {:.2f}): U of the curve was "
+                            "enlarged {:.2g} times and U of the line {:.2g} times, and chances of white noise are too "
+                            "small",
+                            d_.residual_correlation.lag_one, d_.curve_times, d_.line_times));
   }
 
   const Metadata& metadata_;
@@ -178,6 +179,10 @@ std::vector<Finding> periodic_findings(const Test& test, std::span<const Periodi
                    "found readings from both directions, expected one: each is evaluated for itself"});
   std::ranges::stable_sort(all, {}, &Finding::severity);
   return all;
+}
+
+bool PeriodicError::conforming() const {
+  return std::ranges::none_of(findings, [](const Finding& finding) { return finding.severity == Severity::departure; });
 }
 
 }  // namespace axiometry::iso230_2

@@ -12,6 +12,7 @@
 #include "axiometry/numeric/harmonic_fit.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/special_functions.h"
+#include "axiometry/standards/iso230_2/periodic/enlarged_uncertainties.h"
 #include "axiometry/standards/iso230_2/periodic/findings.h"
 
 namespace axiometry::iso230_2 {
@@ -25,7 +26,6 @@ constexpr std::size_t most_harmonics = 4;
 constexpr double significance = 0.01;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double deg = 180.0 / std::numbers::pi;
-constexpr double nothing_known_deg = 103.92304845413264;  // 360/√12: sd of an angle that may be any
 // At twice the spacing equal steps show a cosine and no sine.
 constexpr double shortest_spacings = 2.1;
 constexpr double most_lines = 1e7;
@@ -361,6 +361,7 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
   result.periods_covered = means.travel() / fits->curve.period;
   result.targets_per_period = fits->curve.period / means.spacing();
   add_spectrum(result, means, band, spectrum, fits->curve, rounding);
+  enlarge_uncertainties(result, means.places.size());
   add_points(result, means);
   return result;
 }
@@ -376,10 +377,6 @@ double PeriodicDirection::curve_native(double position) const {
          std::sin(two_pi * static_cast<double>(h.order) * turns + h.phase.value.in_deg() / deg);
   }
   return y;
-}
-
-bool PeriodicError::conforming() const {
-  return std::ranges::none_of(findings, [](const Finding& finding) { return finding.severity == Severity::departure; });
 }
 
 Result<PeriodicError> periodic_error(const Test& test, const PeriodicOptions& options) {

@@ -20,8 +20,9 @@
 ///
 /// by least squares, line and curve at once (numeric/harmonic_fit.h). The period λ is known, or that of the highest
 /// peak of the spectrum, refined with all harmonics. Targets may be spaced unevenly. Standard uncertainties u are those
-/// of the fit, from the residuals; expanded ones are U = k u with k of Student's t for the degrees of freedom. What is
-/// removed is the line, in this view alone: the readings stay as they are.
+/// of the fit, from the residuals, and larger where these go on from target to target; expanded ones are U = k u with k
+/// of Student's t for the degrees of freedom. What is removed is the line, in this view alone: the readings stay as
+/// they are.
 namespace axiometry::iso230_2 {
 
 /// A result of the fit with its standard uncertainty.
@@ -92,6 +93,8 @@ struct PeriodicDirection {
 
   double false_alarm = 1.0;  ///< that white noise alone gives such a peak: in the band, or at the known period
   NoiseCorrelation residual_correlation{};
+  double curve_times = 1.0;  ///< as uncertain as by white noise are λ, amplitudes, phases and peak to valley
+  double line_times = 1.0;   ///< the same of offset and slope, as of a period of twice the travel
   /// The same of noise that is as correlated from target to target as the residuals let be possible; about, and not
   /// below false_alarm.
   double false_alarm_correlated = 1.0;

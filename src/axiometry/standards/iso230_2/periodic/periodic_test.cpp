@@ -305,12 +305,31 @@ TEST(Periodic, StillFindsAPeriodThatStandsOutOfCorrelatedNoise) {
   EXPECT_THAT(findings_of(test), Contains(Field(&Finding::id, "periodic-correlated-residuals")));
 }
 
+/// A line and a long curve among noise of ρ = 0.8.
+TEST(Periodic, HasTheTruthWithinUAmongCorrelatedNoiseToo) {
+  constexpr int trials = 200;
+  int slope = 0, amplitude = 0;
+  for (int t = 0; t < trials; ++t) {
+    const auto test = correlated_test(0.8, 120, static_cast<std::uint64_t>(1000 + t),
+                                      [](double p) { return 0.05 * p + 3.0 * std::sin(two_pi * p / 30.0); });
+    const auto d = only(test, known(30.0));
+    slope += std::abs(d.slope_native.value - 0.05) <= d.coverage_factor * d.slope_native.u;
+    amplitude += std::abs(d.harmonics.front().amplitude.value.in_native() - 3.0) <=
+                 d.coverage_factor * d.harmonics.front().amplitude.u.in_native();
+  }
+  EXPECT_GE(slope, trials * 9 / 10);
+  EXPECT_GE(amplitude, trials * 17 / 20) << "residuals have lost what the fit took for line and curve";
+}
+
 /// The largest over ρ of (1 − ρ²)/(1 − 2ρ cos ω + ρ²) is 1/sin ω: 2 at twelve targets per period.
 TEST(NoiseCorrelation, ComparesItsPowerWithThatOfWhiteNoise) {
   const NoiseCorrelation any{.lag_one = 0.9, .most = 1.0}, none{};
   EXPECT_NEAR(any.power_beside_white(12.0), 2.0, 1e-12);
   EXPECT_EQ(any.power_beside_white(3.0), 1.0);
   EXPECT_EQ(none.power_beside_white(12.0), 1.0);
+  EXPECT_EQ(any.uncertain_beside_white(12.0), 1.0) << "not told";
+  const NoiseCorrelation told{.lag_one = 0.9, .most = 1.0, .told = true};
+  EXPECT_NEAR(told.uncertain_beside_white(12.0), std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(any.white_reduction(0.5, 12.0), 1.0 / 3.0, 1e-12);
   EXPECT_EQ(any.white_reduction(1.0, 12.0), 1.0);
   EXPECT_EQ(any.white_reduction(0.0, 12.0), 0.0);

@@ -290,12 +290,12 @@ std::string copied_finding(std::span<const RunDeviations> up, std::span<const Ru
 TEST(Findings, AskAboutRunsThatAreCopiesOfOthers) {
   EXPECT_EQ(copied_finding(table2::up, table2::down), "");
   EXPECT_EQ(copied_finding(table2::up, table2::up),
-            "note: found 5 of 10 runs, each direction counted, equal to another at all 11 targets, such as run 1↓ to run "
-            "1↑; chance hardly makes that, and what was copied was not measured");
+            "note: found 5 of 10 runs, each direction counted, equal to another at all 11 targets, such as run 1↓ to "
+            "run 1↑; chance hardly makes that, and what was copied was not measured");
   auto down = table2::down;
   down[3] = down[1];
-  EXPECT_THAT(copied_finding(table2::up, down), HasSubstr("found 1 of 10 runs, each direction counted, equal to another "
-                                                          "at all 11 targets, such as run 4↓ to run 2↓;"));
+  EXPECT_THAT(copied_finding(table2::up, down), HasSubstr("found 1 of 10 runs, each direction counted, equal to "
+                                                          "another at all 11 targets, such as run 4↓ to run 2↓;"));
   down = table2::up;
   for (auto& run : down)
     for (double& x : run) x = -x;
