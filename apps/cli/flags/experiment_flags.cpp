@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/app/files/output.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
@@ -59,6 +60,11 @@ int finish_experiment(const app::Experiment& experiment, const ExperimentArgumen
   if (const auto written = app::write_outputs(experiment, arguments.outputs, arguments.report); !written)
     return failed(written.error());
   return exit_done;
+}
+
+void check_json_out(const std::string& out, const std::string& instead) {
+  if (auto ending = app::check_ending(out, {".json"}); !ending)
+    throw UsageError("--out", ending.error().message + instead);
 }
 
 }  // namespace axiometry::cli

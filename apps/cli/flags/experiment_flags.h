@@ -41,4 +41,7 @@ void check_experiment_outputs(ExperimentArguments& arguments, std::initializer_l
 /// Prints the document and writes the outputs; returns the exit code.
 int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments);
 
+/// Throws where the name of --out, which is JSON, ends as that of something else; `instead` says what writes that.
+void check_json_out(const std::string& out, const std::string& instead);
+
 }  // namespace axiometry::cli

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include "cli/flags/experiment_flags.h"
 #include "cli/flags/verb.h"
 
-#include "axiometry/app/files/output.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/plan/plan_request.h"
 #include "axiometry/app/results/outputs.h"
@@ -120,8 +120,7 @@ void settle(const Verb& verb, PlanArguments& arguments, const std::vector<Flag>&
                                            "rotary or linear",
                                            axis));
   if (!checks && arguments.outputs.json.empty()) arguments.outputs.json = "-";
-  if (auto plan = app::check_ending(arguments.outputs.json, {".json"}); !plan)
-    throw UsageError("--out", plan.error().message + "; --sheet writes tables and documents of it");
+  check_json_out(arguments.outputs.json, "; --sheet writes tables and documents of it");
   if (auto outputs = app::check_outputs(arguments.outputs); !outputs)
     throw UsageError("--sheet", outputs.error().message);
 }

@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include "cli/flags/experiment_flags.h"
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/files/number_list.h"
-#include "axiometry/app/files/output.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/tracking/tracking_locate.h"
 #include "axiometry/app/tracking/tracking_plan.h"
@@ -275,8 +275,7 @@ void add_tracking_plan(const Verb& tracking, int& exit_code) {
   add_location(*verb, *arguments);
   add_outputs(*verb, *arguments);
   verb->callback([arguments, &exit_code] {
-    if (auto plan = app::check_ending(arguments->outputs.json, {".json"}); !plan)
-      throw UsageError("--out", plan.error().message + "; --sheet writes tables and documents of it");
+    check_json_out(arguments->outputs.json, "; --sheet writes tables and documents of it");
     if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
       throw UsageError("--sheet", outputs.error().message);
     exit_code = run(*arguments);

@@ -131,6 +131,7 @@ void add_volumetric_assemble(const Verb& volumetric, int& exit_code) {
   add_experiment_flags(*verb, arguments->outputs);
   verb->callback([arguments, &exit_code] {
     check_experiment_outputs(arguments->outputs, {{"--out", arguments->out}});
+    check_json_out(arguments->out, "; 'axiometry volumetric export' writes tables");
     complete(*arguments);
     exit_code = run_assemble(*arguments);
   });

@@ -114,6 +114,7 @@ void add_volumetric_identify(const Verb& volumetric, int& exit_code) {
     check_experiment_outputs(
         arguments->outputs,
         {{"--out", arguments->out}, {"--residuals", arguments->residuals}, {"--lengths-out", arguments->lengths_out}});
+    check_json_out(arguments->out, "; 'axiometry volumetric export' writes tables");
     exit_code = run(*arguments);
   });
 }

@@ -16,6 +16,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "cli/failure.h"
+#include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/command_volumetric.h"
@@ -166,8 +167,7 @@ void add_volumetric_plan(const Verb& volumetric, int& exit_code) {
   file("--json", arguments->json, "What it will tell, as JSON");
   verb->add_flag("--quiet,-q", arguments->quiet, "No summary in the terminal")->group("Outputs");
   verb->callback([arguments, &exit_code] {
-    if (auto plan = app::check_ending(arguments->out, {".json"}); !plan)
-      throw UsageError("--out", plan.error().message + "; --points-out writes its points as a table");
+    check_json_out(arguments->out, "; --points-out writes its points as a table");
     exit_code = run(*arguments);
   });
 }

@@ -160,6 +160,8 @@ constexpr Phrase refusals_verbs_rows[] = {
      "Regel {0}; erwartet: simple, iso14253-1 oder guard-band=BREITE wie guard-band=3um"},
     {"found the source {0=}, expected NAME=tcp://host:port or NAME=serial:///dev/ttyACM0",
      "Quelle {0}; erwartet: NAME=tcp://host:port oder NAME=serial:///dev/ttyACM0"},
+    {"found the standard input twice, expected a file for one of them",
+     "die Standardeingabe zweimal; erwartet: eine Datei für eine davon"},
     {"found the tolerance {0=}, expected PARAMETER=LIMIT such as A=10um",
      "Grenzwert {0}; erwartet: KENNGRÖSSE=GRENZWERT wie A=10um"},
     {"found the tolerance {0=}, expected a limit of at most {1#}",

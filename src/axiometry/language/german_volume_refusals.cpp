@@ -195,6 +195,7 @@ constexpr Phrase volume_refusals_rows[] = {
     {"found the tool {0=}, expected one of the machine's", "Werkzeug {0}; erwartet: eines der Maschine"},
     {"found the tool {0=}, expected one of the machine: {1=}", "Werkzeug {0}; erwartet: eines der Maschine: {1}"},
     {"found the tool {0=}, expected one of {1=}", "Werkzeug {0}; erwartet: eines von {1}"},
+    {"found two places of {0=} in {1=}, expected one", "zwei Orte von {0} in {1}; erwartet: einer"},
     {"found value of {0#}, expected at most {1#}", "value von {0}; erwartet: höchstens {1}"},
     {"found where axes stand, {0=}, and no axis, expected both or none",
      "fand, wo Achsen stehen, {0}, und keine Achse, erwartete beides oder keines"},

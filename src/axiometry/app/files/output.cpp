@@ -182,6 +182,14 @@ Result<void> check_ending(const std::string& name, std::initializer_list<std::st
       fmt::format("found the output {}, expected a file ending in {}", text::quoted(name), fmt::join(endings, ", ")));
 }
 
+Result<void> check_writable(const std::string& name) {
+  struct stat status {};
+  if (name == "-" || (::stat(name.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)))
+    return {};
+  AXIOMETRY_TRY([[maybe_unused]] const OutputFile file, OutputFile::create(name));
+  return {};
+}
+
 Result<void> write_file(const std::string& name, std::string_view bytes) {
   AXIOMETRY_TRY(OutputFile file, OutputFile::create(name));
   AXIOMETRY_TRY_VOID(file.write(bytes));

@@ -46,6 +46,10 @@ class OutputFile {
 /// and a name without an ending say nothing.
 Result<void> check_ending(const std::string& name, std::initializer_list<std::string_view> endings);
 
+/// Fails as OutputFile::create() does, before hours are spent on what is to be written; leaves nothing behind. A pipe
+/// or a device is not opened.
+Result<void> check_writable(const std::string& name);
+
 /// The whole file in one step.
 Result<void> write_file(const std::string& name, std::string_view bytes);
 Result<void> write_secret_file(const std::string& name, std::string_view bytes);

@@ -174,6 +174,18 @@ TEST_F(OutputTest, IsCalledWhatItIs) {
   EXPECT_EQ(json.error().message, "found the output \"x.json\", expected a file ending in .csv, .txt");
 }
 
+TEST_F(OutputTest, CanBeAskedBefore) {
+  EXPECT_TRUE(check_writable("-"));
+  EXPECT_TRUE(check_writable("/dev/null"));
+  EXPECT_TRUE(check_writable(path("new.json")));
+  EXPECT_FALSE(fs::exists(path("new.json")));
+  ASSERT_TRUE(write_file(path("old.json"), "old"));
+  EXPECT_TRUE(check_writable(path("old.json")));
+  EXPECT_EQ(content("old.json"), "old");
+  EXPECT_EQ(check_writable(path("no/x.json")).error().message, "cannot write: No such file or directory");
+  EXPECT_EQ(check_writable(folder_.path()).error().message, "cannot write: Is a directory");
+}
+
 TEST_F(OutputTest, SaysWhyItCannotWrite) {
   const auto result = write_file(path("no/such/folder.txt"), "x");
   ASSERT_FALSE(result);

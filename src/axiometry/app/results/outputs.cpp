@@ -86,10 +86,16 @@ bool state_tests_in_full(const OutputNames& names) {
 
 InputFiles::InputFiles(std::span<const InputFile> inputs) {
   for (const InputFile& input : inputs) {
+    if (input.name == "-") ++standard_inputs_;
     struct stat status {};
     const int failed = input.name == "-" ? ::fstat(STDIN_FILENO, &status) : ::stat(input.name.c_str(), &status);
     if (failed == 0 && S_ISREG(status.st_mode)) files_.emplace(status.st_dev, status.st_ino);
   }
+}
+
+Result<void> InputFiles::check_standard_input() const {
+  if (standard_inputs_ < 2) return {};
+  return fail("found the standard input twice, expected a file for one of them");
 }
 
 Result<void> InputFiles::check_spared(const std::string& output) const {
@@ -99,6 +105,7 @@ Result<void> InputFiles::check_spared(const std::string& output) const {
 }
 
 Result<void> check_inputs_spared(const OutputNames& names) {
+  AXIOMETRY_TRY_VOID(names.inputs.check_standard_input());
   if (names.json != "-") AXIOMETRY_TRY_VOID(names.inputs.check_spared(names.json));
   for (const std::string& report : names.reports) AXIOMETRY_TRY_VOID(names.inputs.check_spared(report));
   return {};

@@ -26,11 +26,14 @@ class InputFiles {
   InputFiles() = default;
   explicit InputFiles(std::span<const InputFile> inputs);
 
+  /// Fails where "-" stands for two of them: it brings the bytes of one.
+  Result<void> check_standard_input() const;
   /// Fails when the name leads to one of them.
   Result<void> check_spared(const std::string& output) const;
 
  private:
   std::set<std::pair<dev_t, ino_t>> files_;
+  std::size_t standard_inputs_ = 0;
 };
 
 /// In the name of a file: its place is taken by the name of each test, or of each line.
@@ -50,7 +53,8 @@ bool state_tests_in_full(const OutputNames& names);
 /// Fails on an extension that no writer has (the message lists those there are), and on a name given twice.
 Result<void> check_outputs(const OutputNames& names);
 
-/// Fails when one of the names, as far as they are known before {name} is, leads to an input.
+/// Fails when one of the names, as far as they are known before {name} is, leads to an input, and as
+/// InputFiles::check_standard_input().
 Result<void> check_inputs_spared(const OutputNames& names);
 
 /// Sets a document that is not the report of a single test into each of the files, by their extensions. Needs names

@@ -66,6 +66,8 @@ Result<Vector3> parse_place(const std::string& text, std::size_t axis) {
             fmt::format("found a place of {} in {}, expected those of the other axes alone: {} moves along the "
                         "line",
                         "XYZ"[axis], text::quoted(text), "XYZ"[axis]));
+      if (given[letter])
+        return fail(fmt::format("found two places of {} in {}, expected one", "XYZ"[letter], text::quoted(text)));
       place[letter] = *number;
       given[letter] = true;
     }

@@ -133,6 +133,7 @@ TEST(PredictTest, SaysWhatItMissesOfTheLine) {
   EXPECT_THAT(fault({.axis = "X", .tool = "T1"}), HasSubstr("found no place of Y"));
   EXPECT_THAT(fault({.axis = "X", .at = "y=300,z", .tool = "T1"}), HasSubstr("expected where the other axes stand"));
   EXPECT_THAT(fault({.axis = "X", .at = "x=700,y=300,z=-250", .tool = "T1"}), HasSubstr("X moves along the line"));
+  EXPECT_THAT(fault({.axis = "X", .at = "y=300,y=200,z=-250", .tool = "T1"}), HasSubstr("found two places of Y"));
   EXPECT_THAT(fault({.diagonal = "PPP-NNN", .at = "y=300", .tool = "T1"}), HasSubstr("and no axis"));
   EXPECT_THAT(fault({.axis = "W", .at = "y=300", .tool = "T1"}), HasSubstr("expected X, Y or Z"));
   EXPECT_THAT(fault({.diagonal = "PPP-NNN"}), HasSubstr("found no tool, expected one of T1, T2, T3"));
