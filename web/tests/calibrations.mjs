@@ -48,6 +48,22 @@ export const calibrations = {
     assert.equal(report.bytes.subarray(0, 5).toString(), '%PDF-');
     await page.goto('/machines/1');
     await shows(page.locator('main'), /Seven lines.*2 lines: A ≤ 10\.\d µm/s);
+    await page.goto('/calibrations/1');
+    await shows(page.locator('main'), 'Seven lines');
+    assert.equal(await page.locator('.calibration-history').count(), 0, 'one point is no course');
+    await page.evaluate(async (files) => {
+      const form = new FormData();
+      form.append('kind', 'lines');
+      form.append('about', JSON.stringify({ title: 'A year later', machine: 1, measured_on: '2027-11-20' }));
+      for (const [role, text] of Object.entries(files)) form.append(role, new File([text], `${role}.txt`));
+      await fetch('/api/calibrations', { method: 'POST', body: form });
+    }, { lengths: measured('tracking-evaluate.files/lengths.csv').toString(), plan: measured('tracking-evaluate.files/seven.json').toString() });
+    await page.reload();
+    await shows(page.locator('.calibration-history'), /Over time\s*A \(x\), µm\s*A \(xyz\), µm/);
+    const narrow = await world.page({ width: 390 });
+    await narrow.goto('/calibrations');
+    await shows(narrow.locator('.list-page'), /A year later\s*Lines \(ISO 230-2\)\s*Mill 5\s*2027-11-20\s*2 lines: A ≤ 10\.\d µm/);
+    assert.equal(await narrow.locator('.table-frame').evaluate((box) => box.scrollWidth - box.clientWidth), 0, 'the figures are seen without scrolling');
   },
 
   async 'calibrations: the 21 errors are listed, evaluated again into a version, compared and withdrawn'(world) {

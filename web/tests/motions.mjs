@@ -94,16 +94,16 @@ export const motions = {
     assert.equal(await keep(page, 'first.csv', readings, '2025-11-26'), 201);
     await page.goto('/calibrations/1');
     await shows(page.locator('main'), 'EZX');
-    assert.equal(await page.locator('.motion-history').count(), 0, 'one point is no course');
+    assert.equal(await page.locator('.calibration-history').count(), 0, 'one point is no course');
     assert.equal(await keep(page, 'second.csv', readings.replaceAll('EZX', 'EYX'), '2026-05-26'), 201);
     await page.reload();
     await shows(page.locator('main'), 'EZX');
     await settle(page);
-    assert.equal(await page.locator('.motion-history').count(), 0, 'EYX is another error');
+    assert.equal(await page.locator('.calibration-history').count(), 0, 'EYX is another error');
     assert.equal(await keep(page, 'third.csv', `${readings.trim()}\n`, '2026-11-26'), 201);
     await page.reload();
-    await shows(page.locator('.motion-history'), /Over time.*EZX: Straightness, µm/s);
-    await page.locator('.motion-history canvas').waitFor();
+    await shows(page.locator('.calibration-history'), /Over time.*EZX: Straightness, µm/s);
+    await page.locator('.calibration-history canvas').waitFor();
   },
 
   async 'motions: the rotations of an axis, and what they do at another point'(world) {

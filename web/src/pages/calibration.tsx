@@ -16,12 +16,11 @@ import { decimal, language } from '../settings';
 import './calibrations.css';
 import { ComparePanel } from './calibrations/comparison';
 import { EditCalibration, EvaluateAgain, WithdrawCalibration } from './calibrations/dialogs';
+import { CalibrationHistory } from './calibrations/history';
 import { CalibrationResult } from './calibrations/result';
 import { t } from './calibrations/texts';
-import { is_motion_kind } from './motions/form';
-import { MotionHistory } from './motions/history';
 import { motion_label } from './motions/words';
-import { length_label } from './volume/words';
+import { length_label } from './tracking/words';
 
 const calibration_words = words_by((flag) => motion_label(flag) ?? length_label(flag));
 
@@ -55,7 +54,7 @@ export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
       {found.version !== latest && <p class="notice caution">{t('older', { n: found.version, latest })} <a href={`/calibrations/${found.id}`}>{t('to_latest')}</a></p>}
       <Facts calibration={found} />
       <CalibrationResult calibration={found} />
-      {is_motion_kind(found.kind) && <MotionHistory calibration={found} />}
+      <CalibrationHistory calibration={found} />
       <ComparePanel calibration={found} />
       <Files calibration={found} />
       <Versions calibration={found} />

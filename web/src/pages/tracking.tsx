@@ -20,7 +20,7 @@ import { LinesPanel } from './tracking/lines';
 import { MachinePanel } from './tracking/machine';
 import { look, StationPanel } from './tracking/station';
 import { t } from './tracking/texts';
-import { tracking_words } from './volume/words';
+import { tracking_words } from './tracking/words';
 
 export function TrackingPage() {
   use_page_words(tracking_words);

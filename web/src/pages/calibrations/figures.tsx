@@ -49,8 +49,11 @@ const find = (row: Pick<CalibrationRow, 'figures'>, parameter: string) => row.fi
 const worst = (figures: readonly CalibrationFigure[]): CalibrationFigure | null =>
   figures.reduce<CalibrationFigure | null>((most, one) => (most === null || one.value > most.value ? one : most), null);
 
-/** What a straightness, an angle or a squareness is known by: with its location error first, and without its lines. */
+/** What a calibration is known by: lines by A, where any has it, else by E; the 21 errors by the volume; a squareness by its
+    location error where the sign is known, and not by its lines. */
 export function is_main_figure({ parameter }: CalibrationFigure, _: number, figures: readonly CalibrationFigure[]): boolean {
+  if (parameter === 'A' || parameter === 'E') return parameter === (figures.some((one) => one.parameter === 'A') ? 'A' : 'E');
+  if (parameter === 'volume_percent_95' || parameter === 'volume_mean') return true;
   const is_squareness = (one: string): boolean => /^squareness(_in_axes)?(_(end_points|least_squares))?$/.test(one);
   if (figures.some((one) => is_squareness(one.parameter)))
     return is_location(parameter) || (is_squareness(parameter) && !figures.some((one) => is_location(one.parameter)));

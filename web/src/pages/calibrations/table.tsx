@@ -2,7 +2,7 @@
 import type { CalibrationRow } from '../../api/types';
 import { DataTable, type Column, type Order } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
-import { absent } from '../../numbers';
+import { absent, when } from '../../numbers';
 import { headline } from './figures';
 import { t } from './texts';
 
@@ -12,16 +12,29 @@ export function CalibrationTable({ rows, with_machine = true, order, on_order }:
 }) {
   const judged = rows.some(({ verdict }) => verdict !== null);
   const columns: Column<CalibrationRow>[] = [
-    { key: 'title', head: t('name'), order: 'title', row_head: true, cell: (row) => <Name row={row} /> },
-    { key: 'kind', head: t('kind'), cell: (row) => t(row.kind) },
-    ...(with_machine ? [{ key: 'machine', head: t('machine'), cell: ({ machine }: CalibrationRow) => (machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : absent) }] : []),
-    { key: 'measured', head: t('measured'), order: 'measured', falling: true, class: 'number-text', cell: (row) => row.measured_on || absent },
-    { key: 'headline', head: t('headline'), cell: (row) => <>{headline(row)}{row.serious > 0 && <> <span class="tag bad">{t('serious', { n: row.serious })}</span></>}</> },
+    { key: 'title', head: t('name'), order: 'title', row_head: true, cell: (row) => <Name row={row} with_machine={with_machine} /> },
+    { key: 'kind', head: t('kind'), class: 'wide-only', cell: (row) => t(row.kind) },
+    ...(with_machine ? [{ key: 'machine', head: t('machine'), class: 'wide-only', cell: (row: CalibrationRow) => <MachineLink row={row} /> }] : []),
+    { key: 'measured', head: t('measured'), order: 'measured', falling: true, class: 'number-text wide-only', cell: (row) => row.measured_on || absent },
+    { key: 'received', head: t('received'), order: 'received', falling: true, class: 'number-text wide-only', cell: (row) => when(row.received_at) },
+    { key: 'headline', head: t('headline'), class: 'effect', cell: (row) => <>{headline(row)}{row.serious > 0 && <> <span class="tag bad">{t('serious', { n: row.serious })}</span></>}</> },
     ...(judged ? [{ key: 'verdict', head: t('verdict'), cell: ({ kind, verdict }: CalibrationRow) => (kind === 'lines' ? <VerdictMark verdict={verdict} /> : absent) }] : []),
   ];
   return <DataTable<CalibrationRow> caption={t('title')} columns={columns} rows={rows} row_key={(row) => row.id} order={order} {...(on_order ? { on_order } : {})} />;
 }
 
-function Name({ row }: { row: CalibrationRow }) {
-  return <><a href={`/calibrations/${row.id}`}>{row.title}</a>{row.withdrawn && <> <span class="tag">{t('withdrawn')}</span></>}</>;
+/** With what stands in columns of its own where there is room for them. */
+function Name({ row, with_machine }: { row: CalibrationRow; with_machine: boolean }) {
+  return (
+    <>
+      <a href={`/calibrations/${row.id}`}>{row.title}</a>{row.withdrawn && <> <span class="tag">{t('withdrawn')}</span></>}
+      <span class="only-narrow small">{t(row.kind)}</span>
+      {with_machine && row.machine && <span class="only-narrow small"><MachineLink row={row} /></span>}
+      <span class="only-narrow small number">{row.measured_on || when(row.received_at)}</span>
+    </>
+  );
+}
+
+function MachineLink({ row: { machine } }: { row: CalibrationRow }) {
+  return machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : <>{absent}</>;
 }

@@ -57,6 +57,8 @@ export const t = texts({
   instrument: ['Instrument', 'Messmittel'],
   program: ['Evaluated by', 'Ausgewertet mit'],
   notes: ['Notes', 'Bemerkungen'],
+  history: ['Over time', 'Über der Zeit'],
+  history_hint: ['Of this machine, bars: two standard uncertainties to either side. A click leads to the calibration.', 'Von dieser Maschine; Balken: zwei Standardunsicherheiten nach jeder Seite. Ein Klick führt zur Kalibrierung.'],
   undated: ['undated', 'ohne Datum'],
   files: ['Files', 'Dateien'],
   role: ['What it is', 'Was es ist'],

@@ -68,8 +68,6 @@ export const t = texts({
   missing: ['Not known without', 'Nicht bekannt ohne'],
   to_know: ['To be known with these figures', 'Zu diesen Werten'],
   not_checked: ['Formulas not checked against the text of ISO 230-1', 'Formeln nicht am Text von ISO 230-1 geprüft'],
-  history: ['Over time', 'Über der Zeit'],
-  history_hint: ['Of this machine, bars: two standard uncertainties to either side. A click leads to the calibration.', 'Von dieser Maschine; Balken: zwei Standardunsicherheiten nach jeder Seite. Ein Klick führt zur Kalibrierung.'],
   measured: ['Measured', 'Gemessen'],
   report: ['Report', 'Bericht'],
   is_one: ['This is no test of positions, but straightness or an angle.', 'Das ist keine Positionsprüfung, sondern eine Geradheit oder ein Winkel.'],

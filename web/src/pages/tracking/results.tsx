@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
 import type { EvaluatedLine, Parameter, TrackingEvaluation } from '../../api/types';
-import { Chart, type ChartModel } from '../../components/chart';
+import { Chart, Swatch, type ChartModel } from '../../components/chart';
 import { FindingList, sentence } from '../../components/findings';
+import { Formula } from '../../components/formula';
 import { ParameterSymbol } from '../../components/symbol';
 import { DataTable } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
@@ -126,6 +127,7 @@ function LineChart({ line }: { line: EvaluatedLine }) {
   return (
     <div>
       <h3>{t('deviations', { line: line.id })}</h3>
+      <p class="row small">{model.series.map((one) => <span key={one.key}><Swatch series={one} /> {one.label}</span>)}</p>
       <Chart {...model} name={t('deviations', { line: line.id })} height={260} />
     </div>
   );
@@ -141,11 +143,11 @@ function Squareness({ evaluation: { squareness } }: { evaluation: TrackingEvalua
       <h3>{t('squareness')}</h3>
       <dl class="figures terms">
         {known.map(({ id, um_per_m, u_um_per_m }) => (
-          <div key={id}><dt>{id}</dt><dd class="number">{slope_text(um_per_m, u_um_per_m)}<span class="unit"> {id.startsWith('e_') ? 'µm/m' : 'µrad'}</span></dd></div>
+          <div key={id}><dt><Formula text={id} /></dt><dd class="number">{slope_text(um_per_m, u_um_per_m)}<span class="unit"> {id.startsWith('e_') ? 'µm/m' : 'µrad'}</span></dd></div>
         ))}
       </dl>
-      {unknown.length > 0 && <p class="quiet small">{t('untold', { ids: unknown.join(', ') })}</p>}
-      {squareness.notes.map((note, k) => <p key={k} class="quiet small">{sentence(note)}</p>)}
+      {unknown.length > 0 && <p class="quiet small"><Formula text={t('untold', { ids: unknown.join(', ') })} /></p>}
+      {squareness.notes.map((note, k) => <p key={k} class="quiet small"><Formula text={sentence(note)} /></p>)}
     </div>
   );
 }

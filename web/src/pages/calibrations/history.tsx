@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same errors of the same machine as they were kept over the years. Positions have a trend of their own: nothing of a
+// The same figures of the same machine as they were kept over the years. Positions have a trend of their own: nothing of a
 // test is here, and nothing of this there.
 import { useMemo } from 'preact/hooks';
 import type { CalibrationFigure, CalibrationPage, CalibrationRow, KeptCalibration } from '../../api/types';
@@ -9,7 +9,7 @@ import { Chart, Swatch, type ChartModel, type ChartSeries } from '../../componen
 import { day_seconds } from '../../components/dates';
 import { FailureNotice } from '../../components/failure';
 import { go } from '../../router';
-import { figure_name, is_main_figure, sign_of } from '../calibrations/figures';
+import { figure_name, is_main_figure, sign_of } from './figures';
 import { t } from './texts';
 
 const name_of = ({ parameter, of, unit }: CalibrationFigure): string => `${parameter} ${of} ${unit}`;
@@ -38,7 +38,7 @@ function model_of(main: readonly CalibrationFigure[], rows: readonly Calibration
 }
 
 /** Nothing where no other one has these figures. */
-export function MotionHistory({ calibration }: { calibration: KeptCalibration }) {
+export function CalibrationHistory({ calibration }: { calibration: KeptCalibration }) {
   const page = use_get<CalibrationPage>(`/api/calibrations${query({ kind: calibration.kind, machine: calibration.machine?.id ?? null, order: 'measured', descending: 0, limit: 500 })}`);
   const main = useMemo(() => calibration.figures.filter(is_main_figure), [calibration]);
   const rows = useMemo(() => {
@@ -51,7 +51,7 @@ export function MotionHistory({ calibration }: { calibration: KeptCalibration })
   if (rows.length < 2 || main.length === 0) return null;
   const model = model_of(main, rows);
   return (
-    <section class="panel motion-history">
+    <section class="panel calibration-history">
       <header><h2>{t('history')}</h2></header>
       <p class="row small">{model.series.map((series) => <span key={series.key}><Swatch series={series} /> {series.label}</span>)}</p>
       <Chart {...model} name={t('history')} height={260} on_choose={({ index }) => { const row = rows[index]; if (row) go(`/calibrations/${row.id}`); }} />
