@@ -13,6 +13,7 @@
 #include "axiometry/standards/iso230_2/reversal.h"
 #include "axiometry/standards/iso230_2/rules/environment_findings.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/standards/iso230_2/slope.h"
 
 namespace axiometry::iso230_2::rules {
@@ -181,6 +182,33 @@ std::optional<Finding> readings_repeat_exactly(const Case& c) {
   return note("readings-repeat-exactly", "3.18",
               "found the same reading in every run at every target, expected some scatter; copied or coarsely "
               "rounded readings make every repeatability zero");
+}
+
+/// A scatter of half a step holds at least a third of rounding, step²/12 of s²; of a smaller one nothing may be left.
+std::optional<Finding> readings_coarsely_rounded(const Case& c) {
+  constexpr double degrees_needed = 16.0;  // two runs of a short test may agree by chance
+  double squares = 0.0, degrees = 0.0;
+  for (std::size_t i = 0; i < c.series.target_count(); ++i)
+    for (const Direction direction : {Direction::up, Direction::down}) {
+      const PositionResult& position = c.evaluation.positions[i];
+      const auto& s = direction == Direction::up ? position.s_up : position.s_down;
+      if (!s) continue;
+      const double of_cell = static_cast<double>(c.series.count(i, direction)) - 1.0;
+      squares += of_cell * s->in_native() * s->in_native();
+      degrees += of_cell;
+    }
+  if (degrees < degrees_needed || squares == 0.0 || readings_repeat_exactly(c)) return std::nullopt;
+  const double scatter = std::sqrt(squares / degrees);
+  const auto& resolution = c.metadata.gum.instrument_resolution;
+  double step = step_of(c.series);
+  if (step == 0.0 && resolution) step = resolution->in_native();  // of readings that were corrected
+  if (scatter > 0.5 * step) return std::nullopt;
+  return note(
+      "readings-coarsely-rounded", "3.18",
+      fmt::format("found readings in steps of {} that scatter by {} about their means, no more than half a step: "
+                  "rounding may have made or hidden as much, and s_i and what rests on it are those of the "
+                  "steps as much as of the machine",
+                  deviation_text(c, step), deviation_text(c, scatter)));
 }
 
 std::optional<Finding> straight_slope(const Case& c) {

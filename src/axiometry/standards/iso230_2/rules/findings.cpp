@@ -38,6 +38,7 @@ constexpr Row every_rule[] = {
     {part_of_axis_travel},
     {same_reversal_everywhere},
     {readings_repeat_exactly},
+    {readings_coarsely_rounded},
     {straight_slope},
     {temperature_without_correction, may_depart},
     {temperature_change},
