@@ -16,6 +16,11 @@ constexpr Phrase scatter_rows[] = {
      "ein Ausreißer an Zielposition {0}, Durchlauf {1}: ein Messwert von {2}, der {3} unter dem liegt, "
      "was die übrigen Messwerte von Zielposition und Durchlauf erwarten lassen ({4}); {5}, und nichts ist "
      "entfernt"},
+    {"found readings in steps of {0#} that scatter by {1#} about their means, no more than half a step: rounding may "
+     "have made or hidden as much, and s_i and what rests on it are those of the steps as much as of the machine",
+     "Messwerte in Schritten von {0}, die um ihre Mittelwerte mit {1} streuen, nicht mehr als einem halben Schritt: "
+     "Rundung kann ebenso viel erzeugt oder verdeckt haben, und s_i und was darauf beruht sind die der Schritte so "
+     "sehr wie die der Maschine"},
     {"found readings that scatter by {0#} and by {1#} ({2#}): R↑ is {3#} and R↓ {4#}; {5}",
      "Messwerte, die um {0} und um {1} streuen ({2}): R↑ ist {3}, R↓ {4}; {5}"},
     {"found readings that scatter by {0#} at target {1#}, where they do not scatter elsewhere ({2#}); "

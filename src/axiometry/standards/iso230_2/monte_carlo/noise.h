@@ -86,8 +86,8 @@ struct NoiseModels {
 /// - trend-beside-runs: a straight trend, which shifts of the runs may hide: of up to five times of what is stated
 ///   where the kind is open, as far as the means of the runs leave room.
 ///
-/// Where noise of single readings is stated (E_VE, or an input of them), and readings depart from the others by what one
-/// test in ten has, but none by so much that no interval is stated, also
+/// Where noise of single readings is stated (E_VE, or an input of them), and readings depart from the others by what
+/// one test in ten has, but none by so much that no interval is stated, also
 ///
 /// - single-errors: each of these readings has an error of its own, so wide that it tells nothing of the machine.
 ///

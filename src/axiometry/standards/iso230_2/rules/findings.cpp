@@ -39,6 +39,7 @@ constexpr Row every_rule[] = {
     {same_reversal_everywhere},
     {readings_repeat_exactly},
     {readings_copied},
+    {readings_coarsely_rounded},
     {straight_slope},
     {temperature_without_correction, may_depart},
     {temperature_change},

@@ -328,12 +328,34 @@ TEST(Findings, MentionAStraightSlopeAndAStrangeLackOfScatter) {
   }
 }
 
+TEST(Findings, TellWhereReadingsScatterByLessThanTheirSteps) {
+  std::vector<RunDeviations> coarse(5, RunDeviations{0, 2, 1, 3, 1}), fine = coarse;
+  coarse[1][0] = 1;
+  coarse[2][4] = 2;
+  fine[1][0] = 0.1;
+  fine[2][4] = 1.3;
+  EXPECT_THAT(finding(assessed(make_series(half_metre, coarse, coarse)), "3.18", "steps"),
+              HasSubstr("note: found readings in steps of 1 µm that scatter by 0.283 µm about their means"));
+  EXPECT_EQ(finding(assessed(make_series(half_metre, fine, fine)), "3.18", "steps"), "");
+  EXPECT_EQ(finding(assessed(table2::series()), "3.18", "steps"), "");
+  std::vector<RunDeviations> corrected = coarse;
+  for (RunDeviations& run : corrected)
+    for (double& x : run) x *= 1.0000123;
+  Metadata stated;
+  stated.gum.instrument_resolution = Deviation::native(1.0);
+  EXPECT_THAT(finding(assessed(make_series(half_metre, corrected, corrected), stated), "3.18", "steps"),
+              HasSubstr("in steps of 1 µm that scatter by 0.283 µm"));
+  const std::vector<RunDeviations> copied(5, RunDeviations{0, 2, 1, 3, 1});
+  EXPECT_EQ(finding(assessed(make_series(half_metre, copied, coarse)), "3.18", "steps"), "") << "told already";
+}
+
 TEST(Findings, ListWhatAReportWouldHaveToTell) {
   const Assessment bare = assessed(proper(half_metre));
   EXPECT_THAT(finding(bare, "8.1"),
               HasSubstr("missing: not given, but expected in the report – test: date of test, name of inspector,"));
   EXPECT_THAT(finding(bare, "8.1"), Not(HasSubstr("compensation routine"))) << "asked for with an NDE correction only";
-  EXPECT_THAT(finding(bare, "8.2.1"), HasSubstr("missing: no uncertainty is stated after Annex A: nothing was given of"));
+  EXPECT_THAT(finding(bare, "8.2.1"),
+              HasSubstr("missing: no uncertainty is stated after Annex A: nothing was given of"));
   axiometry::Test test = table2::complete_test();
   test.metadata.conditions.warm_up.clear();
   test.metadata.nde.routine.clear();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Clause 3.18: readings that stand in a test more than once, though each was to be measured.
+// Clause 3.18: readings that stand in a test more than once, though each was to be measured, or in steps as wide as
+// their scatter.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "axiometry/standards/iso230_2/rules/rules.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
 
 namespace axiometry::iso230_2::rules {
 namespace {
@@ -134,6 +136,33 @@ std::optional<Finding> readings_copied(const Case& c) {
                   "to run {}{}; chance hardly makes that, and what was copied was not measured",
                   copies, runs.size(), series.target_count(), copy->name(), original->name(),
                   copy->sign == original->sign ? "" : " with the other sign"));
+}
+
+/// A scatter of half a step holds at least a third of rounding, step²/12 of s²; of a smaller one nothing may be left.
+std::optional<Finding> readings_coarsely_rounded(const Case& c) {
+  constexpr double degrees_needed = 16.0;  // two runs of a short test may agree by chance
+  double squares = 0.0, degrees = 0.0;
+  for (std::size_t i = 0; i < c.series.target_count(); ++i)
+    for (const Direction direction : {Direction::up, Direction::down}) {
+      const PositionResult& position = c.evaluation.positions[i];
+      const auto& s = direction == Direction::up ? position.s_up : position.s_down;
+      if (!s) continue;
+      const double of_cell = static_cast<double>(c.series.count(i, direction)) - 1.0;
+      squares += of_cell * s->in_native() * s->in_native();
+      degrees += of_cell;
+    }
+  if (degrees < degrees_needed || squares == 0.0 || readings_repeat_exactly(c)) return std::nullopt;
+  const double scatter = std::sqrt(squares / degrees);
+  const auto& resolution = c.metadata.gum.instrument_resolution;
+  double step = step_of(c.series);
+  if (step == 0.0 && resolution) step = resolution->in_native();  // of readings that were corrected
+  if (scatter > 0.5 * step) return std::nullopt;
+  return note(
+      "readings-coarsely-rounded", "3.18",
+      fmt::format("found readings in steps of {} that scatter by {} about their means, no more than half a step: "
+                  "rounding may have made or hidden as much, and s_i and what rests on it are those of the "
+                  "steps as much as of the machine",
+                  deviation_text(c, step), deviation_text(c, scatter)));
 }
 
 }  // namespace axiometry::iso230_2::rules

@@ -52,6 +52,7 @@ Rule part_of_axis_travel;             // 3.2
 Rule same_reversal_everywhere;        // 3.17
 Rule readings_repeat_exactly;         // 3.18
 Rule readings_copied;                 // 3.18
+Rule readings_coarsely_rounded;       // 3.18
 Rule straight_slope;                  // 3.24
 Rule temperature_without_correction;  // 4.1
 Rule temperature_change;              // 4.1
