@@ -331,6 +331,8 @@ constexpr Phrase findings_rows[] = {
      "over L that leaves {4#} µm, which no method contains",
      "die Messwerte sind mit {0} µm/(m·°C) um die Dehnung korrigiert, die Unsicherheit verwendet {1} ({2}); bei ΔT = "
      "{3} °C bleiben über L {4} µm, die kein Verfahren enthält"},
+    {"the report of {0=} is called {1=}: that of {2=} is called {3=}",
+     "der Bericht zu {0} heißt {1}: der zu {2} heißt {3}"},
     {"the reversed sign of the instrument", "das umgekehrte Vorzeichen des Messgeräts"},
     {"the sensitivity K of the instrument is not given", "die Empfindlichkeit K des Messgeräts ist nicht angegeben"},
     {"the sensor of the {0=} without location", "der Sensor „{0}“ ohne Ort"},

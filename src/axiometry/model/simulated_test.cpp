@@ -14,14 +14,16 @@ TEST(SimulatedPurpose, IsAPurposeInAnySpelling) {
 }
 
 TEST(SimulatedPurpose, IsAskedOfAPurposeThatSpeaksOfASimulation) {
-  for (const char* purpose : {"Simulated test", "essai simulé", "Maschinensimulation", "comparison with the simulation"})
+  for (const char* purpose :
+       {"Simulated test", "essai simulé", "Maschinensimulation", "comparison with the simulation"})
     EXPECT_EQ(simulated_by_purpose(purpose),
               std::string("found the purpose \"") + purpose +
                   "\", which speaks of a simulation, expected readings of a machine");
 }
 
 TEST(SimulatedPurpose, IsNoOtherPurpose) {
-  for (const char* purpose : {"", "acceptance", "Abnahme", "réception", "check after repair", "simultaneous motion", "Simultanbetrieb"})
+  for (const char* purpose : {"", "acceptance", "Abnahme", "réception", "check after repair", "simultaneous motion",
+                              "Simultanbetrieb"})
     EXPECT_FALSE(simulated_by_purpose(purpose)) << purpose;
 }
 

@@ -74,7 +74,8 @@ std::string json_line(const Evaluated& evaluated);
 
 /// Writes the outputs of many tests as they come, in memory that does not grow with their number: one
 /// JSON array, one combined CSV, and for other reports one file per test, whose name takes the place
-/// of "{name}", with a number behind it where another test has that name. The JSON and the CSV appear when commit() succeeds, and not at all otherwise.
+/// of "{name}", with a number behind it where another test has that name. The JSON and the CSV appear when commit()
+/// succeeds, and not at all otherwise.
 class ManyOutputs {
  public:
   /// Fails when a report that is not CSV has no "{name}", the folder of one is not there, or an output cannot be made.

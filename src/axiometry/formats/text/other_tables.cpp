@@ -26,7 +26,8 @@ const std::vector<OtherTable>& known_other_tables() {
       {{"name", "kind", "travel_up_to"},
        "found tolerance tables, expected a measured test; --tolerance-table names such a file"},
       {{"line", "target", "direction", "run", "length_difference_mm"},
-       "found lengths of a tracking interferometer, expected a measured test; 'axiometry tracking evaluate' takes them"},
+       "found lengths of a tracking interferometer, expected a measured test; 'axiometry tracking evaluate' takes "
+       "them"},
       {{"station", "tool", "segment", "length_mm"},
        "found lengths of a volumetric calibration, expected a measured test; 'axiometry volumetric identify' takes "
        "them"}};

@@ -384,8 +384,7 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
 Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, const CaptureObserver& observer) {
   return from_source(run, observer, std::move(session), [](Run& reading) -> Result<HeardSource> {
     HeardLive all = reading.heard();
-    if (all.trouble) return std::unexpected(*std::move(all.trouble));
-    return std::move(all.heard);
+    return all.trouble ? Result<HeardSource>(std::unexpected(*std::move(all.trouble))) : std::move(all.heard);
   });
 }
 

@@ -20,8 +20,8 @@ struct CaptureRun {
   std::string from;    ///< file, "-", "tcp://…", "serial://…", or of a motion "simulator://…"
   std::string raw;     ///< of a live source or a pipe: file of all bytes that came; must not exist
   std::string resume;  ///< instead: such a file, which is played first and goes on
-  std::string out;     ///< test file (.json) or table (.csv, .txt), rewritten after every reading; "-" writes it once at
-                       ///< the end; may be empty
+  std::string out;     ///< test file (.json) or table (.csv, .txt), rewritten after every reading; "-": once, at the
+                       ///< end; may be empty
   Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
   std::string keys{};                  ///< of a finished recording: file of what was said at its stops, stop_marks.h
   std::string simulated{};             ///< of readings that nobody measured: what their table says of them
