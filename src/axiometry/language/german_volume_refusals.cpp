@@ -144,6 +144,10 @@ constexpr Phrase volume_refusals_rows[] = {
      "above 0 there: nothing tells how well it is known",
      "ein Durchlauf von {0} und 0 als Unsicherheit seines Messgeräts bei {1}\u00a0mm; erwartet: mehr Durchläufe oder "
      "dort eine Unsicherheit über 0, denn nichts sagt, wie gut er bekannt ist"},
+    {"found runs of {0=} that agree to the last digit and no uncertainty of its instrument, expected runs that differ "
+     "or that uncertainty: nothing tells how well it is known",
+     "Durchläufe von {0}, die bis zur letzten Ziffer gleich sind, und keine Unsicherheit seines Messgeräts; erwartet: "
+     "verschiedene Durchläufe oder diese Unsicherheit, denn nichts sagt, wie gut er bekannt ist"},
     {"found one run of {0=} and no uncertainty of its instrument, expected more runs or that uncertainty: nothing "
      "tells how well it is known",
      "ein Durchlauf von {0} und keine Unsicherheit seines Messgeräts; erwartet: mehr Durchläufe oder diese "

@@ -136,14 +136,14 @@ TEST_F(Simulated, TextNumPyAndCountsHoldTheSameRecording) {
   const std::string text = content("r.csv"), counts = content("r.umd"), npy = content("r.npy");
   const auto lines = text::split(text, '\n');
   const auto rows = text::split(counts, '\n');
-  ASSERT_EQ(lines.size(), samples.size() + 2);  // the header, and nothing behind the last line break
+  ASSERT_EQ(lines.size(), samples.size() + 3);  // that it is simulated, the header, and nothing behind the last line break
   ASSERT_EQ(rows.size(), samples.size() + 2);
   const std::size_t head = npy.size() - 16 * samples.size();
   EXPECT_EQ(head % 64, 0u);
   EXPECT_EQ(npy.substr(0, 8), std::string("\x93NUMPY\x01\x00", 8));
   EXPECT_NE(npy.find("'shape': (" + std::to_string(samples.size()) + ", 2)"), std::string::npos);
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    const auto cells = text::split(lines[k + 1], ',');
+    const auto cells = text::split(lines[k + 2], ',');
     EXPECT_NEAR(*parse_number(cells[0]), samples[k].time_s, 0.6e-7);
     EXPECT_NEAR(*parse_number(cells[1]), samples[k].position, 0.6e-7);
     Sample of_npy;

@@ -61,15 +61,17 @@ SimulatedMachine simulated_machine() {
   return m;
 }
 
-/// Readings of two runs that scatter by nothing; `sign` is the sensor's, told in the file where `told`.
-std::string readings_of(const SimulatedMachine& m, ErrorMotion e, int sign, bool told) {
+/// Readings of two runs that differ by next to nothing: runs that agree in all say nothing of how good they are.
+/// `sign` is the sensor's, told in the file where `told`.
+std::string readings_of(const SimulatedMachine& m, ErrorMotion e, int sign, bool told, double apart = 1e-4) {
   const std::string name = volumetric::error_name(e);
   std::string text = "# error: " + name + "\n";
   if (told) text += fmt::format("# positive: {}{}\n", sign < 0 ? "-" : "+", simulated_letters[e.motion]);
   text += fmt::format("position_mm,run,direction,deviation_{}\n", e.is_rotation() ? "urad" : "um");
   for (const int run : {1, 2})
     for (std::size_t n = 0; n < simulated_nodes; ++n)
-      text += fmt::format("{},{},up,{}\n", m.node(e.axis, n), run, sign * m.read(e, n));
+      text += fmt::format("{},{},up,{}\n", m.node(e.axis, n), run,
+                          sign * m.read(e, n) + (run == 1 ? apart : -apart) * static_cast<double>(n));
   return text;
 }
 
@@ -256,6 +258,10 @@ TEST(AssembleResults, RefuseWhatDoesNotTellItsSignOrIsAnother) {
   EXPECT_EQ(fault("C0Y", told), "");
   EXPECT_THAT(fault("C0Y", silent), HasSubstr("silent.json: found a squareness without its sign in the machine"));
   EXPECT_THAT(fault("B0Z", told), HasSubstr("told.json: found C0Y in this result, expected B0Z as given"));
+  square.first = folder.written("first.csv", readings_of(m, {0, 1}, 1, false, 0.0));
+  square.second = folder.written("second.csv", readings_of(m, {1, 0}, 1, false, 0.0));
+  EXPECT_THAT(fault("C0Y", folder.written("equal.json", json_of(*measure_squareness(square)))),
+              HasSubstr("equal.json: found runs of C0Y that agree to the last digit and no uncertainty"));
   EXPECT_EQ(fault("EYX", told), "");  // one of its lines
   EXPECT_THAT(fault("EZX", told), HasSubstr("found EYX, EXY in this result, expected EZX as given"));
   EXPECT_THAT(fault("C0Y", folder.path() + "/EYX.json"),

@@ -53,6 +53,14 @@ Error no_uncertainty_of(std::string_view name) {
                {}};
 }
 
+Error no_uncertainty_of_equal_runs(std::string_view name) {
+  return Error{fmt::format("found runs of {} that agree to the last digit and no uncertainty of its instrument, "
+                           "expected runs that differ or that uncertainty: nothing tells how well it is known",
+                           name),
+               {},
+               {}};
+}
+
 Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<PositionMeans> positions,
                                  const std::optional<error_motions::InstrumentUncertainty>& instrument) {
   std::ranges::sort(positions, {}, &PositionMeans::at_mm);

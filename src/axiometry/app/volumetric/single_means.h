@@ -45,5 +45,6 @@ Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<Posi
 
 /// The refusal of an error, or of a squareness, that has neither runs nor an instrument.
 Error no_uncertainty_of(std::string_view name);
+Error no_uncertainty_of_equal_runs(std::string_view name);
 
 }  // namespace axiometry::app

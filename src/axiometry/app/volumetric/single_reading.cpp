@@ -216,7 +216,8 @@ Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, v
   const formats::LocationResult& location = *results.location;
   if (location.name != item.name)
     return fail(fmt::format("found {} in this result, expected {} as given", location.name, item.name));
-  if (!location.k) return std::unexpected(no_uncertainty_of(item.name));
+  if (const std::size_t runs = std::max(results.motions[0].runs, results.motions[1].runs); !location.k)
+    return std::unexpected(runs > 1 ? no_uncertainty_of_equal_runs(item.name) : no_uncertainty_of(item.name));
   ReadSquare read;
   read.measured.which = which;
   for (std::size_t k = 0; k < 2; ++k) {

@@ -245,9 +245,9 @@ TEST(ConformitySection, SaysWhereNoValueCouldBeAccepted) {
 }
 
 std::vector<std::string> notes_on_decisions(const Reported& test) {
+  const Table table = tables(section(composed(test), "conformity")).at(0);
   std::vector<std::string> notes;
-  for (const RichText& note : tables(section(composed(test), "conformity")).at(0).notes)
-    notes.push_back(plain_text(note));
+  for (const RichText& note : table.notes) notes.push_back(plain_text(note));
   return notes;
 }
 

@@ -108,6 +108,7 @@ TEST(SimulatedRun, WhatTheSimulatorDoesNotKnowIsRefused) {
   plan.errors.clear();
   ASSERT_TRUE(write_file(of_positions.options.plan, formats::write_plan(plan)));
   of_positions.options.motion.reset();
+  of_positions.run.out = of_positions.folder.file("eyx.json");
   const auto outcome = run_capture(of_positions.run, of_positions.options, {});
   ASSERT_FALSE(outcome);
   EXPECT_THAT(outcome.error().message, HasSubstr("found the simulator as source of positions or lengths"));
