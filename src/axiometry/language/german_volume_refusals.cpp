@@ -144,10 +144,6 @@ constexpr Phrase volume_refusals_rows[] = {
      "above 0 there: nothing tells how well it is known",
      "ein Durchlauf von {0} und 0 als Unsicherheit seines Messgeräts bei {1}\u00a0mm; erwartet: mehr Durchläufe oder "
      "dort eine Unsicherheit über 0, denn nichts sagt, wie gut er bekannt ist"},
-    {"found runs of {0=} that agree to the last digit and no uncertainty of its instrument, expected runs that differ "
-     "or that uncertainty: nothing tells how well it is known",
-     "Durchläufe von {0}, die bis zur letzten Ziffer gleich sind, und keine Unsicherheit seines Messgeräts; erwartet: "
-     "verschiedene Durchläufe oder diese Unsicherheit, denn nichts sagt, wie gut er bekannt ist"},
     {"found one run of {0=} and no uncertainty of its instrument, expected more runs or that uncertainty: nothing "
      "tells how well it is known",
      "ein Durchlauf von {0} und keine Unsicherheit seines Messgeräts; erwartet: mehr Durchläufe oder diese "
@@ -163,6 +159,10 @@ constexpr Phrase volume_refusals_rows[] = {
     {"found readings of {0=} from {1#} to {2#} mm, expected them within the travel of {3#} from {4#} to {5#} mm",
      "Messwerte von {0} von {1} bis {2} mm; erwartet: innerhalb des Verfahrwegs von {3} von {4} bis {5} mm"},
     {"found repeatability_um of {0#}, expected 0 to {1#}", "repeatability_um von {0}; erwartet: 0 bis {1}"},
+    {"found runs of {0=} that agree to the last digit and no uncertainty of its instrument, expected runs that differ "
+     "or that uncertainty: nothing tells how well it is known",
+     "Durchläufe von {0}, die bis zur letzten Ziffer gleich sind, und keine Unsicherheit seines Messgeräts; erwartet: "
+     "verschiedene Durchläufe oder diese Unsicherheit, denn nichts sagt, wie gut er bekannt ist"},
     {"found scale_u_um_per_m of {0#}, expected 0 or more", "scale_u_um_per_m von {0}; erwartet: 0 oder mehr"},
     {"found the axis {0=} in the plan or test, expected {1=}",
      "fand die Achse {0} im Plan oder in der Prüfung, erwartete {1}"},
