@@ -136,7 +136,8 @@ TEST_F(Simulated, TextNumPyAndCountsHoldTheSameRecording) {
   const std::string text = content("r.csv"), counts = content("r.umd"), npy = content("r.npy");
   const auto lines = text::split(text, '\n');
   const auto rows = text::split(counts, '\n');
-  ASSERT_EQ(lines.size(), samples.size() + 3);  // that it is simulated, the header, and nothing behind the last line break
+  // That it is simulated, the header, and nothing behind the last line break.
+  ASSERT_EQ(lines.size(), samples.size() + 3);
   ASSERT_EQ(rows.size(), samples.size() + 2);
   const std::size_t head = npy.size() - 16 * samples.size();
   EXPECT_EQ(head % 64, 0u);
