@@ -14,7 +14,7 @@ for (const width of [390, 1280])
       await settle(page);
       for (const colorScheme of ['dark', 'light']) {
         await page.emulateMedia({ colorScheme });
-        grounds.add(await page.evaluate(() => getComputedStyle(document.body).backgroundColor));
+        grounds.add(await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor));
         for (const finding of await axe_findings(page)) found.push(`${path}, ${colorScheme}: ${finding}`);
       }
       const over = await sideways(page);

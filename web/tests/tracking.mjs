@@ -172,7 +172,7 @@ export const tracking = {
     await shows(page.locator('.file-drop'), 'One file at a time: 1 other file was not taken.');
     await shows(page.locator('.results'), /y\s*2\d\d … \d+/);
     assert.equal(await page.locator('.results tbody tr').count(), 7);
-    await shows(page.locator('.results'), /e_y\s*40\.0/);
+    await shows(page.locator('.results'), /\bey\s*40\.0/);
     await shows(page.locator('.results'), /Deviations along x/);
     await page.locator('.results').getByRole('button', { name: 'xyz' }).click();
     await shows(page.locator('.results'), /Deviations along xyz/);
@@ -192,7 +192,7 @@ export const tracking = {
     await page.getByLabel('Use another plan file…').setInputFiles({ name: 'kept.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(plan)) });
     await choose.setInputFiles(csv('lengths.csv', lengths));
     await shows(page.locator('main'), 'with the plan kept.json');
-    await shows(page.locator('.results'), /e_y\s*40\.0/);
+    await shows(page.locator('.results'), /\bey\s*40\.0/);
     assert.equal((await world.api('GET', '/api/tests')).total, 0, 'nothing is kept');
   },
 
