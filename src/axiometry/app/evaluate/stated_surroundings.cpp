@@ -5,7 +5,7 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
@@ -56,21 +56,23 @@ Result<void> check_surroundings(const Metadata& metadata) {
 
 std::vector<iso230_2::Finding> contradicted_by_test(const Metadata& metadata) {
   std::vector<iso230_2::Finding> findings;
-  const auto compare = [&](const std::optional<Temperature>& own, std::string_view when) {
-    if (!own) return;
-    const double celsius = own->in_celsius();
-    const auto tell = [&](std::string_view limit, double figure) {
-      findings.push_back({contradiction, "4.1", iso230_2::Severity::missing,
-                          fmt::format("found {} °C stated of the air at the {} of the test and {} °C as its {} "
-                                      "temperature during it, expected figures of one test",
-                                      format_exact(celsius), when, format_exact(figure), limit)});
-    };
-    const auto &lowest = metadata.surroundings.lowest, &highest = metadata.surroundings.highest;
-    if (lowest && celsius < lowest->in_celsius() - alike_air_C) tell("lowest", lowest->in_celsius());
-    if (highest && celsius > highest->in_celsius() + alike_air_C) tell("highest", highest->in_celsius());
+  const auto tell = [&](std::string message) {
+    findings.push_back({contradiction, "4.1", iso230_2::Severity::missing, std::move(message)});
   };
-  compare(metadata.environment.air_temperature_start, "beginning");
-  compare(metadata.environment.air_temperature_end, "end");
+  const auto &lowest = metadata.surroundings.lowest, &highest = metadata.surroundings.highest;
+  for (const auto& own : {metadata.environment.air_temperature_start, metadata.environment.air_temperature_end}) {
+    if (!own) continue;
+    if (lowest && own->in_celsius() < lowest->in_celsius() - alike_air_C)
+      tell(
+          fmt::format("found air of {} °C stated at the start or the end of the test below its lowest temperature "
+                      "stated, {} °C, expected figures of one test",
+                      format_exact(own->in_celsius()), format_exact(lowest->in_celsius())));
+    if (highest && own->in_celsius() > highest->in_celsius() + alike_air_C)
+      tell(
+          fmt::format("found air of {} °C stated at the start or the end of the test above its highest temperature "
+                      "stated, {} °C, expected figures of one test",
+                      format_exact(own->in_celsius()), format_exact(highest->in_celsius())));
+  }
   return findings;
 }
 
