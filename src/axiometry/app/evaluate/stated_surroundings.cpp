@@ -13,7 +13,6 @@
 namespace axiometry::app {
 namespace {
 
-constexpr const char* contradiction = "environment-statement-contradicts";
 constexpr double alike_air_C = 1.0;  // °C: two thermometers of a hall, half a degree each
 
 /// Of a change or a difference what a thermometer is off by itself falls out.
@@ -57,7 +56,7 @@ Result<void> check_surroundings(const Metadata& metadata) {
 std::vector<iso230_2::Finding> contradicted_by_test(const Metadata& metadata) {
   std::vector<iso230_2::Finding> findings;
   const auto tell = [&](std::string message) {
-    findings.push_back({contradiction, "4.1", iso230_2::Severity::missing, std::move(message)});
+    findings.push_back({"environment-statement-contradicts", "4.1", iso230_2::Severity::missing, std::move(message)});
   };
   const auto &lowest = metadata.surroundings.lowest, &highest = metadata.surroundings.highest;
   for (const auto& own : {metadata.environment.air_temperature_start, metadata.environment.air_temperature_end}) {
@@ -89,7 +88,7 @@ std::vector<iso230_2::Finding> contradicted_by_log(const StatedEnvironment& stat
     const bool never_seen = beyond < -alike && known_whole(item, logged);
     if (!seen_beyond && !never_seen) continue;
     findings.push_back(
-        {contradiction, std::string(item.clause), iso230_2::Severity::missing,
+        {"environment-statement-contradicts", std::string(item.clause), iso230_2::Severity::missing,
          fmt::format("found {}: {} {} stated, expected what the temperature log has, {} {}, which counts unless what "
                      "is stated exceeds what was agreed",
                      iso230_2::rules::within_sentence(item.title), format_exact(*figures[k]), item.unit,

@@ -8,7 +8,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/quantity.h"
-#include "axiometry/model/metadata.h"
+#include "axiometry/model/surroundings.h"
 #include "axiometry/model/temperatures.h"
 #include "axiometry/standards/environment/ambient_course.h"
 
