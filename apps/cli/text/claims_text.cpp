@@ -40,9 +40,7 @@ std::string claims_text(const app::Evaluated& e, const iso230_2::Claims& claims,
                                              : terminal.yellow(answer);
     std::string line = report::translated(claim.title, options);
     if (claim.holds() && claim.kind == iso230_2::ClaimKind::tested)
-      line +=
-          ", " + report::translated(
-                     iso230_2::word_of_the_tester(e.temperatures ? &e.temperatures->environment : nullptr), options);
+      line += ", " + report::translated(iso230_2::word_of_the_tester(e.environment()), options);
     if (!claim.holds())
       line += fmt::format("{}{}", report::colon(options), report::translated(iso230_2::against_text(claim), options));
     line += not_stated(e, claim, options);

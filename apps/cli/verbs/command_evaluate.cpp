@@ -87,11 +87,23 @@ void add_temperature_log(const Verb& verb, EvaluateArguments& arguments) {
   add_temperature_flags(verb, arguments.temperatures.request, "agreed-", group);
 }
 
-/// Flags about a log need one.
+/// Flags about a log need one; what was agreed is then as if the test stated it.
 void take_temperatures(EvaluateArguments& arguments) {
-  if (arguments.temperatures.file.empty() && !arguments.temperatures.request.empty())
+  const app::TemperatureRequest& request = arguments.temperatures.request;
+  if (!arguments.temperatures.file.empty()) {
+    arguments.evaluate.temperatures = arguments.temperatures;
+    return;
+  }
+  if (!request.about_log_empty())
     throw UsageError("found flags about a log of temperatures, expected the log too, with --temperatures");
-  if (!arguments.temperatures.file.empty()) arguments.evaluate.temperatures = arguments.temperatures;
+  const auto state = [&](const char* key, const std::optional<double>& x) {
+    if (x) arguments.evaluate.metadata.emplace_back(key, format_exact(*x));
+  };
+  const auto& agreed = request.agreed;
+  state("environment.agreed_lowest_C", agreed.lowest.transform(&Temperature::in_celsius));
+  state("environment.agreed_highest_C", agreed.highest.transform(&Temperature::in_celsius));
+  state("environment.agreed_rate_C_per_h", agreed.rate);
+  state("environment.agreed_gradient_C", agreed.machine_gradient.transform(&TemperatureDifference::in_kelvin));
 }
 
 /// An option whose value is one of a few words, each standing for a value of `target`.

@@ -78,6 +78,14 @@ constexpr Phrase claims_rows[] = {
     {"kept", "eingehalten"},
     {"no value of the listed parameters {0#}", "kein Wert der aufgeführten Kennwerte {0}"},
     {"not all stated", "nicht alles angegeben"},
+    {"on the word of who tested, since no item of a test states it: the standard test cycle was run where no "
+     "other is given, machine and instrument were soaked (4.1), the machine complete, levelled and without "
+     "load (4.2), and at rest when it was read (5.1); the gradient over the machine is stated, within what was "
+     "agreed (4.1)",
+     "auf das Wort des Prüfers hin, da keine Angabe einer Prüfung es sagt: gefahren wurde der Normprüfzyklus, "
+     "wo kein anderer angegeben ist, Maschine und Messmittel waren durchtemperiert (4.1), die Maschine "
+     "vollständig, ausgerichtet und ohne Last (4.2) und beim Ablesen in Ruhe (5.1); der Temperaturgradient "
+     "über die Maschine ist angegeben, im vereinbarten Rahmen (4.1)"},
     {"on the word of who tested, since no item of a test states it: the standard test cycle was run where no other is "
      "given, machine and instrument were soaked (4.1), the machine complete, levelled and without load (4.2), and at "
      "rest when it was read (5.1); the log of temperatures shows their gradient over the machine within what was "
@@ -94,6 +102,30 @@ constexpr Phrase claims_rows[] = {
      "Normprüfzyklus, wo kein anderer angegeben ist, Maschine und Messmittel waren durchtemperiert und "
      "der Temperaturgradient im vereinbarten Rahmen (4.1), die Maschine vollständig, ausgerichtet und "
      "ohne Last (4.2) und beim Ablesen in Ruhe (5.1)"},
+    {"on the word of who tested, since no item of a test states it: the standard test cycle was run where no "
+     "other is given, the gradient of the temperature was within what was agreed (4.1), the machine complete, "
+     "levelled and without load (4.2), and at rest when it was read (5.1); how long machine and instrument "
+     "were soaked is stated (4.1)",
+     "auf das Wort des Prüfers hin, da keine Angabe einer Prüfung es sagt: gefahren wurde der Normprüfzyklus, "
+     "wo kein anderer angegeben ist, der Temperaturgradient war im vereinbarten Rahmen (4.1), die Maschine "
+     "vollständig, ausgerichtet und ohne Last (4.2) und beim Ablesen in Ruhe (5.1); wie lange Maschine und "
+     "Messmittel durchtemperiert wurden, ist angegeben (4.1)"},
+    {"on the word of who tested, since no item of a test states it: the standard test cycle was run where no "
+     "other is given, the machine complete, levelled and without load (4.2), and at rest when it was read "
+     "(5.1); the gradient over the machine, within what was agreed, and how long machine and instrument were "
+     "soaked are stated (4.1)",
+     "auf das Wort des Prüfers hin, da keine Angabe einer Prüfung es sagt: gefahren wurde der Normprüfzyklus, "
+     "wo kein anderer angegeben ist, die Maschine war vollständig, ausgerichtet und ohne Last (4.2) und beim "
+     "Ablesen in Ruhe (5.1); der Temperaturgradient über die Maschine, im vereinbarten Rahmen, und wie lange "
+     "Maschine und Messmittel durchtemperiert wurden, sind angegeben (4.1)"},
+    {"on the word of who tested, since no item of a test states it: the standard test cycle was run where no "
+     "other is given, the machine complete, levelled and without load (4.2), and at rest when it was read "
+     "(5.1); the log of temperatures shows their gradient over the machine within what was agreed, and how "
+     "long machine and instrument were soaked is stated (4.1)",
+     "auf das Wort des Prüfers hin, da keine Angabe einer Prüfung es sagt: gefahren wurde der Normprüfzyklus, "
+     "wo kein anderer angegeben ist, die Maschine war vollständig, ausgerichtet und ohne Last (4.2) und beim "
+     "Ablesen in Ruhe (5.1); die Temperaturaufzeichnung zeigt den Temperaturgradienten über die Maschine im "
+     "vereinbarten Rahmen, und wie lange Maschine und Messmittel durchtemperiert wurden, ist angegeben (4.1)"},
     {"sampling points of the compensation are not stated, so that nobody can tell whether targets lie on "
      "them",
      "Stützstellen der Kompensation sind nicht angegeben, sodass niemand sagen kann, ob Zielpositionen "

@@ -6,6 +6,8 @@ namespace axiometry::language {
 namespace {
 
 constexpr Phrase noise_rows[] = {
+    {"(stated): on the word of who tested, by no log of temperatures.",
+     "(angegeben): auf das Wort dessen, der geprüft hat, nach keiner Temperaturaufzeichnung."},
     {"Agreed", "Vereinbart"},
     {"An agreed limit is exceeded", "Ein vereinbarter Grenzwert ist überschritten"},
     {"Change per hour, during the test", "Änderung je Stunde, während der Prüfung"},
@@ -338,6 +340,7 @@ constexpr Phrase noise_rows[] = {
     {"{0#} values over {1#} s; over {2#} s, as long as is looked at for a test, they range over {3#} {4#} at most.",
      "{0} Werte über {1} s; über {2} s, so lange, wie für eine Prüfung betrachtet wird, liegen sie höchstens {3} {4} "
      "auseinander."},
+    {"{0=} (stated)", "{0} (angegeben)"},
     {"{0}, and runs that shift of their own", "{0}, und Durchläufe, die sich von selbst verschieben"},
     {"{0}; all inputs count to first order.", "{0}; alle Eingangsgrößen zählen in erster Ordnung."},
     {"{0}; before the readings every size of the machine’s own scatter was equally likely in every octave.",

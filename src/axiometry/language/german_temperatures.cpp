@@ -25,6 +25,8 @@ constexpr Phrase temperatures_rows[] = {
      "eine Datei mit vielen Prüfungen; erwartet: eine einzelne Prüfung bei --temperatures"},
     {"found a line of {0#} bytes in a temperature log, expected at most {1#}",
      "Zeile von {0} Byte in einer Temperaturaufzeichnung; erwartet: höchstens {1}"},
+    {"found a lowest temperature of the air of {0#} °C above the highest of {1#} °C, expected it below",
+     "niedrigste Lufttemperatur von {0} °C über der höchsten von {1} °C; erwartet: darunter"},
     {"found a temperature log without dates, expected dates to know when the test was",
      "Temperaturaufzeichnung ohne Datum; erwartet: ein Datum, um zu wissen, wann die Prüfung war"},
     {"found a test dated {0=}, expected the day of its temperatures, {1=}: nobody knows whose these are",
@@ -36,6 +38,14 @@ constexpr Phrase temperatures_rows[] = {
     {"found agreed limits of which nobody can say whether they were kept, since not all of the time is known: {0}",
      "vereinbarte Grenzwerte, von denen niemand sagen kann, ob sie eingehalten wurden, denn nicht die ganze Zeit ist "
      "bekannt: {0}"},
+    {"found air of {0#} °C stated at the start or the end of the test above its highest temperature stated, "
+     "{1#} °C, expected figures of one test",
+     "für Anfang oder Ende der Prüfung sind {0} °C der Luft angegeben, über ihrer angegebenen höchsten "
+     "Temperatur von {1} °C; erwartet: Werte einer einzigen Prüfung"},
+    {"found air of {0#} °C stated at the start or the end of the test below its lowest temperature stated, "
+     "{1#} °C, expected figures of one test",
+     "für Anfang oder Ende der Prüfung sind {0} °C der Luft angegeben, unter ihrer angegebenen niedrigsten "
+     "Temperatur von {1} °C; erwartet: Werte einer einzigen Prüfung"},
     {"found an agreed lowest temperature of {0#} °C above the highest of {1#} °C",
      "vereinbarte niedrigste Temperatur von {0} °C über der höchsten von {1} °C"},
     {"found flags about a log of temperatures, expected the log too, with --temperatures",
@@ -101,6 +111,10 @@ constexpr Phrase temperatures_rows[] = {
     {"found {0=}, expected a temperature", "{0}; erwartet: eine Temperatur"},
     {"found {0=}, expected a time and temperatures as in the lines before",
      "{0}; erwartet: eine Zeit und Temperaturen wie in den Zeilen davor"},
+    {"found {0}: {1#} {2=} stated, expected what the temperature log has, {3#} {4=}, which counts unless what "
+     "is stated exceeds what was agreed",
+     "angegeben ist {0}: {1} {2}; erwartet: was die Temperaturaufzeichnung hat, {3} {4}; dies zählt, solange "
+     "das Angegebene das Vereinbarte nicht überschreitet"},
     {"found {0}: {1#}, and no limit that the parties agreed on",
      "{0}: {1}, und kein Grenzwert, den die Parteien vereinbart haben"},
     {"found {0}: {1#}, expected {2} as agreed between the parties",

@@ -74,4 +74,41 @@ struct DistributionAccess {
   }
 };
 
+// What is stated of the surroundings over the test (4.1), and what was agreed on them (7).
+
+inline constexpr double hottest_C = 100.0;  ///< °C; also of °C/h and of a difference: above it nobody means a hall
+
+template <auto Member, const auto& Unit>
+constexpr Field stated_field(std::string_view key, std::string_view title, std::string_view clause, double minimum) {
+  return number_field<QuantityAccess<At<&Metadata::surroundings, Member>, Unit>>(
+      key, title, "°C", "°C", clause, Field::Wanted::no, minimum, hottest_C,
+      "During the whole test; what a log of temperatures tells takes its place.");
+}
+
+template <auto Member>
+constexpr Field stated_rate(std::string_view key, std::string_view title) {
+  return number_field<PlainAccess<At<&Metadata::surroundings, Member>, double>>(
+      key, title, "°C/h", "°C/h", "4.1", Field::Wanted::no, 0, hottest_C,
+      "The largest, of the air; what a log of temperatures tells takes its place.");
+}
+
+constexpr Field soaked_field(std::string_view key, std::string_view title) {
+  constexpr double weeks_h = 1000;
+  return number_field<PlainAccess<At<&Metadata::surroundings, &StatedEnvironment::soaked_h>, double>>(
+      key, title, "h", "h", "4.1", Field::Wanted::no, 0, weeks_h,
+      "How long machine and measuring equipment stood in the surroundings before the test.");
+}
+
+template <auto Member, const auto& Unit>
+constexpr Field agreed_field(std::string_view key, std::string_view title, std::string_view clause, double minimum) {
+  return number_field<QuantityAccess<At<&Metadata::agreed, Member>, Unit>>(
+      key, title, "°C", "°C", clause, Field::Wanted::no, minimum, hottest_C, "Limit between the parties.");
+}
+
+constexpr Field agreed_rate(std::string_view key, std::string_view title) {
+  return number_field<PlainAccess<At<&Metadata::agreed, &AgreedEnvironment::rate>, double>>(
+      key, title, "°C/h", "°C/h", "4.1", Field::Wanted::no, 0, hottest_C,
+      "Limit between the parties, in the twelve hours before the test and during it.");
+}
+
 }  // namespace axiometry::fields_access

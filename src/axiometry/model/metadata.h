@@ -7,6 +7,7 @@
 
 #include "axiometry/base/quantity.h"
 #include "axiometry/model/axis.h"
+#include "axiometry/model/surroundings.h"
 #include "axiometry/model/uncertainty_choices.h"
 
 namespace axiometry {
@@ -184,6 +185,8 @@ struct Metadata {
   std::vector<Equipment> equipment;
   NdeCorrection nde;
   Environment environment;
+  StatedEnvironment surroundings;
+  AgreedEnvironment agreed;
   InstrumentSettings instrument;
   Artefact artefact;
   StatedTolerances tolerance;

@@ -17,7 +17,8 @@
 
 namespace axiometry::iso230_2 {
 struct LoggedEnvironment;  // standards/environment/environment.h
-}
+struct TestEnvironment;    // likewise
+}  // namespace axiometry::iso230_2
 
 namespace axiometry::report {
 
@@ -47,6 +48,7 @@ struct Subject {
   std::string
       trail_head{};  ///< of an issued report: where the archive's audit trail ended before; "17:3f2a9c0b1d2e4f56"
   const iso230_2::LoggedEnvironment* temperatures = nullptr;  ///< about the test; where a log of them was given
+  const iso230_2::TestEnvironment* environment = nullptr;     ///< of the test, by that log or stated
 };
 
 /// What a trail_head is called wherever an output says it.

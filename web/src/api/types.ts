@@ -1517,7 +1517,7 @@ export interface components {
             whole_h: number;
             complete: boolean;
         };
-        /** @description What a log of temperatures tells of the surroundings of the test (4.1), against what was agreed (7). */
+        /** @description The surroundings of the test (4.1), by a log of temperatures or stated, against what was agreed (7). */
         Surroundings: {
             quantities: {
                 /** @enum {string} */
@@ -1528,6 +1528,8 @@ export interface components {
                 /** @description null: not measured. */
                 measured: number | null;
                 agreed: number | null;
+                /** @description Whether what is measured is on the word of who tested, by no log. */
+                stated: boolean;
                 /** @enum {string} */
                 limit: "lowest" | "highest";
                 /** @enum {string} */
@@ -1537,6 +1539,8 @@ export interface components {
             exceeded: boolean;
             /** @description Whether nobody can say of a limit that it was kept. */
             open: boolean;
+            /** @description Time that machine and equipment were soaked, h, as stated. */
+            soaked_h: number | null;
             log_begin: string | null;
             began: string | null;
             /** @description As asked. */
@@ -1561,10 +1565,11 @@ export interface components {
             remarks: string[];
             /** @description What of the time is not known. */
             gaps: string[];
+            /** @description The log; null where there is none. */
             source: {
                 file: string;
                 sha256: components["schemas"]["Sha256"];
-            };
+            } | null;
         };
         /** @description A mean deviation by the Monte Carlo method. */
         DrawnMean: {
@@ -1796,6 +1801,26 @@ export interface components {
                 air_humidity_start_percent?: number | null;
                 /** @description Air humidity at the end. Near the laser beam. Unit %. ISO 230-2:2014, 8.1. */
                 air_humidity_end_percent?: number | null;
+                /** @description Lowest temperature of the air. During the whole test; what a log of temperatures tells takes its place. Unit °C. ISO 230-2:2014, 7. */
+                lowest_C?: number | null;
+                /** @description Highest temperature of the air. During the whole test; what a log of temperatures tells takes its place. Unit °C. ISO 230-2:2014, 7. */
+                highest_C?: number | null;
+                /** @description Change per hour, during the test. The largest, of the air; what a log of temperatures tells takes its place. Unit °C/h. ISO 230-2:2014, 4.1. */
+                rate_C_per_h?: number | null;
+                /** @description Change per hour, in the twelve hours before. The largest, of the air; what a log of temperatures tells takes its place. Unit °C/h. ISO 230-2:2014, 4.1. */
+                rate_before_C_per_h?: number | null;
+                /** @description Gradient over the machine. During the whole test; what a log of temperatures tells takes its place. Unit °C. ISO 230-2:2014, 4.1. */
+                machine_gradient_C?: number | null;
+                /** @description Time of soaking. How long machine and measuring equipment stood in the surroundings before the test. Unit h. ISO 230-2:2014, 4.1. */
+                soaked_h?: number | null;
+                /** @description Agreed lowest temperature. Limit between the parties. Unit °C. ISO 230-2:2014, 7. */
+                agreed_lowest_C?: number | null;
+                /** @description Agreed highest temperature. Limit between the parties. Unit °C. ISO 230-2:2014, 7. */
+                agreed_highest_C?: number | null;
+                /** @description Agreed change per hour. Limit between the parties, in the twelve hours before the test and during it. Unit °C/h. ISO 230-2:2014, 4.1. */
+                agreed_rate_C_per_h?: number | null;
+                /** @description Agreed gradient over the machine. Limit between the parties. Unit °C. ISO 230-2:2014, 4.1. */
+                agreed_gradient_C?: number | null;
             } | null;
             instrument?: {
                 /** @description Vacuum wavelength. Of the laser, for the correction of readings for the refractive index of air; 632.9909 when not given. Unit nm. */

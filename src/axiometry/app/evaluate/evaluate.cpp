@@ -11,6 +11,7 @@
 #include "axiometry/app/evaluate/drift_recording.h"
 #include "axiometry/app/evaluate/evaluate_many.h"
 #include "axiometry/app/evaluate/known_file.h"
+#include "axiometry/app/evaluate/stated_surroundings.h"
 #include "axiometry/app/evaluate/test_and_log.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/read_recording.h"
@@ -188,8 +189,12 @@ Result<void> add_uncertainty(iso230_2::Assessment& assessment, const Test& test,
 Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessment& assessment, const Test& test,
                                                               const EvaluateOptions& options, iso230_2::Depth depth) {
   if (!options.temperatures) return std::nullopt;
-  AXIOMETRY_TRY(EvaluatedTemperatures found, evaluate_log_with_test(*options.temperatures, course_of(test).duration));
+  const Metadata& metadata = test.metadata;
+  AXIOMETRY_TRY(EvaluatedTemperatures found,
+                evaluate_log_with_test(*options.temperatures, course_of(test).duration, metadata.agreed));
   std::vector<iso230_2::Finding>& findings = assessment.findings;
+  std::ranges::move(contradicted_by_log(metadata.surroundings, found.environment), std::back_inserter(findings));
+  found.environment = iso230_2::with_statement(std::move(found.environment), metadata.surroundings);
   std::ranges::move(iso230_2::environment_findings(found.environment, depth), std::back_inserter(findings));
   auto day = other_day(test, found);
   const bool of_other_day = day && day->severity != iso230_2::Severity::note;
@@ -201,6 +206,19 @@ Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessme
       findings.push_back({"temperature-log-remark", iso230_2::source_clause, iso230_2::Severity::note,
                           fmt::format("of the temperature log: {}", remark)});
   return found;
+}
+
+/// What is stated of the surroundings, among the findings of a test; where there is a log, it is among what that tells.
+Result<std::optional<iso230_2::TestEnvironment>> add_statement(iso230_2::Assessment& assessment, const Metadata& stated,
+                                                               bool with_log, iso230_2::Depth depth) {
+  if (!states_surroundings(stated)) return std::nullopt;
+  AXIOMETRY_TRY_VOID(check_surroundings(stated));
+  std::vector<iso230_2::Finding>& findings = assessment.findings;
+  std::ranges::move(contradicted_by_test(stated), std::back_inserter(findings));
+  if (with_log) return std::nullopt;
+  auto environment = iso230_2::stated_environment(stated.surroundings, stated.agreed);
+  std::ranges::move(iso230_2::environment_findings(environment, depth), std::back_inserter(findings));
+  return environment;
 }
 
 /// Whose the items are that the file does not state: of a list the records since it was last emptied.
@@ -276,6 +294,8 @@ Result<Evaluated> evaluate_test(Test measured, const EvaluateOptions& options, i
   of_file.tolerance = test.metadata.tolerance;
   AXIOMETRY_TRY_VOID(prepare(test, options));
   iso230_2::Assessment& assessment = result->assessment = iso230_2::assess(test, depth);
+  AXIOMETRY_TRY(result->stated_environment,
+                add_statement(assessment, test.metadata, options.temperatures.has_value(), depth));
   AXIOMETRY_TRY(result->temperatures, add_temperatures(assessment, test, options, depth));
   const iso230_2::AxisParameters& parameters = assessment.evaluation.parameters;
   AXIOMETRY_TRY(Requirements demanded,

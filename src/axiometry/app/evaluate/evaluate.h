@@ -66,9 +66,16 @@ struct Evaluated {
   std::string name;  ///< of a test among many in its file; else empty
   iso230_2::Assessment assessment;
   std::vector<iso230_2::Judgement> judgements;
-  std::optional<AppliedBand> tolerance_band;            ///< of the tolerance table, when there is one
-  std::optional<report::VerifiedFigures> verified{};    ///< by second_opinion(), where that was asked for
-  std::optional<EvaluatedTemperatures> temperatures{};  ///< where a log of them was given
+  std::optional<AppliedBand> tolerance_band;                      ///< of the tolerance table, when there is one
+  std::optional<report::VerifiedFigures> verified{};              ///< by second_opinion(), where that was asked for
+  std::optional<EvaluatedTemperatures> temperatures{};            ///< where a log of them was given
+  std::optional<iso230_2::TestEnvironment> stated_environment{};  ///< where none was, and the test states any of it
+
+  /// Of the test, by a log or stated; nullptr where nothing is known of it and nothing agreed.
+  const iso230_2::TestEnvironment* environment() const {
+    if (temperatures) return &temperatures->environment;
+    return stated_environment ? &*stated_environment : nullptr;
+  }
 };
 
 /// Whether the test itself says how a component of its equipment was calibrated.

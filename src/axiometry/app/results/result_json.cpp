@@ -101,7 +101,7 @@ void put_findings(Place place, std::span<const iso230_2::Finding> findings) {
   }
 }
 
-void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::TestEnvironment* logged) {
+void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::TestEnvironment* surroundings) {
   json::List list(place);
   for (const iso230_2::Claim& claim : claims) {
     json::Object row = list.object();
@@ -109,7 +109,7 @@ void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::Tes
     row.add("title", claim.title);
     row.add("holds", claim.holds());
     put_findings(row.at("missing"), claim.against);
-    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(logged));
+    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(surroundings));
   }
 }
 
@@ -238,8 +238,7 @@ void put_result(json::Place place, const Evaluated& evaluated) {
   put_axis(object.at("axis"), metadata.axis);
   object.add("unit", deviation_unit_key(metadata.axis.kind));
   object.add("conforming", assessment.conforming());
-  put_claims(object.at("claims"), iso230_2::claims_of(test, assessment),
-             evaluated.temperatures ? &evaluated.temperatures->environment : nullptr);
+  put_claims(object.at("claims"), iso230_2::claims_of(test, assessment), evaluated.environment());
   if (!assessment.label.empty()) object.add("label", assessment.label);
   put_parameters(object.at("parameters"), assessment.evaluation.parameters);
   add_symbols(object, evaluated);
@@ -249,6 +248,7 @@ void put_result(json::Place place, const Evaluated& evaluated) {
   put_positions(object.at("positions"), assessment.evaluation.positions);
   object.add("drift", drift_to_json(test));
   if (evaluated.temperatures) object.add("environment", environment_to_json(*evaluated.temperatures));
+  if (evaluated.stated_environment) object.add("environment", environment_to_json(*evaluated.stated_environment));
   put_findings(object.at("findings"), assessment.findings);
   put_metadata(object.at("metadata"), metadata);
   put_source(object.at("source"), test.provenance, evaluated.name);

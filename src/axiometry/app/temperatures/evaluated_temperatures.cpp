@@ -52,10 +52,7 @@ Result<std::optional<TimeStretch>> placed_test(const TemperatureLog& log, const 
 
 }  // namespace
 
-bool TemperatureRequest::empty() const {
-  return began.empty() && ended.empty() && roles.empty() && !agreed.lowest && !agreed.highest && !agreed.rate &&
-         !agreed.machine_gradient;
-}
+bool TemperatureRequest::about_log_empty() const { return began.empty() && ended.empty() && roles.empty(); }
 
 Result<EvaluatedTemperatures> evaluate_temperatures(std::string_view bytes, const std::string& name,
                                                     const TemperatureRequest& request) {
@@ -91,8 +88,18 @@ TemperatureRequest with_end_of_readings(TemperatureRequest request, const std::o
   return request;
 }
 
-Result<EvaluatedTemperatures> evaluate_log_with_test(const LogWithTest& log, const std::optional<Duration>& duration) {
-  const TemperatureRequest request = with_end_of_readings(log.request, duration);
+iso230_2::AgreedEnvironment agreed_of(iso230_2::AgreedEnvironment asked, const iso230_2::AgreedEnvironment& stated) {
+  if (!asked.lowest) asked.lowest = stated.lowest;
+  if (!asked.highest) asked.highest = stated.highest;
+  if (!asked.rate) asked.rate = stated.rate;
+  if (!asked.machine_gradient) asked.machine_gradient = stated.machine_gradient;
+  return asked;
+}
+
+Result<EvaluatedTemperatures> evaluate_log_with_test(const LogWithTest& log, const std::optional<Duration>& duration,
+                                                     const iso230_2::AgreedEnvironment& stated) {
+  TemperatureRequest request = with_end_of_readings(log.request, duration);
+  request.agreed = agreed_of(request.agreed, stated);
   auto evaluated =
       log.bytes ? evaluate_temperatures(*log.bytes, log.file, request) : evaluate_temperatures(log.file, request);
   if (!evaluated && log.bytes) return std::unexpected(in_file(std::move(evaluated).error(), log.file));

@@ -20,8 +20,8 @@ struct TemperatureRequest {
   formats::SensorRoles roles{};
   iso230_2::AgreedEnvironment agreed{};
 
-  /// Whether anybody says anything beside the log.
-  bool empty() const;
+  /// Whether nobody says anything that only a log makes sense of.
+  bool about_log_empty() const;
 };
 
 using EvaluatedTemperatures = iso230_2::LoggedEnvironment;
@@ -36,6 +36,9 @@ Result<EvaluatedTemperatures> evaluate_temperatures(const std::string& file, con
 Result<EvaluatedTemperatures> evaluate_temperatures(std::string_view bytes, const std::string& name,
                                                     const TemperatureRequest& request);
 
+/// What is asked for beside a test, and what the test states where that says nothing.
+iso230_2::AgreedEnvironment agreed_of(iso230_2::AgreedEnvironment asked, const iso230_2::AgreedEnvironment& stated);
+
 /// A log that goes with a test.
 struct LogWithTest {
   std::string file;                    ///< its name; opened where there are no bytes
@@ -48,7 +51,9 @@ struct LogWithTest {
 TemperatureRequest with_end_of_readings(TemperatureRequest request, const std::optional<Duration>& duration);
 
 /// As evaluate_temperatures(), of a test that lasted `duration` where its readings have times: LoggedEnvironment keeps
-/// the end that they tell apart from what was asked.
-Result<EvaluatedTemperatures> evaluate_log_with_test(const LogWithTest& log, const std::optional<Duration>& duration);
+/// the end that they tell apart from what was asked. What was agreed and the request does not say is as the test
+/// states.
+Result<EvaluatedTemperatures> evaluate_log_with_test(const LogWithTest& log, const std::optional<Duration>& duration,
+                                                     const iso230_2::AgreedEnvironment& stated = {});
 
 }  // namespace axiometry::app

@@ -35,6 +35,7 @@ Value quantities_to_json(const iso230_2::TestEnvironment& environment) {
     row.add("measured", number_or_null(item.measured));
     row.add("agreed", number_or_null(item.agreed));
     row.add("limit", item.lower_limit ? "lowest" : "highest");
+    row.add("stated", item.stated);
     row.add("standing", iso230_2::standing_key(item.standing));
   }
   return items;
@@ -84,6 +85,7 @@ json::Value environment_to_json(const EvaluatedTemperatures& evaluated) {
   object.add("quantities", quantities_to_json(environment));
   object.add("exceeded", environment.exceeded());
   object.add("open", environment.open());
+  object.add("soaked_h", number_or_null(environment.soaked_h));
   object.add("log_begin", evaluated.log.begin ? Value(moment_text(*evaluated.log.begin)) : Value());
   object.add("began", evaluated.began.empty() ? Value() : Value(evaluated.began));
   object.add("ended", evaluated.ended.empty() ? Value() : Value(evaluated.ended));
@@ -99,6 +101,20 @@ json::Value environment_to_json(const EvaluatedTemperatures& evaluated) {
   Value& source = object.add("source", Value::object());
   source.add("file", evaluated.file);
   source.add("sha256", evaluated.sha256);
+  return object;
+}
+
+json::Value environment_to_json(const iso230_2::TestEnvironment& stated) {
+  Value object = Value::object();
+  object.add("quantities", quantities_to_json(stated));
+  object.add("exceeded", stated.exceeded());
+  object.add("open", stated.open());
+  object.add("soaked_h", number_or_null(stated.soaked_h));
+  for (const char* of_a_log : {"log_begin", "began", "ended", "ended_by_readings"}) object.add(of_a_log, Value());
+  object.add("test_placed", false);
+  for (const char* of_a_log : {"during", "before"}) object.add(of_a_log, Value());
+  for (const char* of_a_log : {"sensors", "remarks", "gaps"}) object.add(of_a_log, Value::array());
+  object.add("source", Value());
   return object;
 }
 

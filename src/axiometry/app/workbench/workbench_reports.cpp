@@ -122,7 +122,8 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
   const iso230_2::Assessment labelled =
       record.withdrawn ? labelled_withdrawn(evaluated->assessment) : evaluated->assessment;
   const report::Subject all = report_subject(*evaluated, trail_head);
-  const report::Subject subject{all.test, labelled, all.judgements, verified, all.trail_head, all.temperatures};
+  const report::Subject subject{all.test,       labelled,         all.judgements, verified,
+                                all.trail_head, all.temperatures, all.environment};
   AXIOMETRY_TRY(rendered.bytes, writer->write(subject, request.options));
   return rendered;
 }

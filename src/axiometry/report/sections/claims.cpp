@@ -39,8 +39,7 @@ Section claim_section(const Subject& subject, const Options& options) {
       plain("What was not stated speaks against a claim as what departs from the standard does: absent is "
             "never the same as fine.")};
   if (claim(claims, iso230_2::ClaimKind::tested).holds())
-    table.notes.push_back(sentence(
-        iso230_2::word_of_the_tester(subject.temperatures != nullptr ? &subject.temperatures->environment : nullptr)));
+    table.notes.push_back(sentence(iso230_2::word_of_the_tester(subject.environment)));
   section.blocks.emplace_back(std::move(table));
   return section;
 }

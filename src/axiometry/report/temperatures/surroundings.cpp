@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -26,6 +27,16 @@ Facts facts_of_log(const iso230_2::LoggedEnvironment& logged) {
   return facts;
 }
 
+/// Of a test without a log; nothing where it states no figure and no limit.
+std::optional<Section> stated_section(const Subject& subject, const Options& options) {
+  const iso230_2::TestEnvironment* stated = subject.environment;
+  if (stated == nullptr) return std::nullopt;
+  const auto known = [](const iso230_2::EnvironmentItem& item) { return item.measured || item.agreed; };
+  if (std::ranges::none_of(stated->items, known)) return std::nullopt;
+  return Section{
+      "surroundings", "Temperatures before and during the test", true, {environment_table(*stated, options)}};
+}
+
 }  // namespace
 
 TemperatureSubject subject_of(const iso230_2::LoggedEnvironment& logged) {
@@ -45,7 +56,7 @@ std::optional<Figure> surroundings_figure(const Subject& subject, const Options&
 }
 
 std::optional<Section> surroundings_section(const Subject& subject, const Options& options) {
-  if (subject.temperatures == nullptr) return std::nullopt;
+  if (subject.temperatures == nullptr) return stated_section(subject, options);
   const iso230_2::LoggedEnvironment& logged = *subject.temperatures;
   Section section{"surroundings", "Temperatures before and during the test", true, {}};
   section.blocks.emplace_back(temperature_figure(subject_of(logged), options));

@@ -46,10 +46,15 @@ Table environment_table(const iso230_2::TestEnvironment& environment, const Opti
                           {plain(iso230_2::standing_text(item.standing)), tone_of(item.standing)},
                           text_cell(item.clause)});
   }
-  table.notes = {
-      plain("Change per hour: the greatest within any hour; where less than an hour was recorded in one "
-            "piece, the range of that piece divided by its length. Readings more than half an hour apart "
-            "tell nothing of the time between them.")};
+  const bool any_stated = std::ranges::any_of(environment.items, &EnvironmentItem::stated);
+  const bool any_logged =
+      std::ranges::any_of(environment.items, [](const EnvironmentItem& item) { return item.measured && !item.stated; });
+  if (any_logged || !any_stated)
+    table.notes.push_back(
+        plain("Change per hour: the greatest within any hour; where less than an hour was recorded in one "
+              "piece, the range of that piece divided by its length. Readings more than half an hour apart "
+              "tell nothing of the time between them."));
+  if (any_stated) table.notes.push_back(plain("(stated): on the word of who tested, by no log of temperatures."));
   return table;
 }
 
@@ -74,7 +79,9 @@ std::string measured_text(const EnvironmentItem& item, const Options& options) {
   constexpr int usual = 2, fine = 4;
   constexpr double shown_by_usual = 0.01;
   const bool close = item.agreed && std::abs(*item.measured - *item.agreed) < shown_by_usual;
-  return fmt::format("{}\u00a0{}", shown_celsius(*item.measured, close ? fine : usual, options), item.unit);
+  const std::string text =
+      fmt::format("{}\u00a0{}", shown_celsius(*item.measured, close ? fine : usual, options), item.unit);
+  return item.stated ? fmt::format("{} (stated)", text) : text;
 }
 
 std::string agreed_text(const EnvironmentItem& item, const Options& options) {

@@ -69,6 +69,17 @@ void judge_item(EnvironmentItem& item, const std::optional<double>& certain, boo
   }
 }
 
+/// Nothing is measured of them yet.
+std::vector<EnvironmentItem> items_of(const AgreedEnvironment& agreed) {
+  return {
+      {"lowest_C", "Lowest temperature of the air", "°C", "7", true, {}, in_celsius(agreed.lowest)},
+      {"highest_C", "Highest temperature of the air", "°C", "7", false, {}, in_celsius(agreed.highest)},
+      {rate_key, "Change per hour, during the test", "°C/h", "4.1", false, {}, agreed.rate},
+      {before_key, "Change per hour, in the twelve hours before", "°C/h", "4.1", false, {}, agreed.rate},
+      {gradient_key, "Gradient over the machine", "°C", "4.1", false, {}, in_kelvin(agreed.machine_gradient)},
+  };
+}
+
 /// Whether what is measured is known of all the time that it is stated for.
 struct Completeness {
   bool during = true;
@@ -156,13 +167,7 @@ TestEnvironment test_environment(const TemperatureLog& log, const std::optional<
   const AmbientTemperatures found = ambient_of(log.sensors, test);
   TestEnvironment environment;
   environment.placed = test.has_value();
-  environment.items = {
-      {"lowest_C", "Lowest temperature of the air", "°C", "7", true, {}, in_celsius(agreed.lowest)},
-      {"highest_C", "Highest temperature of the air", "°C", "7", false, {}, in_celsius(agreed.highest)},
-      {rate_key, "Change per hour, during the test", "°C/h", "4.1", false, {}, agreed.rate},
-      {before_key, "Change per hour, in the twelve hours before", "°C/h", "4.1", false, {}, agreed.rate},
-      {gradient_key, "Gradient over the machine", "°C", "4.1", false, {}, in_kelvin(agreed.machine_gradient)},
-  };
+  environment.items = items_of(agreed);
   // Where the test was is not known: what was recorded may not be all of it.
   Completeness complete{false, false, false};
   if (test) complete = find_shares(environment, log, *test);
@@ -177,6 +182,33 @@ TestEnvironment test_environment(const TemperatureLog& log, const std::optional<
                                           : during);
   }
   return environment;
+}
+
+std::vector<std::optional<double>> stated_figures(const StatedEnvironment& stated) {
+  return {in_celsius(stated.lowest), in_celsius(stated.highest), stated.rate, stated.rate_before,
+          in_kelvin(stated.machine_gradient)};
+}
+
+TestEnvironment with_statement(TestEnvironment environment, const StatedEnvironment& stated) {
+  const auto figures = stated_figures(stated);
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    EnvironmentItem& item = environment.items[k];
+    const bool worse = figures[k] && item.agreed && beyond(item, *figures[k]);
+    if (!figures[k] || item.standing == EnvironmentStanding::exceeded || (item.measured && !worse)) continue;
+    item.measured = figures[k];
+    item.stated = true;
+    item.perhaps_exceeded = false;
+    judge_item(item, figures[k], true);
+  }
+  environment.soaked_h = stated.soaked_h;
+  return environment;
+}
+
+TestEnvironment stated_environment(const StatedEnvironment& stated, const AgreedEnvironment& agreed) {
+  TestEnvironment environment;
+  environment.items = items_of(agreed);
+  environment.placed = true;
+  return with_statement(std::move(environment), stated);
 }
 
 std::vector<std::string> time_gaps_of(const TestEnvironment& environment, const NumberStyle& numbers) {

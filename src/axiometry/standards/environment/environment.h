@@ -8,19 +8,15 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/quantity.h"
+#include "axiometry/model/surroundings.h"
 #include "axiometry/model/temperatures.h"
 #include "axiometry/standards/environment/ambient_course.h"
 
-/// The temperature of the surroundings (4.1) against what the parties agreed on it (7).
+/// The temperature of the surroundings (4.1) against what the parties agreed on it (7): stated by who tested, or found
+/// from a log.
 namespace axiometry::iso230_2 {
 
-/// What manufacturer or supplier and user agreed on (7).
-struct AgreedEnvironment {
-  std::optional<Temperature> lowest;
-  std::optional<Temperature> highest;
-  std::optional<double> rate;  ///< °C/h, twelve hours before the test and during it
-  std::optional<TemperatureDifference> machine_gradient;
-};
+using axiometry::AgreedEnvironment;
 
 /// How a quantity stands. What was not measured is never kept.
 enum class EnvironmentStanding {
@@ -43,6 +39,7 @@ struct EnvironmentItem {
   std::optional<double> measured;
   std::optional<double> agreed;
   EnvironmentStanding standing = EnvironmentStanding::not_measured;
+  bool stated = false;            ///< whether `measured` is the word of who tested, and no log's
   bool perhaps_exceeded = false;  ///< known in part, and exceeded at a time that nobody knows to be of the test
 };
 
@@ -65,8 +62,9 @@ struct TestEnvironment {
   std::optional<RecordedShare> during;      ///< of the test, where a log tells when it was
   std::optional<RecordedShare> before;      ///< of the twelve hours before it, where that is known
   std::optional<RecordedShare> on_machine;  ///< of the test, by the sensors on the machine, where there are two
-  bool placed = false;                      ///< whether somebody said when the test was
+  bool placed = false;                      ///< whether it is known when the test was, or all is stated of the test
   bool ends_recorded = false;               ///< whether the temperature of the air is known at its start and at its end
+  std::optional<double> soaked_h{};         ///< h, as stated
 
   /// Whether any limit is exceeded.
   bool exceeded() const;
@@ -79,6 +77,16 @@ struct TestEnvironment {
 /// anything where nobody said when the test was.
 TestEnvironment test_environment(const TemperatureLog& log, const std::optional<TimeStretch>& test,
                                  const AgreedEnvironment& agreed);
+
+/// By what is stated alone, where there is no log.
+TestEnvironment stated_environment(const StatedEnvironment& stated, const AgreedEnvironment& agreed);
+
+/// Of both, by a log and stated: what the log measured is the figure of record, and what it did not is as stated. But a
+/// statement beyond the agreed limit exceeds it whatever the log says: who tested knows of something that it missed.
+TestEnvironment with_statement(TestEnvironment environment, const StatedEnvironment& stated);
+
+/// What is stated as a figure of each item, in their order.
+std::vector<std::optional<double>> stated_figures(const StatedEnvironment& stated);
 
 /// What of the time was not recorded, and that nobody said when the test was or when it ended; sentences without full
 /// stop.

@@ -24,6 +24,7 @@ const t = texts({
   measured: ['Measured', 'Gemessen'],
   agreed: ['Agreed', 'Vereinbart'],
   standing: ['Standing', 'Stand'],
+  stated: ['stated', 'angegeben'],
   at_least: ['at least {x}', 'mindestens {x}'],
   at_most: ['at most {x}', 'höchstens {x}'],
   lowest_C: ['Lowest temperature of the air', 'Niedrigste Lufttemperatur'],
@@ -104,9 +105,9 @@ export function Surroundings({ state }: { state: TestState }) {
       </header>
       {failure && <FailureNotice error={failure} />}
       {newest && <div class="foot no-print"><FileDrop label={busy ? t('adding') : t('add')} hint={t('hint')} take={(file) => void add(file)} /></div>}
-      {!log && !newest && <p class="quiet foot">{t('no_log')}</p>}
+      {!log && !found && !newest && <p class="quiet foot">{t('no_log')}</p>}
       {log && <p class="quiet foot">{t('log', { name: log.name })}</p>}
-      {found && log && <Quantities found={found} />}
+      {found && (log ?? found.source === null) && <Quantities found={found} />}
       {found?.ended_by_readings && <p class="quiet foot">{t('ended_by_readings', { moment: found.ended_by_readings })}</p>}
       {found && found.gaps.length > 0 && <ul class="small caution foot">{found.gaps.map((gap) => <li key={gap}>{sentence(gap)}</li>)}</ul>}
       {state.test.value.options.temperatures && <Drawn state={state} />}
@@ -126,7 +127,7 @@ function Quantities({ found }: { found: Found }) {
           {found.quantities.map((row) => (
             <tr key={row.key}>
               <th scope="row">{t(row.key)}</th>
-              <td class="number">{row.measured === null ? absent : `${fixed(row.measured, decimals_of(row))} ${row.unit}`}</td>
+              <td class="number">{row.measured === null ? absent : `${fixed(row.measured, decimals_of(row))} ${row.unit}${row.stated ? ` (${t('stated')})` : ''}`}</td>
               <td>{row.agreed === null ? absent : t(row.limit === 'lowest' ? 'at_least' : 'at_most', { x: `${marked(String(row.agreed))} ${row.unit}` })}</td>
               <td class={tones[row.standing]}>{t(row.standing === 'exceeded' && row.limit === 'lowest' ? 'not_reached' : row.standing)}</td>
             </tr>

@@ -286,18 +286,38 @@ std::string against_text(const Claim& claim) {
   return text;
 }
 
-std::string_view word_of_the_tester(const TestEnvironment* logged) {
-  const bool gradient_kept = logged != nullptr && std::ranges::any_of(logged->items, [](const EnvironmentItem& item) {
-                               return item.key == "machine_gradient_C" && item.standing == EnvironmentStanding::kept;
-                             });
-  if (gradient_kept)
-    return "on the word of who tested, since no item of a test states it: the standard test cycle was run where no "
-           "other is given, machine and instrument were soaked (4.1), the machine complete, levelled and without load "
-           "(4.2), and at rest when it was read (5.1); the log of temperatures shows their gradient over the machine "
-           "within what was agreed (4.1)";
-  return "on the word of who tested, since no item of a test states it: the standard test cycle was run where no other "
-         "is given, machine and instrument were soaked and the gradient of the temperature within what was agreed "
-         "(4.1), the machine complete, levelled and without load (4.2), and at rest when it was read (5.1)";
+std::string_view word_of_the_tester(const TestEnvironment* surroundings) {
+  const bool soaked = surroundings != nullptr && surroundings->soaked_h && *surroundings->soaked_h > 0.0;
+  const EnvironmentItem* gradient = nullptr;
+  if (surroundings != nullptr)
+    for (const EnvironmentItem& item : surroundings->items)
+      if (item.key == "machine_gradient_C" && item.standing == EnvironmentStanding::kept) gradient = &item;
+  if (gradient != nullptr && !gradient->stated)
+    return soaked ? "on the word of who tested, since no item of a test states it: the standard test cycle was run "
+                    "where no other is given, the machine complete, levelled and without load (4.2), and at rest when "
+                    "it was read (5.1); the log of temperatures shows their gradient over the machine within what was "
+                    "agreed, and how long machine and instrument were soaked is stated (4.1)"
+                  : "on the word of who tested, since no item of a test states it: the standard test cycle was run "
+                    "where no other is given, machine and instrument were soaked (4.1), the machine complete, levelled "
+                    "and without load (4.2), and at rest when it was read (5.1); the log of temperatures shows their "
+                    "gradient over the machine within what was agreed (4.1)";
+  if (gradient != nullptr)
+    return soaked ? "on the word of who tested, since no item of a test states it: the standard test cycle was run "
+                    "where no other is given, the machine complete, levelled and without load (4.2), and at rest when "
+                    "it was read (5.1); the gradient over the machine, within what was agreed, and how long machine "
+                    "and instrument were soaked are stated (4.1)"
+                  : "on the word of who tested, since no item of a test states it: the standard test cycle was run "
+                    "where no other is given, machine and instrument were soaked (4.1), the machine complete, levelled "
+                    "and without load (4.2), and at rest when it was read (5.1); the gradient over the machine is "
+                    "stated, within what was agreed (4.1)";
+  return soaked ? "on the word of who tested, since no item of a test states it: the standard test cycle was run "
+                  "where no other is given, the gradient of the temperature was within what was agreed (4.1), the "
+                  "machine complete, levelled and without load (4.2), and at rest when it was read (5.1); how long "
+                  "machine and instrument were soaked is stated (4.1)"
+                : "on the word of who tested, since no item of a test states it: the standard test cycle was run "
+                  "where no other is given, machine and instrument were soaked and the gradient of the temperature "
+                  "within what was agreed (4.1), the machine complete, levelled and without load (4.2), and at rest "
+                  "when it was read (5.1)";
 }
 
 }  // namespace axiometry::iso230_2

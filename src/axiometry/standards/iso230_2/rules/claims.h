@@ -42,7 +42,8 @@ inline const Claim& claim(const Claims& claims, ClaimKind kind) { return claims[
 std::string against_text(const Claim& claim);
 
 /// What ClaimKind::tested rests on that no item of a test states: a sentence without full stop. The gradient of the
-/// temperature is among it unless a log beside the test (nullptr: none) shows it within the limit that was agreed.
-std::string_view word_of_the_tester(const TestEnvironment* logged);
+/// temperature is among it unless it is known, by a log or stated (nullptr: neither), to lie within the limit that was
+/// agreed; and the soaking unless it is stated for how long.
+std::string_view word_of_the_tester(const TestEnvironment* surroundings);
 
 }  // namespace axiometry::iso230_2

@@ -142,8 +142,7 @@ TEST(Claims, OfTheTestFallWithReadingsAndDaysThatAskForAWord) {
   };
   const std::pair<const char*, Change> changes[] = {
       {"readings-repeat-exactly", [&](axiometry::Test& t) { on_runs(t, 0.0); }},
-      {"readings-copied",
-       [](axiometry::Test& t) { t.series = make_series(table2::targets, table2::up, table2::up); }},
+      {"readings-copied", [](axiometry::Test& t) { t.series = make_series(table2::targets, table2::up, table2::up); }},
       {"ordered-progression", [&](axiometry::Test& t) { on_runs(t, 30.0); }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-01-01"; }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "0001-01-01"; }},
@@ -394,6 +393,30 @@ TEST(Claims, RestOnTheWordOfTheTesterForTheGradientUnlessALogShowsItKept) {
     EXPECT_EQ(word.find(on_his_word) != word.npos, !kept) << standing_key(standing);
   }
   EXPECT_NE(word_of_the_tester(nullptr).find(on_his_word), std::string_view::npos);
+}
+
+TEST(Claims, RestOnTheWordOfTheTesterForTheSoakingUnlessItsTimeIsStated) {
+  constexpr std::string_view on_his_word = "machine and instrument were soaked", by_the_log = "the log of temperatures";
+  EnvironmentItem gradient{.key = "machine_gradient_C", .title = "", .unit = "°C", .clause = "4.1"};
+  for (const auto standing : {EnvironmentStanding::kept, EnvironmentStanding::not_measured})
+    for (const bool stated : {true, false}) {
+      gradient.standing = standing;
+      gradient.stated = stated;
+      TestEnvironment surroundings;
+      surroundings.items = {gradient};
+      const std::string_view without = word_of_the_tester(&surroundings);
+      EXPECT_NE(without.find(on_his_word), without.npos);
+      EXPECT_EQ(without.find("is stated"), stated && standing == EnvironmentStanding::kept
+                                               ? without.find("is stated, within what was agreed")
+                                               : without.npos);
+      surroundings.soaked_h = 12.0;
+      const std::string_view with = word_of_the_tester(&surroundings);
+      EXPECT_NE(with.find("how long machine and instrument were soaked"), with.npos);
+      EXPECT_EQ(with.find("other is given, machine and instrument were soaked"), with.npos);
+      EXPECT_EQ(with.find(by_the_log) != with.npos, standing == EnvironmentStanding::kept && !stated);
+      surroundings.soaked_h = 0.0;
+      EXPECT_EQ(word_of_the_tester(&surroundings), without) << "no time at all is no soaking";
+    }
 }
 
 }  // namespace
