@@ -47,8 +47,7 @@ std::vector<RichText> notes(const Subject& subject, const Options& options) {
   } else if (others) {
     notes.push_back(plain(method_statement(assessment)));
   }
-  if (method == iso230_2::UncertaintyMethod::annex_a && assessment.annex_a &&
-      !iso230_2::missing_contributors(assessment.annex_a->budget, subject.test.metadata.axis.kind).empty())
+  if (method == iso230_2::UncertaintyMethod::annex_a && assessment.annex_a && !assessment.annex_a->missing.empty())
     notes.push_back(joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
   for (const std::string& sentence : interval_assumptions(subject, options)) notes.push_back(with_symbols(sentence));
   if (!subject.judgements.empty())

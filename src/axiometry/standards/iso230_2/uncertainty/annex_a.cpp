@@ -375,6 +375,7 @@ std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, co
   result.budget = budget.rows();
   if (std::ranges::none_of(result.budget, [](const Contributor& row) { return row.U.has_value(); }))
     return std::nullopt;
+  result.missing = missing_contributors(result.budget, metadata.axis.kind);
   result.runs = smallest_count(series);
   const auto kind = metadata.gum.environment_kind.value_or(EnvironmentKind::unknown);
   result.slow_environment =

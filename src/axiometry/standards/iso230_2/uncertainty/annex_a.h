@@ -65,11 +65,12 @@ struct AnnexAPosition {
 struct AnnexA {
   std::vector<Contributor> budget;  ///< always all seven, in the order of A.2; then probing and station, if given
   AxisParameters U;                 ///< expanded uncertainty, k = 2, of each parameter that exists (but see below)
-  std::size_t runs = 0;             ///< n used: the smallest number of approaches in any measured cell
-  bool slow_environment = false;    ///< E_VE is stated as drift or random walk: other factors in A.11 and A.14
-  Position datum;                   ///< the mean deviations count from here: `nde.datum`, else the first target
-  std::vector<AnnexAPosition> positions;            ///< one per target
-  std::vector<std::string> notes;                   ///< what was assumed or generalised
+  std::vector<std::string_view> missing;  ///< missing_contributors(): where there are any, every U is too small
+  std::size_t runs = 0;                   ///< n used: the smallest number of approaches in any measured cell
+  bool slow_environment = false;          ///< E_VE is stated as drift or random walk: other factors in A.11 and A.14
+  Position datum;                         ///< the mean deviations count from here: `nde.datum`, else the first target
+  std::vector<AnnexAPosition> positions;  ///< one per target
+  std::vector<std::string> notes;         ///< what was assumed or generalised
   std::optional<CorrectedRepeatability> corrected;  ///< when E_VE is given and R exists
 };
 
