@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Figures of the thermal and the alignment factor with many digits, for the unit tests to be held against.
+"""Figures of the thermal and the alignment factor with many digits, and of the mean deviations by the contributors of
+Annex A, for the unit tests to be held against.
 
-Usage: tests/uncertainty_oracle.py [--update]      checks (or writes) alignment.csv and thermal.csv below tests/golden/
+Usage: tests/uncertainty_oracle.py [--update]      checks (or writes) alignment.csv, thermal.csv and
+                                                   annex_a_positions.csv below tests/golden/
 
 Shares nothing with the program: the alignment by equations 20 and 21 of Lira & Cargill as they are printed, at 200
 digits, so that their cancellation costs nothing; the thermal factor by the geometric series of 1/(1 + q), whose terms
-are products of the moments of two uniform quantities.
+are products of the moments of two uniform quantities. Annex A is written out for each target from what was stated, with
+0.6, 0.3 and n as they are printed: nothing is scaled from a budget for the whole length.
 """
 import pathlib
 import sys
@@ -77,9 +80,38 @@ def thermal():
         yield ",".join(row) + f",{show(-mean)},{show(sd)}"
 
 
+# a and b of a certificate and how they are added, R of the misalignment, α, R(θ), ΔT, R(α) of the machine, E_VE
+ANNEX_A = (("0.7", "2", "linear", "2", "12", "0.7", "5", "2", "1.7"),
+           ("0.7", "2", "quadratic", "0.5", "11", "0.2", "-3", "1.5", "0.4"),
+           ("0", "3.4", "linear", "4", "10.5", "1", "0", "2", "0"))
+TARGETS_MM = ("0", "111.25", "480", "1000", "1751")
+N = 5
+
+
+def annex_a_positions():
+    yield "case,datum_mm,target_mm,device,misalignment,m_machine,e_machine,U_up,U_mean"
+    six, three = Decimal("0.6"), Decimal("0.3")
+    travel = (Decimal(TARGETS_MM[-1]) - Decimal(TARGETS_MM[0])) / 1000
+    for case, row in enumerate(ANNEX_A):
+        a, b, R, alpha, R_theta, dT, R_alpha, E_VE = (Decimal(x) for k, x in enumerate(row) if k != 2)
+        for datum in ("0", "480"):
+            for target in TARGETS_MM:
+                l = abs(Decimal(target) - Decimal(datum)) / 1000
+                device = a + b * l if row[2] == "linear" else (a * a + b * b * l * l).sqrt()
+                run_off = R * l / travel  # over l, at the angle that gives R over the travel
+                misalignment = three * run_off * run_off / l if l else Decimal(0)
+                m_machine, e_machine = six * alpha * l * R_theta, six * abs(dT) * l * R_alpha
+                systematic = device ** 2 + misalignment ** 2 + m_machine ** 2 + e_machine ** 2
+                environment = (six * E_VE) ** 2
+                numbers = (device, misalignment, m_machine, e_machine, (systematic + environment / N).sqrt(),
+                           (systematic + environment / (2 * N)).sqrt())
+                yield f"{case},{datum},{target}," + ",".join(show(x) if x else "0" for x in numbers)
+
+
 def main():
     stale = 0
-    for name, lines in {"alignment.csv": alignment(), "thermal.csv": thermal()}.items():
+    for name, lines in {"alignment.csv": alignment(), "thermal.csv": thermal(),
+                        "annex_a_positions.csv": annex_a_positions()}.items():
         path = FOLDER / name
         text = "\n".join(lines) + "\n"
         if "--update" in sys.argv:

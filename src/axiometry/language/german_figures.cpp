@@ -69,6 +69,7 @@ constexpr Phrase figures_rows[] = {
     {"this test", "diese Prüfung"},
     {"tolerance", "Grenzwert"},
     {"tolerance {0#}", "Grenzwert {0}"},
+    {"too short: not all contributors were given", "zu kurz: nicht alle Beiträge sind angegeben"},
     {"value", "Wert"},
     {"value and interval (Monte Carlo)", "Wert und Intervall (Monte Carlo)"},
     {"value ± {0#} ({1#} = 2)", "Wert ± {0} ({1} = 2)"},
@@ -86,6 +87,9 @@ constexpr Phrase figures_rows[] = {
     {"{0#} targets, {1#} runs, {2#} readings.", "{0} Zielpositionen, {1} Durchläufe, {2} Messwerte."},
     {"{0#} targets; half the width of their intervals is from {1#} to {2#} {3}.",
      "{0} Zielpositionen; die halbe Breite ihrer Intervalle reicht von {1} bis {2} {3}."},
+    {"{0#} targets; the expanded uncertainty is from {1#} to {2#} {3}, too small: not all contributors were given.",
+     "{0} Zielpositionen; die erweiterte Unsicherheit reicht von {1} bis {2} {3} und ist zu klein: Nicht alle Beiträge "
+     "sind angegeben."},
     {"{0#} targets; the expanded uncertainty is from {1#} to {2#} {3}.",
      "{0} Zielpositionen; die erweiterte Unsicherheit reicht von {1} bis {2} {3}."},
 };

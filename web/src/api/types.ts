@@ -22,6 +22,23 @@ export interface components {
             runs: number;
             /** @description The environment is stated as drift or random walk. */
             slow_environment: boolean;
+            /** @description Contributors that nothing was given of: every U is too small. */
+            missing: string[];
+            /** @description Where the mean deviations count from, mm or °. */
+            datum: number;
+            /** @description Composed of the contributors; Annex A states no U of mean deviations. */
+            positions: {
+                target: number;
+                /** @description From the datum; null of rotary axes. */
+                length_m: number | null;
+                /** @description U of each contributor over that length, by its key; all but eve. */
+                contributions: {
+                    [key: string]: number | null;
+                };
+                up: components["schemas"]["AnnexAMean"] | null;
+                down: components["schemas"]["AnnexAMean"] | null;
+                mean: components["schemas"]["AnnexAMean"] | null;
+            }[];
             coverage_factor: number;
             corrected_repeatability?: {
                 R: number | null;
@@ -29,6 +46,12 @@ export interface components {
                 R_down: number | null;
                 floored_targets: number[];
             };
+        };
+        AnnexAMean: {
+            /** @description U_EVE of this mean; null without E_VE. */
+            environment: number | null;
+            /** @description k = 2. */
+            U: number;
         };
         AppliedCorrection: {
             id: string;
@@ -3757,6 +3780,7 @@ export interface components {
     pathItems: never;
 }
 export type AnnexABudget = components['schemas']['AnnexABudget'];
+export type AnnexAMean = components['schemas']['AnnexAMean'];
 export type AppliedCorrection = components['schemas']['AppliedCorrection'];
 export type Approach = components['schemas']['Approach'];
 export type AskedTable = components['schemas']['AskedTable'];

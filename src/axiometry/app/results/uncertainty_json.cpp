@@ -70,6 +70,31 @@ void put_corrected(Place place, const iso230_2::CorrectedRepeatability& correcte
   for (std::size_t i : corrected.floored) floored.push(corrected.positions[i].target.in_native());
 }
 
+void put_annex_a_mean(Place place, const std::optional<iso230_2::AnnexAMean>& mean) {
+  if (!mean) return place.put(std::nullopt);
+  json::Object object(place);
+  object.add("environment", native_number(mean->environment));
+  object.add("U", mean->U.in_native());
+}
+
+/// x̄_i of every target, as gum_budget.positions of the law of propagation.
+void put_annex_a_positions(Place place, const iso230_2::AnnexA& annex) {
+  json::List list(place);
+  for (const iso230_2::AnnexAPosition& position : annex.positions) {
+    json::Object row = list.object();
+    row.add("target", position.target.in_native());
+    row.add("length_m", position.length_m);
+    {
+      json::Object own(row.at("contributions"));
+      for (std::size_t k = 0; k < annex.budget.size(); ++k)
+        if (annex.budget[k].key != "eve") own.add(annex.budget[k].key, native_number(position.contributions[k]));
+    }
+    put_annex_a_mean(row.at("up"), position.up);
+    put_annex_a_mean(row.at("down"), position.down);
+    put_annex_a_mean(row.at("mean"), position.mean);
+  }
+}
+
 void put_annex_a_budget(Place place, const iso230_2::AnnexA& annex) {
   json::Object object(place);
   {
@@ -80,6 +105,9 @@ void put_annex_a_budget(Place place, const iso230_2::AnnexA& annex) {
   object.add("runs", annex.runs);
   object.add("slow_environment", annex.slow_environment);
   object.add("coverage_factor", 2);
+  object.add("missing", Value::array({annex.missing.begin(), annex.missing.end()}));
+  object.add("datum", annex.datum.in_native());
+  put_annex_a_positions(object.at("positions"), annex);
   if (annex.corrected) put_corrected(object.at("corrected_repeatability"), *annex.corrected);
 }
 

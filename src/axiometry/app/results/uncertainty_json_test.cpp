@@ -71,6 +71,20 @@ TEST(UncertaintyWire, DescribesTheRunAndTheBudget) {
   EXPECT_EQ(at(object, "gum_budget.sources").items().size(), at(object, "gum_budget.contributions").items().size());
 }
 
+TEST(UncertaintyWire, HasTheMeansOfEveryTargetByTheContributorsOfAnnexA) {
+  Evaluated e = evaluated();
+  const auto& annex = *e.assessment.annex_a;
+  const json::Value object = uncertainty_to_json(e.assessment);
+  const auto& rows = at(object, "annex_a_budget.positions").items();
+  ASSERT_EQ(rows.size(), annex.positions.size());
+  EXPECT_EQ(rows.back().find("target")->number(), annex.positions.back().target.in_native());
+  EXPECT_EQ(rows.back().find("length_m")->number(), annex.positions.back().length_m);
+  EXPECT_EQ(at(rows.back(), "mean.U").number(), annex.positions.back().mean->U.in_native());
+  EXPECT_EQ(rows.back().find("contributions")->find("eve"), nullptr) << "each mean has its own";
+  EXPECT_EQ(at(object, "annex_a_budget.missing").items().size(), annex.missing.size());
+  EXPECT_EQ(at(object, "annex_a_budget.datum").number(), annex.datum.in_native());
+}
+
 TEST(UncertaintyWire, KeepsEveryDigitOfALargeSeed) {
   Evaluated e = evaluated();
   e.assessment.monte_carlo->seed = 18446744073709551615u;

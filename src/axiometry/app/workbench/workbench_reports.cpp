@@ -131,10 +131,11 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
 std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const report::Options& options) {
   const report::Subject subject = report_subject(evaluated);
   std::vector<report::Figure> figures = report::figures(subject, options);
-  for (auto& further : {report::surroundings_figure(subject, options), report::conformity_figure(subject, options),
-                        report::mean_deviation_figure(subject, options), report::mean_interval_figure(subject, options),
-                        report::contribution_figure(subject, options), report::distribution_figure(subject, options),
-                        report::drift_recording_figure(subject, options)})
+  for (auto& further :
+       {report::surroundings_figure(subject, options), report::conformity_figure(subject, options),
+        report::mean_annex_a_figure(subject, options), report::mean_deviation_figure(subject, options),
+        report::mean_interval_figure(subject, options), report::contribution_figure(subject, options),
+        report::distribution_figure(subject, options), report::drift_recording_figure(subject, options)})
     if (further) figures.push_back(*further);
   for (report::Figure& figure : figures) figure = report::with_words_translated(std::move(figure), options);
   return figures;

@@ -92,6 +92,7 @@ Figure picture(const Subject& subject, const Options& options) {
   if (auto temperatures = surroundings_figure(subject, options)) parts.push_back(*std::move(temperatures));
   if (auto conformity = conformity_figure(subject, options)) parts.push_back(*std::move(conformity));
   if (auto distributions = distribution_figure(subject, options)) parts.push_back(*std::move(distributions));
+  if (auto composed = mean_annex_a_figure(subject, options)) parts.push_back(*std::move(composed));
   if (auto means = mean_deviation_figure(subject, options)) parts.push_back(*std::move(means));
   if (auto drawn = mean_interval_figure(subject, options)) parts.push_back(*std::move(drawn));
   if (auto contributions = contribution_figure(subject, options)) parts.push_back(*std::move(contributions));

@@ -78,6 +78,24 @@ std::vector<MeanAt> propagated_means(const iso230_2::Assessment& assessment, Mea
   return worth_drawing(std::move(means));
 }
 
+/// By the contributors of Annex A, of the targets that are shown.
+std::vector<MeanAt> composed_means(const iso230_2::Assessment& assessment, MeanOf of) {
+  const auto& known = assessment.annex_a->positions;
+  const auto& results = assessment.evaluation.positions;
+  std::vector<MeanAt> means;
+  for (const std::size_t i : shown_targets(assessment.evaluation).places) {
+    if (i >= known.size()) continue;
+    const auto& own = of == MeanOf::both ? known[i].mean : of == MeanOf::up ? known[i].up : known[i].down;
+    const auto& mean = of == MeanOf::both ? results[i].mean
+                       : of == MeanOf::up ? results[i].mean_up
+                                          : results[i].mean_down;
+    if (!own || !mean) continue;
+    const double x = mean->in_native(), U = own->U.in_native();
+    means.push_back({results[i].target.in_native(), x, x - U, x + U});
+  }
+  return worth_drawing(std::move(means));
+}
+
 /// By trials.
 std::vector<MeanAt> drawn_means(const iso230_2::Assessment& assessment, MeanOf of) {
   std::vector<MeanAt> means;
@@ -95,6 +113,10 @@ constexpr MeanTitles propagated_titles{
     "Mean bidirectional positioning deviations with their expanded uncertainty (GUM)",
     "Mean unidirectional positioning deviations ↑ with their expanded uncertainty (GUM)",
     "Mean unidirectional positioning deviations ↓ with their expanded uncertainty (GUM)"};
+constexpr MeanTitles composed_titles{
+    "Mean bidirectional positioning deviations with their expanded uncertainty (contributors of Annex A)",
+    "Mean unidirectional positioning deviations ↑ with their expanded uncertainty (contributors of Annex A)",
+    "Mean unidirectional positioning deviations ↓ with their expanded uncertainty (contributors of Annex A)"};
 constexpr MeanTitles drawn_titles{"Mean bidirectional positioning deviations with their intervals (Monte Carlo)",
                                   "Mean unidirectional positioning deviations ↑ with their intervals (Monte Carlo)",
                                   "Mean unidirectional positioning deviations ↓ with their intervals (Monte Carlo)"};
@@ -139,7 +161,7 @@ void draw_means(plot::Operations& operations, const Chart& chart, const std::vec
   }
 }
 
-/// What the figures of both methods differ by.
+/// What the figures of the methods differ by.
 struct MeanFigure {
   MeanOf of = MeanOf::both;
   std::vector<MeanAt> means;
@@ -208,6 +230,23 @@ std::optional<Figure> mean_deviation_figure(const Subject& subject, const Option
   drawn.description = "{} targets; the expanded uncertainty is from {} to {} {}.";
   drawn.bar = {plot::plain("±\u2009"), plot::italic("U"), plot::plain(" ("), plot::italic("k"),
                plot::plain(coverage_text(drawn.means, options) + ")")};
+  return figure_of(drawn, subject, options);
+}
+
+std::optional<Figure> mean_annex_a_figure(const Subject& subject, const Options& asked) {
+  if (!subject.assessment.annex_a) return std::nullopt;
+  const Options options = fitted(asked, subject.assessment.evaluation.parameters);
+  MeanFigure drawn = means_to_draw(composed_titles, [&](MeanOf of) { return composed_means(subject.assessment, of); });
+  if (drawn.means.empty()) return std::nullopt;
+  drawn.bar = {plot::plain("±\u2009"), plot::italic("U"), plot::plain(" ("), plot::italic("k"), plot::plain(" = 2)")};
+  if (subject.assessment.annex_a->missing.empty()) {
+    drawn.description = "{} targets; the expanded uncertainty is from {} to {} {}.";
+  } else {
+    drawn.description =
+        "{} targets; the expanded uncertainty is from {} to {} {}, too small: not all contributors were given.";
+    drawn.bar.push_back(
+        plot::plain(", " + std::string(translated("too short: not all contributors were given", options))));
+  }
   return figure_of(drawn, subject, options);
 }
 

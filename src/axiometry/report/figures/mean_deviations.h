@@ -14,6 +14,10 @@ namespace axiometry::report {
 /// a thousand targets those that the tables show.
 std::optional<Figure> mean_deviation_figure(const Subject& subject, const Options& options);
 
+/// The same composed of the contributors of Annex A, which itself states no U of mean deviations (k = 2; annex_a.h).
+/// Where some that 8.2.1 asks for were not given, the legend says that the bars are too short.
+std::optional<Figure> mean_annex_a_figure(const Subject& subject, const Options& options);
+
 /// The same by the Monte Carlo method, the intervals of its trials as bars. Likewise nothing, and where it states none.
 std::optional<Figure> mean_interval_figure(const Subject& subject, const Options& options);
 

@@ -14,6 +14,7 @@ namespace {
 
 using testing::fault_of;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 testing::Drawn with_means(testing::Drawn drawn) {
   drawn.test.metadata.uncertainty.machine_temperature_range = TemperatureDifference::kelvin(1.0);
@@ -68,6 +69,34 @@ TEST(MeanDeviations, HaveBarsAsLongAsTheirUncertaintiesAboutTheirMeans) {  // Li
         << i;
   }
   EXPECT_NEAR((bars[1].x - bars[0].x) / (bars[3].x - bars[0].x), 0.25, 1e-9);
+}
+
+testing::Drawn with_annex_a(testing::Drawn drawn) {
+  drawn.assessment.annex_a = iso230_2::annex_a(drawn.test.metadata, drawn.test.series, drawn.assessment.evaluation);
+  return drawn;
+}
+
+TEST(MeanDeviations, HaveBarsOfTheContributorsOfAnnexA) {
+  const auto drawn = with_annex_a(two_ways());
+  const auto figure = mean_annex_a_figure(drawn.subject(), drawn.options);
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(fault_of(*figure), "");
+  EXPECT_THAT(figure->title, HasSubstr("contributors of Annex A"));
+  const auto bars = bars_in(*figure);
+  const auto& known = drawn.assessment.annex_a->positions;
+  ASSERT_EQ(bars.size(), 4u);
+  EXPECT_GT(known[3].mean->U.in_native(), 1.5 * known[0].mean->U.in_native()) << "the test must tell them apart";
+  EXPECT_NEAR(bars[0].length / bars[3].length, known[0].mean->U.in_native() / known[3].mean->U.in_native(), 1e-9);
+}
+
+TEST(MeanDeviations, SayThatBarsOfAnnexAAreTooShortWhereContributorsAreMissing) {
+  auto drawn = with_annex_a(two_ways());
+  ASSERT_FALSE(drawn.assessment.annex_a->missing.empty());
+  EXPECT_THAT(mean_annex_a_figure(drawn.subject(), drawn.options)->description, HasSubstr("too small"));
+  drawn.assessment.annex_a->missing.clear();
+  EXPECT_THAT(mean_annex_a_figure(drawn.subject(), drawn.options)->description, Not(HasSubstr("too small")));
+  drawn.assessment.annex_a.reset();
+  EXPECT_FALSE(mean_annex_a_figure(drawn.subject(), drawn.options));
 }
 
 TEST(MeanDeviations, OfOneDirectionAreThoseOfThatDirection) {

@@ -28,16 +28,6 @@ RichText iso230_1_symbol(std::string_view axis_name, std::string_view parameter_
 
 RichText starred(RichText symbol, bool acceptance) { return acceptance ? joined({symbol, plain("\u2009*)")}) : symbol; }
 
-/// Whether a contributor counts as zero that should be known. The device's statement may cover its
-/// temperature (A.6, A.8), and most of the annex is for linear axes only.
-bool leaves_out_contributors(const iso230_2::AnnexA& annex_a, AxisKind kind) {
-  return std::ranges::any_of(annex_a.budget, [&](const iso230_2::Contributor& line) {
-    const bool for_any_axis = line.key == "device" || line.key == "eve";
-    const bool may_be_absent = line.key == "m_device" || line.key == "e_device";
-    return !line.U && !may_be_absent && (for_any_axis || kind == AxisKind::linear);
-  });
-}
-
 std::vector<RichText> notes(const Subject& subject, const Options& options) {
   const auto& assessment = subject.assessment;
   const std::string& label = assessment.label;
@@ -57,8 +47,7 @@ std::vector<RichText> notes(const Subject& subject, const Options& options) {
   } else if (others) {
     notes.push_back(plain(method_statement(assessment)));
   }
-  if (method == iso230_2::UncertaintyMethod::annex_a && assessment.annex_a &&
-      leaves_out_contributors(*assessment.annex_a, subject.test.metadata.axis.kind))
+  if (method == iso230_2::UncertaintyMethod::annex_a && assessment.annex_a && !assessment.annex_a->missing.empty())
     notes.push_back(joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
   for (const std::string& sentence : interval_assumptions(subject, options)) notes.push_back(with_symbols(sentence));
   if (!subject.judgements.empty())

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "axiometry/report/figures/drift_recording.h"
+#include "axiometry/report/figures/mean_deviations.h"
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/resolved_text.h"
 #include "axiometry/report/sections/sections.h"
@@ -161,6 +163,128 @@ Table corrected_position_table(const Subject& subject, const Options& options) {
   return table;
 }
 
+/// As many decimals as the smallest U needs.
+int composed_decimals(const AnnexA& annex_a, const Options& options) {
+  std::optional<double> smallest;
+  for (const iso230_2::AnnexAPosition& position : annex_a.positions)
+    for (const auto& mean : {position.up, position.down, position.mean})
+      if (mean && mean->U.in_native() > 0.0)
+        smallest = std::min(smallest.value_or(mean->U.in_native()), mean->U.in_native());
+  constexpr int finest = 6;
+  return std::clamp(smallest ? decimals_for(*smallest, options.uncertainty_digits) : *options.deviation_decimals, 0,
+                    finest);
+}
+
+/// The contributors over the length to each target, and the uncertainty of its mean deviations, k = 2.
+class ComposedMeanTable {
+ public:
+  ComposedMeanTable(const Subject& subject, const Options& options)
+      : annex_a_(*subject.assessment.annex_a),
+        kind_(subject.test.metadata.axis.kind),
+        options_(options),
+        shown_(shown_targets(subject.assessment.evaluation)),
+        decimals_(composed_decimals(annex_a_, options)) {
+    table_.rows.resize(shown_.places.size());
+  }
+
+  Table operator()() {
+    table_.dense = true;
+    table_.caption = plain(
+        fmt::format("Expanded uncertainty of the mean deviations, composed of the contributors of Annex A (k = 2), {}",
+                    deviation_unit(kind_)));
+    add_targets();
+    add_contributors();
+    add_means("x̄_i↑", annex_a_.runs == 1 ? "A.17" : "A.15", &iso230_2::AnnexAPosition::up);
+    add_means("x̄_i↓", annex_a_.runs == 1 ? "A.17" : "A.15", &iso230_2::AnnexAPosition::down);
+    add_means("x̄_i", annex_a_.runs == 1 ? "A.18" : "A.16", &iso230_2::AnnexAPosition::mean);
+    add_notes();
+    return std::move(table_);
+  }
+
+ private:
+  TableCell cell(const std::optional<Deviation>& U) const {
+    return U ? text_cell(format_fixed(U->in_native(), decimals_, options_.numbers)) : quiet_cell("–");
+  }
+
+  template <typename Cell>
+  void add_column(RichText head, bool opens_group, const Cell& of) {
+    table_.columns.push_back({std::move(head), Align::decimal, false, false, opens_group});
+    for (std::size_t row = 0; row < shown_.places.size(); ++row) table_.rows[row].push_back(of(shown_.places[row]));
+  }
+
+  void add_targets() {
+    std::vector<Position> targets;
+    for (const iso230_2::AnnexAPosition& position : annex_a_.positions) targets.push_back(position.target);
+    const int decimals = position_decimals(targets);
+    const bool linear = kind_ == AxisKind::linear;
+    table_.groups.push_back({plain("Target"), linear ? 3u : 2u});
+    table_.columns = {{italic("i"), Align::decimal, true}};
+    for (std::size_t row = 0; row < shown_.places.size(); ++row)
+      table_.rows[row].push_back(text_cell(fmt::format("{}", shown_.places[row] + 1)));
+    add_column(joined({symbol("P_i"), plain(fmt::format(", {}", position_unit(kind_)))}), false, [&](std::size_t i) {
+      return text_cell(format_fixed(targets[i].in_native(), decimals, options_.numbers));
+    });
+    if (!linear) return;
+    constexpr double mm_of_metre = 1000.0;
+    add_column(joined({symbol("l_i"), plain(", mm")}), false, [&](std::size_t i) {
+      return text_cell(
+          format_fixed(mm_of_metre * annex_a_.positions[i].length_m.value_or(0.0), decimals, options_.numbers));
+    });
+  }
+
+  /// Each with its equation; what was not given has no column.
+  void add_contributors() {
+    bool opens = true;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < annex_a_.budget.size(); ++k) {
+      const Contributor& row = annex_a_.budget[k];
+      if (!row.U || row.key == "eve") continue;
+      add_column(joined({symbol(row.symbol), plain(fmt::format(" ({})", row.formula))}), std::exchange(opens, false),
+                 [&](std::size_t i) { return cell(annex_a_.positions[i].contributions[k]); });
+      ++count;
+    }
+    if (count > 0) table_.groups.push_back({plain("Contributors"), count});
+  }
+
+  void add_means(std::string_view sign, std::string_view equation,
+                 std::optional<iso230_2::AnnexAMean> iso230_2::AnnexAPosition::*of) {
+    if (std::ranges::none_of(annex_a_.positions, [&](const auto& position) { return (position.*of).has_value(); }))
+      return;
+    const auto U_eve = std::ranges::find(annex_a_.budget, "eve", &Contributor::key);
+    const bool varies = U_eve != annex_a_.budget.end() && U_eve->U;
+    table_.groups.push_back({symbol(sign), varies ? 2u : 1u});
+    if (varies)
+      add_column(joined({symbol("U_EVE"), plain(" (A.9)")}), true, [&](std::size_t i) {
+        const auto& mean = annex_a_.positions[i].*of;
+        return cell(mean ? mean->environment : std::nullopt);
+      });
+    add_column(joined({italic("U"), plain(fmt::format(" ({})", equation))}), !varies, [&](std::size_t i) {
+      const auto& mean = annex_a_.positions[i].*of;
+      return cell(mean ? std::optional(mean->U) : std::nullopt);
+    });
+  }
+
+  void add_notes() {
+    table_.notes.push_back(plain(
+        "Composed here of the contributors of Annex A and combined as for the parameters; the annex itself states no "
+        "uncertainty of mean deviations."));
+    if (kind_ == AxisKind::linear)
+      table_.notes.push_back(joined({symbol("l_i"), plain(": the length from where the instrument was set to zero, "
+                                                          "else from the first target.")}));
+    if (!annex_a_.missing.empty())
+      table_.notes.push_back(
+          joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
+    note_left_out(table_, shown_);
+  }
+
+  const AnnexA& annex_a_;
+  AxisKind kind_;
+  const Options& options_;
+  ShownTargets shown_;
+  int decimals_;
+  Table table_;
+};
+
 }  // namespace
 
 Section uncertainty_section(const Subject& subject, const Options& options) {
@@ -180,6 +304,8 @@ Section uncertainty_section(const Subject& subject, const Options& options) {
       iso230_2::Measurand::this_test, subject.test.series.run_count(), !subject.assessment.uncorrected.empty()))});
   section.blocks.emplace_back(budget_table(*annex_a, subject.test.metadata, options));
   add_inputs();
+  if (auto means = mean_annex_a_figure(subject, options)) section.blocks.emplace_back(*std::move(means));
+  if (!annex_a->positions.empty()) section.blocks.emplace_back(ComposedMeanTable(subject, options)());
   if (annex_a->corrected) {
     section.blocks.emplace_back(corrected_axis_table(subject, options));
     section.blocks.emplace_back(corrected_position_table(subject, options));

@@ -152,6 +152,16 @@ TEST(UncertaintySections, GiveTheTablesOfTheGumAtEveryTarget) {
   EXPECT_THAT(groups(all.back()), ElementsAre("Target", "x̄i↑", "x̄i↓", "x̄i"));
 }
 
+TEST(UncertaintySections, ComposeTheMeansOfEveryTargetOfTheContributorsOfAnnexA) {
+  Reported reported = reported_table2();
+  const std::string all = words(section(composed(reported), "uncertainty"));
+  EXPECT_THAT(all, HasSubstr("U (A.16)"));
+  EXPECT_THAT(all, HasSubstr("the annex itself states no uncertainty of mean deviations"));
+  EXPECT_THAT(all, Not(HasSubstr("U covers only the contributors")));
+  reported.assessment.annex_a->missing = {"eve"};
+  EXPECT_THAT(words(section(composed(reported), "uncertainty")), HasSubstr("U covers only the contributors"));
+}
+
 TEST(ParameterTable, NamesTheMethodOfItsUncertaintyWhereThereAreSeveral) {
   Reported other = with(gum | monte_carlo);
   other.assessment.method_of_record = iso230_2::UncertaintyMethod::annex_a;

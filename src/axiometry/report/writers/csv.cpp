@@ -159,6 +159,25 @@ void append_positions(Csv& csv, const Subject& subject) {
   }
 }
 
+/// Means of a target with U composed of the contributors of Annex A, and which of these nothing was given of.
+void append_annex_a_positions(Csv& csv, const iso230_2::Assessment& assessment, std::string_view unit) {
+  const iso230_2::AnnexA& annex = *assessment.annex_a;
+  for (std::size_t i = 0; i < annex.positions.size(); ++i) {
+    const iso230_2::PositionResult& result = assessment.evaluation.positions[i];
+    const iso230_2::AnnexAPosition& known = annex.positions[i];
+    const std::string target = csv.number(result.target.in_native());
+    const auto add = [&](std::string_view name, const std::optional<Deviation>& mean,
+                         const std::optional<iso230_2::AnnexAMean>& own, std::string_view clause) {
+      if (own) csv.append({"annex_a", target, name, csv.number(mean), csv.number(own->U), unit, clause});
+    };
+    add("mean_up", result.mean_up, known.up, "3.13");
+    add("mean_down", result.mean_down, known.down, "3.13");
+    add("mean", result.mean, known.mean, "3.14");
+  }
+  for (const std::string_view key : annex.missing)
+    csv.append({"annex_a", "", "missing", std::string(key), "", "", "8.2.1"});
+}
+
 /// Means of a target with U, after Lira & Cargill (2004), eqs 8 and 10.
 void append_gum_positions(Csv& csv, const iso230_2::Assessment& assessment, std::string_view unit) {
   const auto& results = assessment.evaluation.positions;
@@ -205,6 +224,8 @@ Result<std::string> write(const Subject& subject, const Options& options) {
   Csv csv(subject, options);
   append_parameters(csv, subject, options);
   const ParameterScale scale = parameter_scale(subject.test.metadata.axis.kind, options.unit);
+  if (subject.assessment.annex_a)
+    append_annex_a_positions(csv, subject.assessment, ascii_unit(deviation_unit(subject.test.metadata.axis.kind)));
   if (subject.assessment.gum) {
     append_gum(csv, *subject.assessment.gum, scale);
     append_gum_positions(csv, subject.assessment, ascii_unit(deviation_unit(subject.test.metadata.axis.kind)));

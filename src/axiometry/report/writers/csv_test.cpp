@@ -98,6 +98,18 @@ TEST(CsvWriter, StatesTheUncertaintyOfEveryMeanWhereTheGumWasRun) {
                              format_exact(at.mean->U.in_native()) + ",um,3.14,"));
 }
 
+TEST(CsvWriter, StatesTheUncertaintyOfEveryMeanByAnnexAAndWhatItLacks) {
+  Reported table2 = reported_table2();
+  const std::string csv = table2.written("csv");
+  const auto& at = table2.assessment.annex_a->positions[3];
+  EXPECT_THAT(csv, HasSubstr("X,annex_a,525.668,mm,mean," +
+                             format_exact(table2.assessment.evaluation.positions[3].mean->in_native()) + "," +
+                             format_exact(at.mean->U.in_native()) + ",um,3.14,"));
+  EXPECT_THAT(csv, ::testing::Not(HasSubstr("X,annex_a,,,missing,")));
+  table2.assessment.annex_a->missing = {"eve"};
+  EXPECT_THAT(table2.written("csv"), HasSubstr("X,annex_a,,,missing,eve,"));
+}
+
 TEST(CsvWriter, NamesTheAxisTogetherWithTheParameter) {  // 8.2.4
   Reported table2 = reported_table2();
   EXPECT_THAT(table2.written("csv"), HasSubstr(",annex_a,\"E_XX,A↑\"\r\n"));

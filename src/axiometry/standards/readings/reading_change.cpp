@@ -11,7 +11,9 @@
 
 namespace axiometry {
 
-Position datum_of(const Test& test) { return test.metadata.nde.datum.value_or(test.series.targets().front()); }
+Position datum_of(const Metadata& metadata, const Series& series) {
+  return metadata.nde.datum.value_or(series.targets().front());
+}
 
 Result<ChangedTest> change_readings(Test test, const ReadingChange& added) {
   const Series& series = test.series;

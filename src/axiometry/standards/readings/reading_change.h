@@ -28,7 +28,8 @@ struct ChangedTest {
 };
 
 /// Where the instrument was set to zero: `nde.datum`, else the first target.
-Position datum_of(const Test& test);
+Position datum_of(const Metadata& metadata, const Series& series);
+inline Position datum_of(const Test& test) { return datum_of(test.metadata, test.series); }
 
 /// The test with something added to each of its readings; `as_measured` keeps what the readings were before the first
 /// change, a missing reading stays missing. Fails where a reading becomes none (Series::make_dense).

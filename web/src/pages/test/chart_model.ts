@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The positioning chart of a test in terms of the drawing: runs, means, bands, limits.
 import type { ChartBand, ChartLine, ChartModel, ChartSeries, Values } from '../../components/chart';
-import type { Evaluated, GumBudget, Parameter, PositionResult, Verdict } from '../../api/types';
+import type { Evaluated, Parameter, PositionResult, Verdict } from '../../api/types';
 import { texts } from '../../i18n/texts';
 import { position_unit, shortest, unit_sign } from '../../numbers';
 import { plain_symbol } from './figures_text';
+import { record_method } from './record_choice';
 
 export const t = texts({
   position: ['Position', 'Position'],
@@ -30,10 +31,22 @@ export interface ChartChoice {
   limit: Parameter | null;
 }
 
-/** U of the means at the targets, which the GUM method knows. */
-export function position_uncertainties(evaluated: Evaluated): GumBudget['positions'] | null {
-  const positions = evaluated.result.uncertainty?.gum_budget?.positions;
-  return positions?.length === evaluated.result.positions.length ? positions : null;
+/** U of the means at the targets by one method. */
+export interface MeanUncertainties {
+  method: 'annex_a' | 'gum';
+  too_small: boolean;
+  positions: readonly Record<'up' | 'down' | 'mean', { U: number } | null>[];
+}
+
+/** By the GUM, else composed of the contributors of Annex A, or by these where Annex A is of record. */
+export function position_uncertainties(evaluated: Evaluated): MeanUncertainties | null {
+  const { annex_a_budget, gum_budget } = evaluated.result.uncertainty ?? {};
+  const whole = (positions: MeanUncertainties['positions'] | undefined) =>
+    positions?.length === evaluated.result.positions.length ? positions : null;
+  const propagated = whole(gum_budget?.positions), composed = whole(annex_a_budget?.positions);
+  if (annex_a_budget && composed && (!propagated || record_method(evaluated) === 'annex_a'))
+    return { method: 'annex_a', too_small: annex_a_budget.missing.length > 0, positions: composed };
+  return propagated && { method: 'gum', too_small: false, positions: propagated };
 }
 
 /** Of both directions together where both were measured, else of the one. */
@@ -46,7 +59,7 @@ const of_way = { mean: 'mean', mean_up: 'up', mean_down: 'down' } as const;
 
 /** U of the mean that its band is drawn about, at one target. */
 export const mean_uncertainty = (evaluated: Evaluated, target: number): number | null =>
-  position_uncertainties(evaluated)?.[target]?.[of_way[mean_way(evaluated)]]?.U ?? null;
+  position_uncertainties(evaluated)?.positions[target]?.[of_way[mean_way(evaluated)]]?.U ?? null;
 
 /** Ranges that a limit bounds in the chart: the lowest and the highest of what the parameter is made of. */
 function bounded(positions: readonly PositionResult[], parameter: Parameter): [number, number] | null {

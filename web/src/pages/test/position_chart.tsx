@@ -21,6 +21,9 @@ const t = texts({
   bands: ['x̄ ± 2s', 'x̄ ± 2s'],
   uncertainty: ['x̄ ± U (GUM)', 'x̄ ± U (GUM)'],
   compared: ['x̄ ± U (GUM, for comparison)', 'x̄ ± U (GUM, zum Vergleich)'],
+  composed: ['x̄ ± U (contributors of Annex A)', 'x̄ ± U (Beiträge von Anhang A)'],
+  composed_compared: ['x̄ ± U (contributors of Annex A, for comparison)', 'x̄ ± U (Beiträge von Anhang A, zum Vergleich)'],
+  composed_small: ['x̄ ± U (contributors of Annex A, too small: not all given)', 'x̄ ± U (Beiträge von Anhang A, zu klein: nicht alle angegeben)'],
   limits: ['limit', 'Grenzwert'],
   measured: ['as measured', 'wie gemessen'],
   of: ['limit of', 'Grenzwert von'],
@@ -55,6 +58,15 @@ function present_parts(evaluated: Evaluated, limits: readonly Parameter[]): Part
   return parts.filter(([, there]) => there).map(([part]) => part);
 }
 
+/** Whose U it is, and whether it is that of record. */
+function uncertainty_label(evaluated: Evaluated) {
+  const known = position_uncertainties(evaluated);
+  const of_record = record_method(evaluated) === known?.method;
+  if (known?.method !== 'annex_a') return of_record ? 'uncertainty' : 'compared';
+  if (known.too_small) return 'composed_small';
+  return of_record ? 'composed' : 'composed_compared';
+}
+
 function toggled<T>(set: ReadonlySet<T>, item: T): Set<T> {
   const next = new Set(set);
   if (!next.delete(item)) next.add(item);
@@ -77,7 +89,7 @@ export function PositionChart({ state, height }: { state: TestState; height: num
   const judged = evaluated.shown.find((row) => row.parameter === limit);
   // Drawn again only for what is in the picture: most edits change uncertainties alone.
   const model = useMemo(() => chart_model(evaluated, { hidden, hidden_runs, limit }),
-                        [readings, result.positions, result.axis, position_uncertainties(evaluated), judged?.limit, judged?.verdict,
+                        [readings, result.positions, result.axis, position_uncertainties(evaluated)?.positions, judged?.limit, judged?.verdict,
                          hidden, hidden_runs, limit, language.value, decimal.value]);
   const here = state.target.value;
   return (
@@ -86,7 +98,7 @@ export function PositionChart({ state, height }: { state: TestState; height: num
         <h2>{t('title')}</h2>
         <div class="row no-print">
           <ChartLegend label={t('legend')} on_toggle={(key) => set_hidden(toggled(hidden, key as Part))}
-            items={present_parts(evaluated, limits).map((part) => ({ key: part, label: t(part === 'uncertainty' && record_method(evaluated) !== 'gum' ? 'compared' : part), look: part === 'limits' ? { ...looks.limits, colour: limit_colour(judged?.verdict ?? null) } : looks[part], shown: !hidden.has(part) }))} />
+            items={present_parts(evaluated, limits).map((part) => ({ key: part, label: t(part === 'uncertainty' ? uncertainty_label(evaluated) : part), look: part === 'limits' ? { ...looks.limits, colour: limit_colour(judged?.verdict ?? null) } : looks[part], shown: !hidden.has(part) }))} />
           {limits.length > 1 && (
             <label class="small">{t('of')}
               <select value={limit ?? ''} onChange={(event) => set_limit(event.currentTarget.value as Parameter)}>

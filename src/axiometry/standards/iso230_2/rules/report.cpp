@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -63,10 +64,6 @@ std::string_view group_title(std::string_view group) {
   return group;
 }
 
-bool U_known(const AnnexA& annex, std::string_view key) {
-  return std::ranges::any_of(annex.budget, [&](const Contributor& row) { return row.key == key && row.U; });
-}
-
 constexpr std::string_view contributor_of_device = "measuring device (A.1 to A.3)";
 constexpr std::string_view contributor_of_thermometer = "temperature measurement of the machine tool (A.5)";
 constexpr std::string_view contributor_of_environment = "environmental variation (A.9)";
@@ -80,16 +77,21 @@ bool taken_as_zero(const AnnexA& annex, std::string_view key) {
   });
 }
 
-/// The contributors that 8.2.1 asks for at least, as far as Annex A has a formula for this kind of axis.
+std::string_view title_of_contributor(std::string_view key) {
+  if (key == "device") return contributor_of_device;
+  if (key == "misalignment") return "misalignment (A.4)";
+  if (key == "m_machine") return contributor_of_thermometer;
+  if (key == "e_machine") return "expansion coefficient of the machine tool (A.7)";
+  return contributor_of_environment;
+}
+
+/// What 8.2.1 asks for at least and nothing was given of.
 std::vector<std::string_view> contributors_left_out(const Case& c) {
+  const auto budget =
+      c.uncertainty ? std::span<const Contributor>(c.uncertainty->budget) : std::span<const Contributor>();
   std::vector<std::string_view> absent;
-  const auto known = [&](std::string_view key) { return c.uncertainty && U_known(*c.uncertainty, key); };
-  if (!known("device")) absent.emplace_back(contributor_of_device);
-  // The beam of a tracking interferometer follows: what counts is where it starts.
-  if (c.linear() && !known("misalignment") && !known("station")) absent.push_back("misalignment (A.4)");
-  if (c.linear() && !known("m_machine")) absent.emplace_back(contributor_of_thermometer);
-  if (c.linear() && !known("e_machine")) absent.push_back("expansion coefficient of the machine tool (A.7)");
-  if (!known("eve")) absent.emplace_back(contributor_of_environment);
+  for (std::string_view key : missing_contributors(budget, c.metadata.axis.kind))
+    absent.push_back(title_of_contributor(key));
   return absent;
 }
 

@@ -7,12 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
+#include "axiometry/standards/iso230_2/uncertainty/annex_a_positions.h"
 #include "axiometry/standards/readings/artefact.h"
+#include "axiometry/standards/readings/reading_change.h"
 #include "axiometry/standards/readings/station_offset.h"
 
 namespace axiometry::iso230_2 {
@@ -56,14 +57,6 @@ bool annex_a_given(const Metadata& metadata) {
            metadata.artefact.probing_uncertainty));
 }
 
-std::size_t smallest_count(const Series& series) {
-  std::size_t smallest = std::numeric_limits<std::size_t>::max();
-  for (std::size_t i = 0; i < series.target_count(); ++i)
-    for (Direction direction : {Direction::up, Direction::down})
-      if (const std::size_t n = series.count(i, direction); n > 0) smallest = std::min(smallest, n);
-  return smallest;
-}
-
 /// Contributors of the form factor × product of the terms: all but misalignment.
 Contributor product(Contributor contributor, double factor, std::initializer_list<Term> terms) {
   double U = factor;
@@ -101,6 +94,9 @@ class AnnexABudget {
     return rows;
   }
   double length_m() const { return length_->value; }
+  const ResolvedCalibration& calibration() const {
+    return artefact_ ? resolved_.artefact_calibration : resolved_.device_calibration;
+  }
   std::vector<std::string> notes() && { return std::move(notes_); }
 
  private:
@@ -379,11 +375,15 @@ std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, co
   result.budget = budget.rows();
   if (std::ranges::none_of(result.budget, [](const Contributor& row) { return row.U.has_value(); }))
     return std::nullopt;
+  result.missing = missing_contributors(result.budget, metadata.axis.kind);
   result.runs = smallest_count(series);
   const auto kind = metadata.gum.environment_kind.value_or(EnvironmentKind::unknown);
   result.slow_environment =
       (kind == EnvironmentKind::drift || kind == EnvironmentKind::random_walk) && find_U(result.budget, "eve");
   result.U = combine(result.budget, result.runs, result.slow_environment, evaluation.parameters);
+  result.datum = datum_of(metadata, series);
+  const MeasuredLength length{budget.length_m(), metadata.axis.kind, budget.calibration()};
+  result.positions = annex_a_positions(result, length, evaluation);
   const bool too_long = metadata.axis.kind == AxisKind::linear && budget.length_m() > length_limit_m;
   result.notes = std::move(budget).notes();
   for (std::string& note : general_notes(result, metadata)) result.notes.push_back(std::move(note));

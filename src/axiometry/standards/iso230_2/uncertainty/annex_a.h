@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,12 +48,29 @@ struct CorrectedRepeatability {
 /// (A.10): s_i² less (U_EVE/2)², never below 0, and R_i, R, R↑ and R↓ from it.
 CorrectedRepeatability corrected_repeatability(const Evaluation& evaluation, Deviation U_eve);
 
+/// Of one mean deviation, k = 2.
+struct AnnexAMean {
+  std::optional<Deviation> environment;  ///< U_EVE of the mean: over √n in x̄_i↑ and x̄_i↓; absent without E_VE
+  Deviation U;
+};
+
+/// The mean deviations of one target. Annex A prints no U of them: composed here of its contributors.
+struct AnnexAPosition {
+  Position target;
+  std::optional<double> length_m;                       ///< l_i; absent of rotary axes
+  std::vector<std::optional<Deviation>> contributions;  ///< of AnnexA::budget at l_i, in its order; U_EVE is below
+  std::optional<AnnexAMean> up, down, mean;             ///< of x̄_i↑, x̄_i↓ and x̄_i, as far as they exist
+};
+
 struct AnnexA {
   std::vector<Contributor> budget;  ///< always all seven, in the order of A.2; then probing and station, if given
   AxisParameters U;                 ///< expanded uncertainty, k = 2, of each parameter that exists (but see below)
-  std::size_t runs = 0;             ///< n used: the smallest number of approaches in any measured cell
-  bool slow_environment = false;    ///< E_VE is stated as drift or random walk: other factors in A.11 and A.14
-  std::vector<std::string> notes;   ///< what was assumed or generalised
+  std::vector<std::string_view> missing;  ///< missing_contributors(): where there are any, every U is too small
+  std::size_t runs = 0;                   ///< n used: the smallest number of approaches in any measured cell
+  bool slow_environment = false;          ///< E_VE is stated as drift or random walk: other factors in A.11 and A.14
+  Position datum;                         ///< the mean deviations count from here: `nde.datum`, else the first target
+  std::vector<AnnexAPosition> positions;  ///< one per target
+  std::vector<std::string> notes;         ///< what was assumed or generalised
   std::optional<CorrectedRepeatability> corrected;  ///< when E_VE is given and R exists
 };
 
@@ -87,8 +105,22 @@ struct AnnexA {
 /// - Rotary axes: the annex is written for linear ones; (A.1) and (A.9) apply with ″, the terms in µm/m
 ///   do not.
 ///
+/// The mean deviations of a target, which the annex does not print (derivation: docs/theory/annex-a.md, "The mean
+/// deviations of a target"), take the contributors for the length l_i from the datum to the target instead of L:
+/// - (A.1) and what is not stated per length as it is; (A.2), (A.3) and (A.5) to (A.8) with l_i for L; (A.4) for the
+///   same angle, 0.3 R² l_i/L²: the run-off R over L is R l_i/L over l_i. Where L is stated above the measured travel,
+///   l_i grows in the same proportion.
+/// - U of one probing and of a station, which no length divides, whole at every target.
+/// - x̄_i↑, x̄_i↓ after (A.15) and (A.17) with U_EVE²/n, x̄_i after (A.16) and (A.18) with U_EVE²/2n, n of its own cell;
+/// of
+///   cells that differ in n (1/n↑ + 1/n↓)/4 for 1/2n. At l_i = L and with n everywhere these are U(E) and U(M).
+///
 /// Inputs are ≥ 0 (ΔT may be negative; its magnitude counts): model/fields.h checks them on entry.
 std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                               const StatedItems& stated = {});
+
+/// Keys of the contributors that 8.2.1 asks for at least and that a budget (of nothing given an empty one) does not
+/// know, as far as Annex A has a formula for this kind of axis. Where there are any, every U is too small.
+std::vector<std::string_view> missing_contributors(std::span<const Contributor> budget, AxisKind kind);
 
 }  // namespace axiometry::iso230_2

@@ -242,5 +242,121 @@ TEST(AnnexA, KeepsOnRotaryAxesWhatHasNoLength) {
   EXPECT_THAT(annex->notes, Contains(HasSubstr("linear axes")));
 }
 
+/// Of everything that Annex A has, on a metre.
+Metadata all_given() {
+  Metadata m;
+  AnnexAInputs& in = m.uncertainty;
+  in.device_calibration = Deviation::native(0.7);
+  in.device_calibration_per_length = RelativeLength::um_per_m(2);
+  in.misalignment = Length::mm(2);
+  in.machine_temperature_range = TemperatureDifference::kelvin(0.7);
+  in.machine_temperature_difference = TemperatureDifference::kelvin(5);
+  in.device_temperature_range = TemperatureDifference::kelvin(0.2);
+  in.device_temperature_difference = TemperatureDifference::kelvin(1);
+  in.device_expansion = ExpansionCoefficient::um_per_m_K(8);
+  in.environmental_variation = Deviation::native(1.7);
+  return m;
+}
+
+TEST(AnnexAPositions, OfTheFarthestTargetAreThoseOfTheParametersAsTheAnnexCombinesThem) {
+  for (const CalibrationSum sum : {CalibrationSum::linear, CalibrationSum::quadratic}) {
+    Metadata m = all_given();
+    m.uncertainty.device_calibration_sum = sum;
+    const AnnexA annex = annex_of(m, metre(5)).value();
+    ASSERT_EQ(annex.positions.size(), 3u);
+    const AnnexAPosition& last = annex.positions.back();
+    EXPECT_DOUBLE_EQ(last.length_m.value(), 1.0);
+    for (std::size_t k = 0; k < annex.budget.size(); ++k) {
+      if (annex.budget[k].key == "eve") {
+        EXPECT_FALSE(last.contributions[k]) << "it is divided by the approaches";
+        continue;
+      }
+      ASSERT_TRUE(annex.budget[k].U) << annex.budget[k].key;
+      EXPECT_DOUBLE_EQ(last.contributions[k]->in_native(), annex.budget[k].U->in_native()) << annex.budget[k].key;
+    }
+    EXPECT_DOUBLE_EQ(last.up->U.in_native(), annex.U.E_up->in_native());      // A.15
+    EXPECT_DOUBLE_EQ(last.down->U.in_native(), annex.U.E_down->in_native());  // A.15
+    EXPECT_DOUBLE_EQ(last.mean->U.in_native(), annex.U.M->in_native());       // A.16
+  }
+}
+
+TEST(AnnexAPositions, KeepAtTheDatumOnlyWhatDoesNotGrowWithTheLength) {
+  const AnnexA annex = annex_of(all_given(), metre(5)).value();
+  const AnnexAPosition& first = annex.positions.front();
+  EXPECT_EQ(first.length_m, 0.0);
+  for (std::size_t k = 0; k < annex.budget.size(); ++k) {
+    if (annex.budget[k].key == "eve") continue;
+    EXPECT_EQ(first.contributions[k]->in_native(), annex.budget[k].key == "device" ? 0.7 : 0.0) << annex.budget[k].key;
+  }
+  const double U_eve = 0.6 * 1.7;
+  EXPECT_DOUBLE_EQ(first.up->environment->in_native(), U_eve / std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(first.up->U.in_native(), std::hypot(0.7, U_eve / std::sqrt(5.0)));
+  EXPECT_DOUBLE_EQ(first.mean->U.in_native(), std::hypot(0.7, U_eve / std::sqrt(10.0)));
+}
+
+TEST(AnnexAPositions, TakeTheLengthAtTheirTarget) {
+  const AnnexA annex = annex_of(all_given(), metre(5)).value();
+  const AnnexAPosition& middle = annex.positions[1];
+  EXPECT_DOUBLE_EQ(middle.length_m.value(), 0.48);
+  const double l = 0.48;
+  const double expected[] = {0.7 + 2 * l,       0.3 * 2 * 2 * l, 0.6 * 12 * l * 0.7,
+                             0.6 * 8 * l * 0.2, 0.6 * 5 * l * 2, 0.6 * 1 * l * 2};
+  for (std::size_t k = 0; k < std::size(expected); ++k)
+    EXPECT_NEAR(middle.contributions[k]->in_native(), expected[k], 1e-12) << annex.budget[k].key;
+}
+
+TEST(AnnexAPositions, CountFromWhereTheInstrumentWasSetToZero) {
+  Metadata m = all_given();
+  m.nde.datum = Position::native(480);
+  AnnexA annex = annex_of(m, metre(5)).value();
+  EXPECT_DOUBLE_EQ(annex.positions[0].length_m.value(), 0.48);
+  EXPECT_EQ(annex.positions[1].length_m, 0.0);
+  EXPECT_DOUBLE_EQ(annex.positions[2].length_m.value(), 0.52);
+  m.nde.datum.reset();
+  m.uncertainty.length = Length::mm(1500);  // every length grows with it
+  annex = annex_of(m, metre(5)).value();
+  EXPECT_DOUBLE_EQ(annex.positions[1].length_m.value(), 0.72);
+  EXPECT_NEAR(annex.positions[2].mean->U.in_native(), annex.U.M->in_native(), 1e-12);
+}
+
+TEST(AnnexAPositions, DivideTheEnvironmentByTheApproachesOfTheirOwnCell) {
+  Metadata m;
+  m.uncertainty.environmental_variation = Deviation::native(1.0 / 0.6);  // U_EVE = 1
+  const std::vector<RunDeviations> up = {{0.0, 1.0}, {0.1, 1.1}, {0.2, none}, {0.3, none}};
+  const std::vector<RunDeviations> down = {{none, 1.0}, {none, 1.1}, {none, 1.2}, {none, 1.3}};
+  const AnnexA annex = annex_of(m, make_series({0, 1000}, up, down)).value();
+  EXPECT_DOUBLE_EQ(annex.positions[0].up->U.in_native(), 0.5);
+  EXPECT_FALSE(annex.positions[0].down);
+  EXPECT_FALSE(annex.positions[0].mean) << "of one direction there is no mean of both";
+  EXPECT_DOUBLE_EQ(annex.positions[1].up->U.in_native(), std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(annex.positions[1].down->U.in_native(), 0.5);
+  EXPECT_DOUBLE_EQ(annex.positions[1].mean->U.in_native(), std::sqrt((0.5 + 0.25) / 4.0));
+}
+
+TEST(AnnexAPositions, SayWhichContributorsAreMissing) {
+  EXPECT_TRUE(missing_contributors(annex_of(all_given(), metre(5))->budget, AxisKind::linear).empty());
+  Metadata m;
+  m.uncertainty.device_calibration = Deviation::native(1);
+  const AnnexA annex = annex_of(m, metre(5)).value();
+  EXPECT_THAT(missing_contributors(annex.budget, AxisKind::linear),
+              testing::ElementsAre("misalignment", "m_machine", "e_machine", "eve"));
+  EXPECT_THAT(missing_contributors(annex.budget, AxisKind::rotary), testing::ElementsAre("eve"));
+  EXPECT_FALSE(annex.positions[1].contributions[1]) << "absent is not 0";
+  EXPECT_FALSE(annex.positions[1].mean->environment);
+  EXPECT_EQ(missing_contributors({}, AxisKind::linear).size(), 5u);
+}
+
+/// ″ do not grow with a length.
+TEST(AnnexAPositions, OfARotaryAxisAreTheSameEverywhere) {
+  Metadata m;
+  m.axis.kind = AxisKind::rotary;
+  m.uncertainty.device_calibration = Deviation::native(1.5);
+  const AnnexA annex = annex_of(m, metre(5)).value();
+  for (const AnnexAPosition& position : annex.positions) {
+    EXPECT_FALSE(position.length_m);
+    EXPECT_DOUBLE_EQ(position.mean->U.in_native(), annex.U.M->in_native());
+  }
+}
+
 }  // namespace
 }  // namespace axiometry::iso230_2
