@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/workbench/calibration_json.h"
 #include "axiometry/app/workbench/calibrations.h"
 #include "axiometry/app/workbench/equipment_json.h"
@@ -110,7 +111,7 @@ Result<app::EvaluatedCalibration> motions_of(const Request& request) {
 Result<Response> motions(const Store&, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const app::EvaluatedCalibration evaluated, motions_of(request));
-  return json_response(app::localised_result(app::result_of(evaluated), reader));
+  return json_response(app::localised_result(app::result_of(evaluated), app::ResultKind::motions, reader));
 }
 
 Result<Response> motions_report(const Store&, const Request& request) {

@@ -11,11 +11,11 @@
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/nc_program.h"
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/tracking/tracking_json.h"
 #include "axiometry/app/tracking/tracking_request.h"
-#include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/tracking.h"
@@ -51,7 +51,7 @@ Result<app::Located> located(const Request& request) {
 Result<Response> station(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const app::Located found, located(request));
-  return json_response(app::localised_result(app::to_json(found), reader));
+  return json_response(app::localised_result(app::to_json(found), app::ResultKind::findings_beside_all, reader));
 }
 
 Result<Response> station_report(const Request& request) {
@@ -182,7 +182,7 @@ Result<app::EvaluatedLines> evaluated(const Request& request) {
 Result<Response> evaluation(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const app::EvaluatedLines found, evaluated(request));
-  return json_response(app::localised_result(app::to_json(found), reader));
+  return json_response(app::localised_result(app::to_json(found), app::ResultKind::lines, reader));
 }
 
 Result<Response> evaluation_report(const Request& request) {

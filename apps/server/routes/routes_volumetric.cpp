@@ -10,12 +10,12 @@
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/nc_program.h"
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/volumetric/field_difference.h"
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/volume_compensation_request.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
-#include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/volumetric.h"
@@ -119,7 +119,7 @@ Result<app::IdentifiedMachine> identified(const Request& request) {
 Result<Response> identification(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const app::IdentifiedMachine found, identified(request));
-  return json_response(app::localised_result(app::to_json(found), reader));
+  return json_response(app::localised_result(app::to_json(found), app::ResultKind::volumetric, reader));
 }
 
 Result<Response> identification_report(const Request& request) {
@@ -147,7 +147,7 @@ Result<Response> field(const Request& request) {
   AXIOMETRY_TRY(const std::size_t nodes, app::given_nodes(body));
   AXIOMETRY_TRY(app::KeptModel kept, app::given_kept_model(body));
   const app::FieldVolume volume = app::field_volume(std::move(kept), {"result", nodes});
-  return json_response(app::localised_result(app::field_value(volume), reader));
+  return json_response(app::localised_result(app::field_value(volume), app::ResultKind::findings_beside_all, reader));
 }
 
 Result<Response> difference(const Request& request) {
@@ -157,7 +157,7 @@ Result<Response> difference(const Request& request) {
   AXIOMETRY_TRY(const app::KeptModel before, app::given_kept_model(body, "before", "findings_before"));
   AXIOMETRY_TRY(const app::KeptModel after, app::given_kept_model(body, "after", "findings_after"));
   AXIOMETRY_TRY(const Value value, app::field_difference(before, after, nodes));
-  return json_response(app::localised_result(value, reader));
+  return json_response(app::localised_result(value, app::ResultKind::field_difference, reader));
 }
 
 Result<Response> prediction(const Request& request) {
@@ -166,7 +166,8 @@ Result<Response> prediction(const Request& request) {
   AXIOMETRY_TRY(const app::PredictRequest wish, app::line_request_from(body));
   AXIOMETRY_TRY(app::KeptModel kept, app::given_kept_model(body));
   AXIOMETRY_TRY(const app::PredictedTest predicted, app::predict_test(std::move(kept), wish));
-  return json_response(app::localised_result(app::present(predicted, {}).json, reader));
+  return json_response(
+      app::localised_result(app::present(predicted, {}).json, app::ResultKind::findings_beside_all, reader));
 }
 
 Result<Response> table(const Request& request) {

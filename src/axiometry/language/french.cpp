@@ -7,6 +7,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/embedded_file.h"
+#include "axiometry/language/packed_text.h"
 
 namespace axiometry::language {
 

@@ -49,6 +49,16 @@ const PhraseBook& book_of(Language language) {
   return language == Language::german ? german() : french();
 }
 
+/// Contract: a text without arguments.
+std::string words_of(const TextPieces& text) {
+  std::string all;
+  for (const TextPiece& piece : text) {
+    AXIOMETRY_CONTRACT(std::holds_alternative<std::string>(piece));
+    all += std::get<std::string>(piece);
+  }
+  return all;
+}
+
 /// The weight of "de;q=0.7": 1 where none is given, 0 where it is none.
 double weight_of(std::string_view parameters) {
   for (const std::string_view part : text::split(parameters, ';')) {
@@ -104,10 +114,16 @@ Language best_of(std::string_view accept_language) {
 
 std::string translated(std::string_view text, Language language, const NumberStyle& numbers) {
   if (language == Language::english) return std::string(text);
-  return Reader(book_of(language), numbers).read(text).text;
+  return words_of(Reader(book_of(language), numbers).read({std::string(text)}).text);
 }
 
-bool is_known(std::string_view text, Language language) {
+TextPieces translated(const TextPieces& text, Language language, const NumberStyle& numbers) {
+  return language == Language::english ? text : Reader(book_of(language), numbers).read(text).text;
+}
+
+bool is_known(std::string_view text, Language language) { return is_known(TextPieces{std::string(text)}, language); }
+
+bool is_known(const TextPieces& text, Language language) {
   return language == Language::english || Reader(book_of(language), {}).read(text).known;
 }
 

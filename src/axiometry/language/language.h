@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include "axiometry/base/number_text.h"
 
@@ -51,6 +55,19 @@ std::string translated(std::string_view text, Language language, const NumberSty
 
 /// Whether translated() knows it: all of it, or numbers, symbols and units alone.
 bool is_known(std::string_view text, Language language);
+
+/// A value within a text that is no text: a symbol that is set already, words of the user. Only its number is known.
+struct TextArgument {
+  std::size_t number = 0;
+  auto operator<=>(const TextArgument&) const = default;
+};
+using TextPiece = std::variant<std::string, TextArgument>;
+using TextPieces = std::vector<TextPiece>;
+
+/// A text with arguments, which fit the places of entries as a symbol does, never a word, pass through unread and go
+/// where the other language puts them.
+TextPieces translated(const TextPieces& text, Language language, const NumberStyle& numbers = {});
+bool is_known(const TextPieces& text, Language language);
 
 /// Every entry of a language, for tests.
 std::span<const Phrase* const> phrases(Language language);

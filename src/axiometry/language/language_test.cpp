@@ -108,6 +108,23 @@ TEST(Translated, KeepsWordsOfTheUserAtVerbatimPlaces) {
   EXPECT_EQ(german("Report 3.5 Test report"), "Bericht 3.5 Test report");
 }
 
+TEST(Translated, KeepsEveryByteOfWhatItDoesNotRead) {
+  for (const std::string bytes : {"\x1f", "\xFF", "\xFF\x80\x80", "_\x1f\x1f\xFF_", "\uE000\u00a0\x1f"}) {
+    EXPECT_EQ(german("Axis " + bytes), "Achse " + bytes);
+    EXPECT_EQ(german(bytes), bytes);
+  }
+}
+
+TEST(Translated, PutsArgumentsWhereTheOtherLanguageHasThem) {
+  const TextArgument first{0}, second{1};
+  EXPECT_EQ(translated({"Uncertainty of ", first}, Language::german, comma), (TextPieces{"Unsicherheit von ", first}));
+  EXPECT_EQ(translated({second, " to ", first}, Language::german, comma), (TextPieces{second, " bis ", first}));
+  EXPECT_EQ(translated({"Axis ", second}, Language::german, comma), (TextPieces{"Achse ", second}));
+  EXPECT_EQ(translated({"Axis ", second}, Language::english, comma), (TextPieces{"Axis ", second}));
+  EXPECT_TRUE(is_known(TextPieces{"Uncertainty of ", first}, Language::german));
+  EXPECT_FALSE(is_known(TextPieces{"a text that nobody wrote of ", first}, Language::german));
+}
+
 TEST(Translated, LeavesEnglishWhatNoEntryFits) {
   EXPECT_EQ(german("a text that nobody wrote"), "a text that nobody wrote");
   EXPECT_FALSE(is_known("a text that nobody wrote", Language::german));

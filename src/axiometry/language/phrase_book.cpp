@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/language/packed_text.h"
 
 namespace axiometry::language {
 namespace {
@@ -34,30 +35,6 @@ Pattern parsed(const Phrase& phrase) {
 }
 
 }  // namespace
-
-std::string packed(std::string_view text) {
-  std::string all;
-  all.reserve(text.size());
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const bool is_space = text.substr(k).starts_with(no_break_space);
-    all += is_space ? no_break : text[k];
-    if (is_space) ++k;
-  }
-  return all;
-}
-
-std::string unpacked(std::string_view text) {
-  std::string all;
-  all.reserve(text.size());
-  for (const char c : text) c == no_break ? all.append(no_break_space) : all.append(1, c);
-  return all;
-}
-
-std::string with_blanks(std::string_view packed) {
-  std::string all(packed);
-  std::ranges::replace(all, no_break, ' ');
-  return all;
-}
 
 PhraseBook::PhraseBook(std::span<const std::span<const Phrase>> tables, const Grammar& grammar) : grammar_(grammar) {
   for (const std::span<const Phrase> table : tables)

@@ -71,12 +71,4 @@ class PhraseBook {
   std::array<std::vector<const Pattern*>, 256> by_first_byte_;
 };
 
-inline constexpr std::string_view no_break_space = "\u00a0";
-
-/// No-break spaces as one byte (no_break), so that a text and its form with blanks have the same length.
-inline constexpr char no_break = '\x1f';
-std::string packed(std::string_view text);
-std::string unpacked(std::string_view text);
-std::string with_blanks(std::string_view packed);
-
 }  // namespace axiometry::language

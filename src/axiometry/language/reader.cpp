@@ -2,8 +2,10 @@
 #include "axiometry/language/reader.h"
 
 #include <algorithm>
+#include <variant>
 #include <vector>
 
+#include "axiometry/language/packed_text.h"
 #include "axiometry/language/words.h"
 
 namespace axiometry::language {
@@ -11,6 +13,7 @@ namespace {
 
 constexpr int deepest = 7;
 constexpr std::size_t longest = 6000;               // bytes: no text that the program composes is longer
+constexpr std::size_t length_of_argument = 3;       // bytes: of a sign, as its mark in a packed text
 constexpr std::size_t least_literal_of_rough = 12;  // bytes: a shorter one fits by accident
 
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
@@ -83,14 +86,23 @@ std::vector<std::string_view> items(std::string_view text, std::string_view sepa
   return all;
 }
 
+std::size_t length_of(const TextPieces& text) {
+  std::size_t length = 0;
+  for (const TextPiece& piece : text) {
+    const auto* words = std::get_if<std::string>(&piece);
+    length += words != nullptr ? words->size() : length_of_argument;
+  }
+  return length;
+}
+
 }  // namespace
 
-Reader::Answer Reader::read(std::string_view text) {
-  if (text.size() > longest) return {std::string(text), false};
-  const std::string all = packed(text);
-  if (has_no_words(all)) return {std::string(text), true};
-  if (auto found = known(all, 0)) return {unpacked(*found), true};
-  return {unpacked(roughly(all)), false};
+Reader::Answer Reader::read(const TextPieces& text) {
+  if (length_of(text) > longest) return {text, false};
+  const PackedText all(text);
+  if (has_no_words(all.text())) return {text, true};
+  if (const auto found = known(all.text(), 0)) return {all.unpacked(*found), true};
+  return {all.unpacked(roughly(all.text())), false};
 }
 
 bool Reader::works(std::size_t bytes) {
@@ -189,7 +201,7 @@ bool Reader::fits(const Pattern& pattern, const std::string& blanks, std::size_t
   const bool last = piece + 1 == pattern.places.size();
   const std::size_t least = place.kind == PlaceKind::optional_text ? 0 : 1;
   const auto take = [&](std::size_t end) {
-    if (end < at + least) return false;
+    if (end < at + least || cuts_argument(blanks, end)) return false;
     if (place.kind == PlaceKind::amount && !has_no_words(std::string_view(blanks).substr(at, end - at))) return false;
     if (place.kind == PlaceKind::text && !is_balanced(std::string_view(blanks).substr(at, end - at))) return false;
     captures[place.number] = {at, end - at};

@@ -7,7 +7,7 @@
 
 #include "axiometry/language/phrase_book.h"
 
-/// Reads one text with a phrase book.
+/// Reads one text with a phrase book, packed: an argument in it is a sign, no word.
 namespace axiometry::language {
 
 class Reader {
@@ -15,10 +15,10 @@ class Reader {
   Reader(const PhraseBook& book, const NumberStyle& numbers) : book_(book), numbers_(numbers) {}
 
   struct Answer {
-    std::string text;
+    TextPieces text;
     bool known = false;  ///< all of it
   };
-  Answer read(std::string_view text);
+  Answer read(const TextPieces& text);
 
  private:
   using Found = std::optional<std::string>;

@@ -8,8 +8,8 @@
 namespace axiometry::language {
 
 /// Whether a text is the same in every language but for its decimal mark: numbers, units ("µm/(m·°C)"), symbols
-/// ("U_EVE", "x̄", single letters), standards ("ISO 230-2:2014") and signs. Private-use characters, which stand for
-/// symbols that were set already, are signs.
+/// ("U_EVE", "x̄", single letters), standards ("ISO 230-2:2014") and signs; an argument of a packed
+/// text is one.
 bool has_no_words(std::string_view text);
 
 /// The numbers with that decimal mark: "12.5 µm" → "12,5 µm", but neither "5.3.2" nor "A.2" nor "v1.5". Where the mark

@@ -2,21 +2,11 @@
 #include "axiometry/report/translated.h"
 
 #include <algorithm>
-
-#include "axiometry/base/utf8.h"
+#include <utility>
+#include <variant>
 
 namespace axiometry::report {
 namespace {
-
-constexpr char32_t first_private = 0xE000;
-constexpr std::size_t private_length = 3;  // bytes in UTF-8
-constexpr std::size_t most_in_style = 0x1000;
-
-std::string private_character(std::size_t k) {
-  const auto code = static_cast<unsigned>(first_private + k);
-  return {static_cast<char>(0xE0 | (code >> 12)), static_cast<char>(0x80 | ((code >> 6) & 0x3F)),
-          static_cast<char>(0x80 | (code & 0x3F))};
-}
 
 bool same_style(const TextRun& a, const TextRun& b) {
   return a.italic == b.italic && a.bold == b.bold && a.bar == b.bar && a.script == b.script && a.verbatim == b.verbatim;
@@ -59,27 +49,17 @@ RichText words_translated(RichText runs, const Options& options) {
   return runs;
 }
 
-/// The runs of a style of their own in the places of their private-use characters.
-RichText set_again(std::string_view text, const std::vector<RichText>& in_style, const Options& options) {
+/// The runs of a style of their own where the translation has them.
+RichText set_again(const language::TextPieces& pieces, const std::vector<RichText>& in_style, const Options& options) {
   RichText all;
-  std::size_t done = 0;
-  const auto add_plain = [&](std::size_t end) {
-    if (end > done) all.push_back({.text = std::string(text.substr(done, end - done))});
-  };
-  for (std::size_t at = 0; at < text.size();) {
-    const Character character = character_at(text, at);
-    const bool stands_for_runs =
-        character.valid() && character.code >= first_private && character.code < first_private + in_style.size();
-    if (stands_for_runs) {
-      add_plain(at);
-      const RichText runs =
-          words_translated(in_style[static_cast<std::size_t>(character.code - first_private)], options);
+  for (const language::TextPiece& piece : pieces)
+    if (const auto* words = std::get_if<std::string>(&piece)) {
+      all.push_back({.text = *words});
+    } else {
+      const RichText& given = in_style.at(std::get<language::TextArgument>(piece).number);
+      const RichText runs = words_translated(given, options);
       all.insert(all.end(), runs.begin(), runs.end());
-      done = at + private_length;
     }
-    at += character.length;
-  }
-  add_plain(text.size());
   return all;
 }
 
@@ -130,31 +110,31 @@ Figure with_words_translated(Figure figure, const Options& options) {
   return figure;
 }
 
-FlatText flattened(const RichText& given) {
+TextWithArguments with_arguments(const RichText& given) {
   const RichText text = without_empty(given);
   if (text.empty()) return {};
   const bool user_wrote = std::ranges::any_of(text, &TextRun::verbatim);
   if (std::string words = in_words(text);
       !user_wrote && (shares_one_style(text) || same(without_empty(prose(words)), text)))
-    return {std::move(words), {}};
-  FlatText flat;
-  bool continues = false;
+    return {{std::move(words)}, {}};
+  TextWithArguments all;
+  const TextRun* before = nullptr;
   for (const TextRun& run : text) {
+    const bool after_plain = before != nullptr && is_plain(*before);
     if (is_plain(run)) {
-      flat.text += run.text;
-      continues = false;
-      continue;
+      if (!after_plain) all.pieces.emplace_back(std::string());
+      std::get<std::string>(all.pieces.back()) += run.text;
+    } else {
+      const bool continues = before != nullptr && !after_plain && !run.verbatim && !before->verbatim;
+      if (!continues) {
+        all.pieces.emplace_back(language::TextArgument{all.arguments.size()});
+        all.arguments.emplace_back();
+      }
+      all.arguments.back().push_back(run);
     }
-    continues = continues && !run.verbatim && !flat.in_style.back().back().verbatim;
-    if (!continues) {
-      if (flat.in_style.size() == most_in_style) return {plain_text(text), {}};
-      flat.text += private_character(flat.in_style.size());
-      flat.in_style.emplace_back();
-    }
-    flat.in_style.back().push_back(run);
-    continues = true;
+    before = &run;
   }
-  return flat;
+  return all;
 }
 
 std::string_view colon(const Options& options) {
@@ -179,10 +159,12 @@ RichText translated(const RichText& given, const Options& options) {
     run.text = translated(plain_text(text), options);
     return run.bar || run.script != Script::normal ? given : RichText{run};
   }
-  const FlatText flat = flattened(text);
-  if (!flat.in_style.empty()) return set_again(translated(flat.text, options), flat.in_style, options);
-  const std::string words = translated(flat.text, options);
-  return words == flat.text ? given : prose(words);
+  const auto [pieces, arguments] = with_arguments(text);
+  if (!arguments.empty())
+    return set_again(language::translated(pieces, options.language, options.numbers), arguments, options);
+  const std::string& english = std::get<std::string>(pieces.front());
+  const std::string words = translated(english, options);
+  return words == english ? given : prose(words);
 }
 
 Document translated(Document document, const Options& options) {

@@ -3,7 +3,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "axiometry/language/language.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
 
@@ -27,12 +29,12 @@ Document translated(Document document, const Options& options);
 /// A figure's title and description.
 Figure with_words_translated(Figure figure, const Options& options);
 
-/// The text as a phrase book sees it: symbols as in "U_EVE" where that sets them again, else private-use characters
-/// in the place of runs with a style of their own; `in_style` holds those.
-struct FlatText {
-  std::string text;
-  std::vector<RichText> in_style;
+/// The text as a phrase book sees it: symbols as in "U_EVE" where that sets them again; else runs with a style of their
+/// own, and what the user wrote, are arguments between its words.
+struct TextWithArguments {
+  language::TextPieces pieces;
+  std::vector<RichText> arguments;  ///< by number
 };
-FlatText flattened(const RichText& text);
+TextWithArguments with_arguments(const RichText& text);
 
 }  // namespace axiometry::report

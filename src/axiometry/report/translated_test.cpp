@@ -41,11 +41,26 @@ namespace table2 = testing_support::table2;
 constexpr auto german = language::Language::german;
 const Options in_german{.numbers = {.decimal_mark = ','}, .language = german};
 
-void collect(std::set<std::string>& all, const RichText& text) {
-  if (!text.empty() && !std::ranges::all_of(text, &TextRun::verbatim)) all.insert(flattened(text).text);
+/// As a phrase book sees it, with its arguments by number: "Uncertainty of {0}".
+std::string told(const language::TextPieces& text) {
+  std::string all;
+  for (const language::TextPiece& piece : text)
+    if (const auto* words = std::get_if<std::string>(&piece))
+      all += *words;
+    else
+      all += fmt::format("{{{}}}", std::get<language::TextArgument>(piece).number);
+  return all;
 }
 
-void collect(std::set<std::string>& all, const Table& table) {
+using Texts = std::set<language::TextPieces>;
+
+void collect(Texts& all, const std::string& text) { all.insert({text}); }
+
+void collect(Texts& all, const RichText& text) {
+  if (!text.empty() && !std::ranges::all_of(text, &TextRun::verbatim)) all.insert(with_arguments(text).pieces);
+}
+
+void collect(Texts& all, const Table& table) {
   collect(all, table.caption);
   for (const ColumnGroup& group : table.groups) collect(all, group.head);
   for (const Column& column : table.columns) collect(all, column.head);
@@ -54,37 +69,39 @@ void collect(std::set<std::string>& all, const Table& table) {
   for (const RichText& note : table.notes) collect(all, note);
 }
 
-void collect(std::set<std::string>& all, const std::vector<Fact>& facts) {
+void collect(Texts& all, const std::vector<Fact>& facts) {
   for (const Fact& fact : facts) {
     collect(all, fact.name);
     collect(all, fact.value.text);
   }
 }
 
-void collect(std::set<std::string>& all, const Notice& notice) {
+void collect(Texts& all, const Notice& notice) {
   collect(all, notice.heading);
   for (const RichText& line : notice.lines) collect(all, line);
 }
 
-void collect(std::set<std::string>& all, const Block& block) {
+void collect(Texts& all, const Block& block) {
   if (const auto* paragraph = std::get_if<Paragraph>(&block)) collect(all, paragraph->text);
   if (const auto* notice = std::get_if<Notice>(&block)) collect(all, *notice);
   if (const auto* table = std::get_if<Table>(&block)) collect(all, *table);
   if (const auto* facts = std::get_if<Facts>(&block)) {
-    all.insert(facts->title);
+    collect(all, facts->title);
     collect(all, facts->facts);
   }
-  if (const auto* figure = std::get_if<Figure>(&block)) all.insert({figure->title, figure->description});
+  if (const auto* figure = std::get_if<Figure>(&block)) {
+    collect(all, figure->title);
+    collect(all, figure->description);
+  }
 }
 
 /// Every text of a composed English document that a reader of German must not meet.
-std::set<std::string> texts_of(const Document& document) {
-  std::set<std::string> all = {document.kind, document.title, document.edition, document.label,
-                               document.running_status};
+Texts texts_of(const Document& document) {
+  Texts all = {{document.kind}, {document.title}, {document.edition}, {document.label}, {document.running_status}};
   collect(all, document.identity);
   for (const Notice& notice : document.status) collect(all, notice);
   for (const Section& section : document.sections) {
-    all.insert(section.title);
+    collect(all, section.title);
     for (const Block& block : section.blocks) collect(all, block);
   }
   return all;
@@ -92,15 +109,15 @@ std::set<std::string> texts_of(const Document& document) {
 
 std::vector<std::string> unknown(const Document& document) {
   std::vector<std::string> all;
-  for (const std::string& text : texts_of(document))
-    if (!language::is_known(text, german)) all.push_back(text);
+  for (const language::TextPieces& text : texts_of(document))
+    if (!language::is_known(text, german)) all.push_back(told(text));
   return all;
 }
 
 std::set<std::string> labels_of(const Figure& figure) {
   std::set<std::string> all;
   for (const Operation& operation : figure.operations)
-    if (const auto* text = std::get_if<Text>(&operation)) all.insert(flattened(text->runs).text);
+    if (const auto* text = std::get_if<Text>(&operation)) all.insert(told(with_arguments(text->runs).pieces));
   return all;
 }
 
@@ -412,6 +429,23 @@ TEST(Translated, KeepsSymbolsInTheirStyleAndMovesThem) {
   const auto low = std::ranges::find(note, Script::sub, &TextRun::script);
   ASSERT_NE(low, note.end());
   EXPECT_EQ(low->text, "MISALIGNMENT");
+}
+
+TEST(Translated, TakesNoCharacterOfTheUserForARunInItsStyle) {
+  for (const char* character : {"\uE000", "\xFF\x80\x80", "\x1f", "\xFF"}) {
+    const std::string quoted = fmt::format("'{}'", character);
+    const RichText text = translated(joined({plain("Uncertainty of "), symbol("A↑"), plain("; " + quoted)}), in_german);
+    EXPECT_EQ(plain_text(text), "Unsicherheit von A↑; " + quoted);
+    EXPECT_EQ(std::ranges::count(text, true, &TextRun::italic), 1);
+    EXPECT_EQ(plain_text(translated(joined({verbatim(character), plain(": Reversal error")}), in_german)),
+              std::string(character) + ": Umkehrspanne");
+  }
+}
+
+TEST(Translated, MovesRunsInTheirStyleByTheirNumbers) {
+  const RichText text = translated(joined({plain("from "), symbol("B̄"), plain(" to "), symbol("x_i")}), in_german);
+  EXPECT_EQ(plain_text(text), plain_text(joined({plain("von "), symbol("B̄"), plain(" bis "), symbol("x_i")})));
+  EXPECT_EQ(std::ranges::count(text, Script::sub, &TextRun::script), 1);
 }
 
 TEST(Translated, ChangesNothingInEnglish) {

@@ -11,7 +11,7 @@
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/given_members.h"
 #include "axiometry/app/files/request_members.h"
-#include "axiometry/app/workbench/workbench_json.h"
+#include "axiometry/app/results/localised_result.h"
 
 namespace axiometry::app {
 namespace {
@@ -54,7 +54,7 @@ Value volume_compensation_value(const VolumeCompensation& made, const Reader& re
   Value object = Value::object();
   object.add("file_name", table_file_name(made));
   object.add("table", made.text);
-  object.add("result", localised_result(to_json(made), reader));
+  object.add("result", localised_result(to_json(made), ResultKind::compensation, reader));
   return object;
 }
 

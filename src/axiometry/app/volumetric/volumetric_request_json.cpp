@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
-#include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
 #include "axiometry/volumetric/machine/error_motion.h"
@@ -78,14 +78,8 @@ Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& r
   const Value whole = expectation_value(planned);
   Value expected = Value::object();
   for (const auto& [name, member] : whole.members())
-    if (name == "reasons") {
-      Value& reasons = expected.add("reasons", Value::array());
-      for (const Value& reason : member.items())
-        reasons.push(language::translated(reason.text(), reader.language, reader.numbers));
-    } else if (name != "program") {
-      expected.add(name, member);
-    }
-  value.add("expected", localised_result(expected, reader));
+    if (name != "program") expected.add(name, member);
+  value.add("expected", localised_result(expected, ResultKind::volumetric_plan, reader));
   value.add("csv", planned_points_csv(planned.plan));
   return value;
 }
@@ -115,7 +109,7 @@ Result<Value> given_result(const Value& body, const Reader& reader) {
   for (const std::string_view list : {"set_aside", "breaks"}) AXIOMETRY_TRY_VOID(check_rows(*result, list, {}));
   AXIOMETRY_TRY_VOID(check_findings(*result, "findings"));
   AXIOMETRY_TRY_VOID(given_model(*result));
-  return localised_result(*result, reader);
+  return localised_result(*result, ResultKind::volumetric, reader);
 }
 
 Result<KeptModel> given_kept_model(const Value& body, std::string_view name, std::string_view findings) {

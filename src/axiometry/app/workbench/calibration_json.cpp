@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_members.h"
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/workbench/kept_things.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/iso_date.h"
@@ -124,7 +125,7 @@ Value to_json(const KeptCalibration& kept, const Reader& reader) {
     Value& same = object.add("same_files", Value::array());
     for (const store::Id id : *kept.same_files) same.push(id_value(id));
   }
-  object.add("result", localised_result(kept.result, reader));
+  object.add("result", localised_result(kept.result, result_kind_of_calibration(c.kind), reader));
   return object;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_members.h"
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/workbench/kept_things.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/language/language.h"
@@ -106,7 +107,7 @@ Value counting_value(const std::vector<KeptFinding>& findings, const Reader& rea
     item.add("severity", finding.severity);
     item.add("message", finding.message);
   }
-  return localised_result(list, reader);
+  return localised_result(list, ResultKind::findings, reader);
 }
 
 Value existing_value(const Compensation& c) {
@@ -123,7 +124,7 @@ Value existing_value(const Compensation& c) {
 Value controls_to_json(const Reader& reader) {
   Value list = Value::array();
   for (const nc::AxisTable* control : nc::axis_table_table())
-    list.push(localised_result(control_to_json(*control), reader));
+    list.push(localised_result(control_to_json(*control), ResultKind::control, reader));
   return list;
 }
 
@@ -136,7 +137,7 @@ Value to_json(std::span<const ListedCompensation> listed, const Reader& reader) 
 
 Value to_json(const MadeCompensation& made, const Reader& reader) {
   Value object = Value::object();
-  object.add("result", localised_result(made.result, reader));
+  object.add("result", localised_result(made.result, ResultKind::compensation, reader));
   object.add("file_name", made.file_name);
   object.add("table", made.table);
   return object;
@@ -151,7 +152,7 @@ Value to_json(const KeptCompensation& kept, const Reader& reader) {
   object.add("program", c.program);
   object.add("options", object_of_text(c.options));
   object.add("findings", counting_value(kept.findings, reader));
-  object.add("result", localised_result(kept.result, reader));
+  object.add("result", localised_result(kept.result, ResultKind::compensation, reader));
   object.add("table", kept.table);
   object.add("table_sha256", table == nullptr ? std::string() : table->content);
   object.add("existing", existing_value(c));

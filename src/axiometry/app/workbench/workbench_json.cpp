@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/workbench/workbench_json.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "axiometry/app/files/given_text.h"
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/app/workbench/shown_json.h"
 #include "axiometry/app/workbench/test_state.h"
@@ -48,32 +47,9 @@ Value outcome_readings_to_json(const Outcome& outcome) {
   return object;
 }
 
-/// Members whose texts are this program's, wherever they stand in a result; but not what users wrote.
-constexpr std::array<std::string_view, 16> spoken = {
-    "message",      "remark",    "title", "note",        "notes",   "label",    "remarks",  "withheld",
-    "origin_title", "use_title", "sign",  "turned_sign", "loading", "verified", "inferred", "gaps"};
-constexpr std::array<std::string_view, 5> of_users = {"metadata", "source", "axis", "tolerance_table", "program"};
-
-bool among(const auto& names, std::string_view name) { return std::ranges::find(names, name) != names.end(); }
-
-Value localised(const Value& value, bool is_spoken, const Reader& reader) {
-  if (value.is(Kind::text))
-    return is_spoken ? Value(language::translated(value.text(), reader.language, reader.numbers)) : value;
-  if (value.is(Kind::array)) {
-    Value list = Value::array();
-    for (const Value& item : value.items()) list.push(localised(item, is_spoken, reader));
-    return list;
-  }
-  if (!value.is(Kind::object)) return value;
-  Value object = Value::object();
-  for (const auto& [name, inner] : value.members())
-    object.add(name, among(of_users, name) ? inner : localised(inner, among(spoken, name), reader));
-  return object;
-}
-
 /// Adds the members of Evaluated.
 void add_outcome(Value& object, const Outcome& outcome, const Reader& reader) {
-  object.add("result", localised_result(outcome.result, reader));
+  object.add("result", localised_result(outcome.result, ResultKind::test, reader));
   object.add("readings", outcome_readings_to_json(outcome));
   object.add("verdict", verdict_or_null(member_of_object(outcome.result, "verdict")));
   object.add("shown", shown_to_json(outcome.result, reader));
@@ -185,11 +161,6 @@ json::Value id_and_name(store::Id id, const std::string& name) {
 }
 
 json::Value text_or_null(const std::string& text) { return text.empty() ? Value() : Value(text); }
-
-json::Value localised_result(const json::Value& result, const Reader& reader) {
-  if (reader.language == language::Language::english) return result;
-  return localised(result, false, reader);
-}
 
 json::Value to_json(const Outcome& outcome, const Reader& reader) {
   Value object = Value::object();

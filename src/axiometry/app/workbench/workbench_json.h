@@ -28,9 +28,6 @@ json::Value text_or_null(const std::string& text);
 json::Value id_value(store::Id id);
 json::Value id_and_name(store::Id id, const std::string& name);  ///< Reference
 
-/// The result with its sentences and titles in the reader's language: findings, notes, budgets, corrections, label.
-json::Value localised_result(const json::Value& result, const Reader& reader);
-
 /// {"changes", "options"}; either may be left out. Each fails, with line and column, on members that are unknown or of
 /// another kind.
 Result<Draft> draft_from(const json::Value& value);
