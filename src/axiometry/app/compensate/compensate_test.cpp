@@ -17,6 +17,7 @@
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/base/json.h"
 #include "axiometry/language/language.h"
+#include "tests/support/document_parts.h"
 #include "tests/support/series.h"
 
 namespace axiometry::app {
@@ -125,6 +126,9 @@ TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
   const auto found = std::ranges::find(first->findings, "compensation-rolls-over", &NamedFinding::id);
   ASSERT_NE(found, first->findings.end());
   EXPECT_TRUE(language::is_known(found->message, language::Language::german)) << found->message;
+  const report::Document shown = present(*first, {}).document;
+  const report::Table table = testing_support::tables(testing_support::section(shown, "table")).front();
+  EXPECT_TRUE(plain_text(table.notes.front()).ends_with("beyond the ends it does not hold the last value."));
   request.grid = {};
   const auto next = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", first->text}}, request);
   ASSERT_TRUE(next) << next.error().message;
