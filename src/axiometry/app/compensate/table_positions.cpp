@@ -46,9 +46,9 @@ Result<AxisCorrection> held_over_targets(const AxisCorrection& correction, const
     behind = in_turn - before - static_cast<double>(positions.size() - 1);
     if (std::abs(in_turn * step - turn) > beside || behind < 1.0)
       return fail(fmt::format(
-          "found positions from {} to {} °, every {} °, and targets round a turn: beyond its ends this control does not "
-          "hold the last value but goes on to that of the other end; expected steps that divide a turn, or positions "
-          "over all targets",
+          "found positions from {} to {} °, every {} °, and targets round a turn: beyond its ends this control does "
+          "not hold the last value but goes on to that of the other end; expected steps that divide a turn, or "
+          "positions over all targets",
           format_rounded(first), format_rounded(last), format_rounded(step)));
   }
   std::vector<double> places, up, down;

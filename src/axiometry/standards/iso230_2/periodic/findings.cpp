@@ -157,9 +157,9 @@ class DirectionFindings {
     if (!d_.residual_correlation.told) return std::nullopt;
     if (d_.curve_times < shown)
       return note("periodic-correlated-residuals",
-                  fmt::format("found residuals that go on from target to target (correlation {:.2f}): U of the line was "
-                              "enlarged {:.2g} times, that of so short a period not, and chances of white noise are too "
-                              "small",
+                  fmt::format("found residuals that go on from target to target (correlation {:.2f}): U of the line "
+                              "was enlarged {:.2g} times, that of so short a period not, and chances of white noise "
+                              "are too small",
                               d_.residual_correlation.lag_one, d_.line_times));
     return note("periodic-correlated-residuals",
                 fmt::format("found residuals that go on from target to target (correlation {:.2f}): U of the curve was "
