@@ -16,6 +16,10 @@ constexpr Phrase compensation_rows[] = {
      "interpolates linearly and holds the last value beyond the ends.",
      "Zur befohlenen Position addiert: Ein positiver Wert bewegt die Achse in positiver Richtung. Die Steuerung "
      "interpoliert linear und hält jenseits der Enden den letzten Wert."},
+    {"Added to the commanded position: a positive value moves the axis in the positive direction. The control "
+     "interpolates linearly; beyond the ends it does not hold the last value.",
+     "Zur befohlenen Position addiert: Ein positiver Wert bewegt die Achse in positiver Richtung. Die Steuerung "
+     "interpoliert linear; jenseits der Enden hält sie den letzten Wert nicht."},
     {"Added ↑ / {0=}", "Addiert ↑ / {0}"},
     {"Added ↓ / {0=}", "Addiert ↓ / {0}"},
     {"Before / {0=}", "Vorher / {0}"},
@@ -183,6 +187,12 @@ constexpr Phrase compensation_rows[] = {
      "Optionen einer gemessenen Prüfung (periodic, period, existing_unit); erwartet: keine, denn die 21 Abweichungen "
      "haben keinen solchen Anteil"},
     {"found options of the archive that cannot be read", "Optionen des Archivs, die nicht lesbar sind"},
+    {"found positions from {0#} to {1#}, every {2#}, and targets round a turn: beyond its ends this control does not "
+     "hold the last value but goes on to that of the other end; expected steps that divide a turn, or positions over "
+     "all targets",
+     "Positionen von {0} bis {1}, alle {2}, und Zielpositionen rund um eine Umdrehung: Jenseits ihrer Enden hält diese "
+     "Steuerung den letzten Wert nicht, sondern geht zu dem des anderen Endes über; erwartet: Schritte, die eine "
+     "Umdrehung teilen, oder Positionen über alle Zielpositionen"},
     {"found positions of the table that do not ascend", "Positionen der Tabelle, die nicht aufsteigen"},
     {"found readings of the negative direction alone, expected both for a table of each direction",
      "Messwerte nur der negativen Richtung; erwartet: beide für eine Tabelle je Richtung"},

@@ -213,6 +213,9 @@ constexpr Phrase error_motions_rows[] = {
      "der Plan nennt keine Abweichung: Er ist für Positionen gemacht"},
     {"the readings are positive towards {0=}: their signs are turned",
      "die Messwerte sind positiv in Richtung {0}: ihre Vorzeichen sind umgekehrt"},
+    {"the runs agree to the last digit: they tell nothing of how far they are from the truth",
+     "die Durchläufe stimmen bis zur letzten Ziffer überein: Sie sagen nichts darüber, wie weit sie von der Wahrheit "
+     "entfernt sind"},
     {"{0#} less its line", "{0} ohne seine Gerade"},
 };
 

@@ -103,6 +103,11 @@ constexpr Phrase periodic_rows[] = {
      "Residuen, die von Zielposition zu Zielposition zusammenhängen (Korrelation {0}): U der Kurve wurde auf das "
      "{1}-Fache und U der Geraden auf das {2}-Fache vergrößert, und Wahrscheinlichkeiten durch weißes Rauschen sind zu "
      "klein"},
+    {"found residuals that go on from target to target (correlation {0#}): U of the line was enlarged {1#} times, that "
+     "of so short a period not, and chances of white noise are too small",
+     "Residuen, die von Zielposition zu Zielposition zusammenhängen (Korrelation {0}): U der Geraden wurde auf das "
+     "{1}-Fache vergrößert, die einer so kurzen Periode nicht, und Wahrscheinlichkeiten durch weißes Rauschen sind zu "
+     "klein"},
     {"mean of {0#} runs", "Mittelwert aus {0} Durchläufen"},
     {"no, not significant", "nein, nicht signifikant"},
     {"period as given", "vorgegebene Periode"},

@@ -21,6 +21,12 @@ constexpr Phrase scatter_rows[] = {
      "Messwerte in Schritten von {0}, die um ihre Mittelwerte mit {1} streuen, nicht mehr als einem halben Schritt: "
      "Rundung kann ebenso viel erzeugt oder verdeckt haben, und s_i und was darauf beruht sind die der Schritte so "
      "sehr wie die der Maschine"},
+    {"found readings that scatter by {0#} about their means, no more than half of the resolution of {1#} that is "
+     "stated: rounding may have made or hidden as much, and s_i and what rests on it are those of its steps as much as "
+     "of the machine",
+     "Messwerte, die um ihre Mittelwerte mit {0} streuen, nicht mehr als der Hälfte der angegebenen Auflösung von {1}: "
+     "Rundung kann ebenso viel erzeugt oder verdeckt haben, und s_i und was darauf beruht sind die ihrer Schritte so "
+     "sehr wie die der Maschine"},
     {"found readings that scatter by {0#} and by {1#} ({2#}): R↑ is {3#} and R↓ {4#}; {5}",
      "Messwerte, die um {0} und um {1} streuen ({2}): R↑ ist {3}, R↓ {4}; {5}"},
     {"found readings that scatter by {0#} at target {1#}, where they do not scatter elsewhere ({2#}); "

@@ -15,7 +15,8 @@ TEST(SimulatedPurpose, IsAPurposeInAnySpelling) {
 
 TEST(SimulatedPurpose, IsAskedOfAPurposeThatSpeaksOfASimulation) {
   for (const char* purpose :
-       {"Simulated test", "essai simulé", "Maschinensimulation", "comparison with the simulation"})
+       {"Simulated test", "essai simulé", "Maschinensimulation", "comparison with the simulation",
+        "Simulationsabgleich", "simulation-check"})
     EXPECT_EQ(simulated_by_purpose(purpose),
               std::string("found the purpose \"") + purpose +
                   "\", which speaks of a simulation, expected readings of a machine");

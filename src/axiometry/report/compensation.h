@@ -20,6 +20,7 @@ namespace axiometry::report {
 /// What a control says of its tables.
 struct ControlWords {
   std::string_view title, sign, loading, verified, inferred;
+  bool rolls_over = false;  ///< beyond its ends it goes on to the value of the other one
 };
 
 /// In one direction with the table, native deviation unit.

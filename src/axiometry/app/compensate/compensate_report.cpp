@@ -209,7 +209,8 @@ Experiment present(const CompensatedAxis& done, const report::Options& options, 
   const nc::AxisTable& c = *done.control;
   const report::KnownPositions known = known_for_report(done.known);
   const report::CompensationSubject subject{done.test,
-                                            {c.title, nc::sign_of(c, done.options), c.loading, c.verified, c.inferred},
+                                            {c.title, nc::sign_of(c, done.options), c.loading, c.verified, c.inferred,
+                                             c.limits.rolls_over},
                                             done.applied,
                                             done.existing ? &*done.existing : nullptr,
                                             done.before,

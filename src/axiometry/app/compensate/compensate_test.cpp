@@ -17,6 +17,7 @@
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/base/json.h"
 #include "axiometry/language/language.h"
+#include "tests/support/document_parts.h"
 #include "tests/support/series.h"
 
 namespace axiometry::app {
@@ -125,6 +126,9 @@ TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
   const auto found = std::ranges::find(first->findings, "compensation-rolls-over", &NamedFinding::id);
   ASSERT_NE(found, first->findings.end());
   EXPECT_TRUE(language::is_known(found->message, language::Language::german)) << found->message;
+  const report::Document shown = present(*first, {}).document;
+  const report::Table table = testing_support::tables(testing_support::section(shown, "table")).front();
+  EXPECT_TRUE(plain_text(table.notes.front()).ends_with("beyond the ends it does not hold the last value."));
   request.grid = {};
   const auto next = compensate({evenly_measured(0.01, 0.5), NamedTable{"old.pmc", first->text}}, request);
   ASSERT_TRUE(next) << next.error().message;
@@ -136,6 +140,47 @@ TEST(Compensate, ATableThatRollsOverHoldsItsEndsOverAllTargets) {
   ASSERT_FALSE(rolled) << "what it did at 500 mm was the value at 0";
   EXPECT_NE(rolled.error().message.find("goes on to that of the other end"), std::string::npos);
   EXPECT_TRUE(language::is_known(rolled.error().message, language::Language::german)) << rolled.error().message;
+}
+
+/// Every 30° over a turn.
+NamedTest turned() {
+  std::vector<double> targets;
+  ReadingRuns up(3), down(3);
+  for (int i = 0; i <= 12; ++i) {
+    targets.push_back(30.0 * i);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double x = 9.0 * std::sin(i * std::numbers::pi / 6.0) + 0.05 * static_cast<double>((3 * i + 2 * j) % 5);
+      up[j].push_back(x);
+      down[j].push_back(x + 1.0);
+    }
+  }
+  axiometry::Test test{{}, testing_support::make_series(targets, up, down), {}};
+  test.metadata.axis.name = "C";
+  test.metadata.axis.kind = AxisKind::rotary;
+  return {"c.csv", std::move(test)};
+}
+
+/// It would meet its other end before the targets end: 330° and 360° had the values at 0° and 30°, and were foretold
+/// those of 300°.
+TEST(Compensate, ATableThatRollsOverWithinATurnClosesIt) {
+  CompensateRequest request{.control = "pmac", .grid = {.start = 30.0, .end = 300.0, .step = 30.0}};
+  request.table.resolution = 0.1;
+  request.resolution_said = true;
+  const auto made = compensate({turned()}, request);
+  ASSERT_TRUE(made) << made.error().message;
+  EXPECT_NEAR(made->applied.positions().front(), 0.0, 1e-9);
+  EXPECT_NEAR(made->applied.positions().back(), 360.0, 1e-9);
+  for (const Direction direction : {Direction::up, Direction::down}) {
+    EXPECT_EQ(made->applied.at(0.0, direction), made->applied.at(30.0, direction));
+    EXPECT_EQ(made->applied.at(330.0, direction), made->applied.at(300.0, direction));
+    EXPECT_EQ(made->applied.at(360.0, direction), made->applied.at(0.0, direction));
+  }
+  EXPECT_FALSE(has_finding(*made, "compensation-rolls-over"));
+  request.grid = {.start = 100.0, .end = 300.0, .step = 100.0};
+  const auto untold = compensate({turned()}, request);
+  ASSERT_FALSE(untold) << "of steps of 100° there are 3.6 in a turn";
+  EXPECT_NE(untold.error().message.find("steps that divide a turn"), std::string::npos) << untold.error().message;
+  EXPECT_TRUE(language::is_known(untold.error().message, language::Language::german)) << untold.error().message;
 }
 
 TEST(Compensate, AScaleThatIsLeftOutIsTold) {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/compensate/table_positions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
+
+#include "axiometry/base/rounded_text.h"
 
 namespace axiometry::app {
 namespace {
@@ -22,34 +26,42 @@ std::optional<double> spacing_from(double reference, const std::vector<double>& 
   return step;
 }
 
-/// And the value of each end at as many steps more as there are targets beyond it.
+/// And the value of each end at as many steps more as there are targets beyond it. Where these reach round a turn the
+/// last step leads to the first position again, as the control has it.
 Result<AxisCorrection> held_over_targets(const AxisCorrection& correction, const Series& series) {
   constexpr double beside = 1e-6, turn = 360.0;
-  std::vector<double> positions = correction.positions();
+  const std::vector<double>& positions = correction.positions();
   if (positions.size() < 2) return correction;
   const double first = positions.front(), last = positions.back(), step = positions[1] - first;
+  const bool is_turn = correction.kind() == AxisKind::rotary && last - first > turn - beside;
   const auto steps = [step](double beyond) {
-    const double count = std::ceil((beyond - beside) / step);
-    return static_cast<std::size_t>(std::clamp(count, 0.0, static_cast<double>(AxisCorrection::nodes_max)));
+    return std::clamp(std::ceil((beyond - beside) / step), 0.0, static_cast<double>(AxisCorrection::nodes_max));
   };
-  const std::size_t before = steps(first - series.targets().front().in_native());
-  const std::size_t behind = steps(series.targets().back().in_native() - last);
-  if (before + behind == 0) return correction;
-  // Round a whole turn the other end is the next position of the axis too.
-  const double covered = last - first + step * static_cast<double>(before + behind);
-  if (correction.kind() == AxisKind::rotary && covered > turn - beside) return correction;
-  std::vector<double> up = correction.values(Direction::up), down = correction.values(Direction::down);
-  for (std::size_t k = 1; k <= before; ++k) {
-    positions.insert(positions.begin(), first - step * static_cast<double>(k));
-    up.insert(up.begin(), up.front());
-    down.insert(down.begin(), down.front());
+  const double before = steps(first - series.targets().front().in_native());
+  double behind = steps(series.targets().back().in_native() - last);
+  if (before + behind == 0.0 || is_turn) return correction;
+  const bool closes = correction.kind() == AxisKind::rotary && last - first + step * (before + behind) > turn - beside;
+  if (closes) {
+    const double in_turn = std::round(turn / step);
+    behind = in_turn - before - static_cast<double>(positions.size() - 1);
+    if (std::abs(in_turn * step - turn) > beside || behind < 1.0)
+      return fail(fmt::format(
+          "found positions from {} to {} °, every {} °, and targets round a turn: beyond its ends this control does "
+          "not hold the last value but goes on to that of the other end; expected steps that divide a turn, or "
+          "positions over all targets",
+          format_rounded(first), format_rounded(last), format_rounded(step)));
   }
-  for (std::size_t k = 1; k <= behind; ++k) {
-    positions.push_back(last + step * static_cast<double>(k));
-    up.push_back(up.back());
-    down.push_back(down.back());
-  }
-  return AxisCorrection::make(correction.kind(), std::move(positions), std::move(up), std::move(down));
+  std::vector<double> places, up, down;
+  const auto add = [&](double place, std::size_t node) {
+    places.push_back(place);
+    up.push_back(correction.values(Direction::up)[node]);
+    down.push_back(correction.values(Direction::down)[node]);
+  };
+  for (double k = before; k > 0.0; --k) add(first - step * k, 0);
+  for (std::size_t node = 0; node < positions.size(); ++node) add(positions[node], node);
+  for (double k = 1.0; k < behind; ++k) add(last + step * k, positions.size() - 1);
+  if (behind > 0.0) add(last + step * behind, closes ? 0 : positions.size() - 1);
+  return AxisCorrection::make(correction.kind(), std::move(places), std::move(up), std::move(down));
 }
 
 }  // namespace

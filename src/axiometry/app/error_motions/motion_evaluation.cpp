@@ -112,6 +112,9 @@ void add_gaps(MeasuredMotion& measured) {
   if (measured.motion.runs == 1)
     measured.remarks.push_back(
         "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
+  if (measured.motion.repeats_without_U())
+    measured.remarks.push_back(
+        "the runs agree to the last digit: they tell nothing of how far they are from the truth");
   if (!measured.instrument) measured.remarks.emplace_back(no_instrument_remark);
   if (auto why = simulated_by_purpose(measured.metadata.conditions.purpose))
     measured.remarks.push_back(*std::move(why));

@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <variant>
 #include <vector>
+
+#include "axiometry/language/language.h"
 
 namespace axiometry::app {
 namespace {
@@ -136,11 +139,17 @@ TEST(MotionReport, HasNoUncertaintyOfNothingWhereRunsAgreeToTheLastDigit) {
   const auto copied = straight_document(rows);
   for (const char* row : {"Straightness, range of the residuals", "Slope of the line", "Line at position 0"})
     EXPECT_EQ(row_of(copied, row).at(3), "–") << row;
+  const auto alone = measure_straightness({.file = "a.csv", .options = {}, .bytes = rows});
+  ASSERT_TRUE(alone);
+  const std::string why = "the runs agree to the last digit: they tell nothing of how far they are from the truth";
+  EXPECT_EQ(std::ranges::count(alone->remarks, why), 1);
+  EXPECT_TRUE(language::is_known(why, language::Language::german));
   MotionRequest request{.file = "a.csv", .options = {}, .bytes = rows};
   request.options.instrument = error_motions::InstrumentUncertainty{.a = 0.4};
   const auto measured = measure_straightness(request);
   ASSERT_TRUE(measured);
   EXPECT_TRUE(measured->motion.principal().slope_per_m.tells_U());
+  EXPECT_EQ(std::ranges::count(measured->remarks, why), 0);
 }
 
 }  // namespace

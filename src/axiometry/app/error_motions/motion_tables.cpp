@@ -84,6 +84,7 @@ void add_both(report::Table& table, const AxisMotion& motion, const report::Opti
 /// What U of these figures holds.
 std::string_view uncertainty_note(const MeasuredMotion& measured) {
   const bool instrument = measured.instrument.has_value();
+  if (measured.motion.repeats_without_U()) return "Nothing tells an uncertainty.";
   if (measured.motion.runs > 1)
     return instrument
                ? "U of a line for about 95 %, from runs and instrument; of a range without the bias noise gives it."

@@ -162,7 +162,6 @@ Result<bool> CaptureSession::begin(bool whole) {
     if (!enough) return false;
     AXIOMETRY_TRY(layout_, formats::recognise_recording(std::string_view(head_).substr(0, most_to_recognise)));
   }
-  simulated_ = says_simulated(head_);
   formats::RecordingOptions recording = options_.recording;
   if (recording.arrival_s) recording.arrival_s = [arrival = arrival_s_] { return *arrival; };
   if (motion_) {
@@ -183,6 +182,7 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::feed(std::string_v
     // Any function says that arrivals are known; the reader gets one of ours.
     if (!reader_) options_.recording.arrival_s = [] { return 0.0; };
   }
+  if (beginning_.size() < simulated_head_most) beginning_ += bytes.substr(0, simulated_head_most - beginning_.size());
   if (reader_) return read(bytes);
   const std::size_t before = head_.size();
   head_ += bytes;
@@ -291,6 +291,8 @@ std::vector<std::string> CaptureSession::remarks() const {
   return all;
 }
 
+bool CaptureSession::simulated() const { return says_simulated(beginning_); }
+
 Result<Test> CaptureSession::test() const {
   AXIOMETRY_TRY(Test test, capture::captured_test(matcher_->plan(), matcher_->result()));
   if (reader_) test.metadata.environment = reader_->environment();
@@ -299,7 +301,7 @@ Result<Test> CaptureSession::test() const {
         {false, fmt::format("the stream shows {} lost of {} samples", reader_->lost(), samples_ + reader_->lost())});
   for (std::string& text : remarks()) test.provenance.remarks.push_back({false, std::move(text)});
   test.provenance.format = layout();
-  if (!simulated_) return test;
+  if (!simulated()) return test;
   test.metadata.machine.name = simulated_machine(test.metadata.machine.name);
   test.metadata.conditions.purpose = simulation_purpose;
   test.metadata.conditions.comment = simulated_note;

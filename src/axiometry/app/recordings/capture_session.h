@@ -80,7 +80,7 @@ class CaptureSession {
   std::uint64_t without_break() const { return reader_ ? reader_->without_break() : 0; }
 
   /// Whether the recording says that nobody measured it; the test says it then too.
-  bool simulated() const { return simulated_; }
+  bool simulated() const;
 
   /// The test as far as it has come; fails while there is none yet (capture::captured_test()).
   Result<Test> test() const;
@@ -122,9 +122,9 @@ class CaptureSession {
   std::unique_ptr<formats::RecordingReader> reader_;
   std::unique_ptr<formats::RecordingReader> beside_;  // of what tells the stops of motion_, in the same bytes
   std::string head_;                                  // until the layout is known
+  std::string beginning_;                             // as much as says_simulated() looks at
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
-  bool simulated_ = false;
   std::vector<std::string> remarks_;
   std::vector<capture::CapturedReading> found_;  // not handed on yet
 };

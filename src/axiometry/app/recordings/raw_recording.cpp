@@ -67,7 +67,10 @@ Result<RawLayout> raw_layout_of(std::string_view name) {
 }
 
 bool says_simulated(std::string_view head) {
-  return head.starts_with(fmt::format("# {}", simulated_note)) || head.starts_with(counts_note);
+  std::string plain;  // without a byte order mark, and without the zeros of UTF-16
+  for (const char c : head.substr(0, simulated_head_most))
+    if (c != '\0' && static_cast<unsigned char>(c) < 0x80) plain += c;
+  return plain.starts_with(fmt::format("# {}", simulated_note)) || plain.starts_with(counts_note);
 }
 
 Result<RecordingEncoder> RecordingEncoder::make(RawLayout layout, const RawSetting& setting) {

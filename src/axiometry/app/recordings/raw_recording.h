@@ -32,8 +32,10 @@ struct RawSetting {
   bool lengths = false;     ///< of a tracking interferometer, where positions are no coordinates of an axis
 };
 
+inline constexpr std::size_t simulated_head_most = 64;  ///< bytes of a recording that says_simulated() looks at
+
 /// Whether the beginning of a recording says that nobody measured it, as RecordingEncoder and the simulated motions
-/// write it. One of NumPy has no place for that.
+/// write it; also where it was saved again with a byte order mark or in UTF-16. One of NumPy has no place for that.
 bool says_simulated(std::string_view head);
 
 /// The bytes of a recording, sample by sample.

@@ -15,6 +15,10 @@ TEST(RawRecording, SaysThatItIsSimulatedWhereItsLayoutHasAPlaceForThat) {
   EXPECT_TRUE(says_simulated(RecordingEncoder::make(RawLayout::umd, setting)->head()));
   EXPECT_FALSE(says_simulated(RecordingEncoder::make(RawLayout::npy, setting)->head()));
   EXPECT_FALSE(says_simulated("time_s,position_mm\n"));
+  EXPECT_TRUE(says_simulated("\xEF\xBB\xBF# Simulated, not measured\r\n"));
+  std::string utf16 = "\xFF\xFE";
+  for (const char c : std::string("# Simulated, not measured\r\n")) utf16 += {c, '\0'};
+  EXPECT_TRUE(says_simulated(utf16));
   EXPECT_FALSE(says_simulated("# laser 1\n# Simulated, not measured\n")) << "said by somebody else";
 }
 
@@ -29,6 +33,17 @@ TEST(RawRecording, PlayedAgainGivesATestThatSaysIt) {
   EXPECT_EQ(test->metadata.conditions.purpose, "simulation");
   EXPECT_EQ(test->metadata.conditions.comment, "Simulated, not measured");
   EXPECT_EQ(test->metadata.machine.name, "Simulator");
+}
+
+TEST(RawRecording, SaysItAlsoInPiecesOfAStreamWhoseLayoutIsStated) {
+  CaptureOptions options;
+  options.stream = "time-position";
+  auto session = CaptureSession::open(testing_support::short_plan(), options);
+  ASSERT_TRUE(session);
+  const std::string recording = testing_support::recording("good", 3);
+  ASSERT_TRUE(session->feed(recording.substr(0, 6)));
+  ASSERT_TRUE(session->feed(recording.substr(6)));
+  EXPECT_TRUE(session->simulated());
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ report::Section nodes_section(const VolumeCompensation& made, const report::Opti
           "Table",
           true,
           {report::line_correction_figure(figure_of_line(made), options),
-           report::added_table(made.applied, rows_most, options)}};
+           report::added_table(made.applied, rows_most, made.control->limits.rolls_over, options)}};
 }
 
 report::Section control_words(const VolumeCompensation& made) {

@@ -113,7 +113,7 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
 Section table_section(const CompensationSubject& subject, const Options& options) {
   Section section{"table", "Table", true, {}};
   section.blocks.emplace_back(correction_figure(subject, options));
-  Table table = added_table(subject.applied, table_rows_most, options);
+  Table table = added_table(subject.applied, table_rows_most, subject.control.rolls_over, options);
   if (subject.smoothing > 0.0)
     table.notes.push_back(
         plain(fmt::format("Smoothed (λ = {:.2g}): so the table foretells targets best that were left "

@@ -8,7 +8,21 @@
 
 namespace axiometry::report {
 
-Table added_table(const AxisCorrection& applied, std::size_t rows_most, const Options& options) {
+namespace {
+
+/// Two points are a straight line, which some controls continue beyond them.
+const char* sign_note(std::size_t positions, bool rolls_over) {
+  if (positions <= 2)
+    return "Added to the commanded position: a positive value moves the axis in the positive direction.";
+  return rolls_over ? "Added to the commanded position: a positive value moves the axis in the positive direction. The "
+                      "control interpolates linearly; beyond the ends it does not hold the last value."
+                    : "Added to the commanded position: a positive value moves the axis in the positive direction. The "
+                      "control interpolates linearly and holds the last value beyond the ends.";
+}
+
+}  // namespace
+
+Table added_table(const AxisCorrection& applied, std::size_t rows_most, bool rolls_over, const Options& options) {
   const AxisKind kind = applied.kind();
   const std::size_t count = applied.positions().size();
   Table table;
@@ -24,11 +38,7 @@ Table added_table(const AxisCorrection& applied, std::size_t rows_most, const Op
   const std::size_t step = count <= rows_most ? 1 : (count - 2) / spaces + 1;
   for (std::size_t k = 0; k + 1 < count; k += step) add(k);
   add(count - 1);
-  // Two points are a straight line, which some controls continue beyond them.
-  table.notes = {plain(
-      count > 2 ? "Added to the commanded position: a positive value moves the axis in the positive direction. The "
-                  "control interpolates linearly and holds the last value beyond the ends."
-                : "Added to the commanded position: a positive value moves the axis in the positive direction.")};
+  table.notes = {plain(sign_note(count, rolls_over))};
   if (step > 1)
     table.notes.push_back(
         plain(fmt::format("{} of {} positions: all are in the file for the control.", table.rows.size(), count)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -40,6 +41,8 @@ struct MotionPath {
   MotionEstimate range;        ///< highest less lowest residual
   std::size_t highest = 0;     ///< index of the position
   std::size_t lowest = 0;
+
+  bool tells_U() const { return slope_per_m.tells_U() || intercept.tells_U() || range.tells_U(); }
 };
 
 struct MotionPosition {
@@ -63,6 +66,8 @@ struct AxisMotion {
 
   /// That of which squareness is made: the mean of both directions, or the one there is.
   const MotionPath& principal() const { return paths.back(); }
+  /// Several runs that do not differ, and no instrument whose uncertainty is stated.
+  bool repeats_without_U() const { return runs > 1 && std::ranges::none_of(paths, &MotionPath::tells_U); }
 };
 
 struct MotionOptions {

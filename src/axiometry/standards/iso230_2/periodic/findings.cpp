@@ -153,7 +153,14 @@ class DirectionFindings {
 
   /// What the fit and the chances take for independent of each other is not.
   std::optional<Finding> correlated() const {
+    constexpr double shown = 1.05;  // "1 times" is not enlarged
     if (!d_.residual_correlation.told) return std::nullopt;
+    if (d_.curve_times < shown)
+      return note("periodic-correlated-residuals",
+                  fmt::format("found residuals that go on from target to target (correlation {:.2f}): U of the line "
+                              "was enlarged {:.2g} times, that of so short a period not, and chances of white noise "
+                              "are too small",
+                              d_.residual_correlation.lag_one, d_.line_times));
     return note("periodic-correlated-residuals",
                 fmt::format("found residuals that go on from target to target (correlation {:.2f}): U of the curve was "
                             "enlarged {:.2g} times and U of the line {:.2g} times, and chances of white noise are too "

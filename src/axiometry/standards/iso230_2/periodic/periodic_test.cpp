@@ -305,6 +305,18 @@ TEST(Periodic, StillFindsAPeriodThatStandsOutOfCorrelatedNoise) {
   EXPECT_THAT(findings_of(test), Contains(Field(&Finding::id, "periodic-correlated-residuals")));
 }
 
+TEST(Periodic, DoesNotSayThatTheUncertaintyOfAShortPeriodWasEnlarged) {
+  const auto test = correlated_test(0.8, 120, 1, [](double p) { return 9.0 * std::sin(two_pi * p / 3.0); });
+  const auto found = periodic_error(test, known(3.0));
+  ASSERT_TRUE(found);
+  const PeriodicDirection& d = found->directions.front();
+  EXPECT_EQ(d.curve_times, 1.0);
+  EXPECT_GT(d.line_times, 1.5);
+  const auto told = std::ranges::find(found->findings, "periodic-correlated-residuals", &Finding::id);
+  ASSERT_NE(told, found->findings.end());
+  EXPECT_EQ(told->message.find("curve"), std::string::npos) << told->message;
+}
+
 /// A line and a long curve among noise of ρ = 0.8.
 TEST(Periodic, HasTheTruthWithinUAmongCorrelatedNoiseToo) {
   constexpr int trials = 200;

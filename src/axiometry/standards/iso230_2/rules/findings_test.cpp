@@ -344,7 +344,9 @@ TEST(Findings, TellWhereReadingsScatterByLessThanTheirSteps) {
   Metadata stated;
   stated.gum.instrument_resolution = Deviation::native(1.0);
   EXPECT_THAT(finding(assessed(make_series(half_metre, corrected, corrected), stated), "3.18", "steps"),
-              HasSubstr("in steps of 1 µm that scatter by 0.283 µm"));
+              HasSubstr("found readings that scatter by 0.283 µm about their means, no more than half of the "
+                        "resolution of 1 µm that is stated"))
+      << "they are in no steps";
   const std::vector<RunDeviations> copied(5, RunDeviations{0, 2, 1, 3, 1});
   EXPECT_EQ(finding(assessed(make_series(half_metre, copied, coarse)), "3.18", "steps"), "") << "told already";
 }

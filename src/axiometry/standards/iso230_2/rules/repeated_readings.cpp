@@ -154,15 +154,23 @@ std::optional<Finding> readings_coarsely_rounded(const Case& c) {
   if (degrees < degrees_needed || squares == 0.0 || readings_repeat_exactly(c)) return std::nullopt;
   const double scatter = std::sqrt(squares / degrees);
   const auto& resolution = c.metadata.gum.instrument_resolution;
-  double step = step_of(c.series);
-  if (step == 0.0 && resolution) step = resolution->in_native();  // of readings that were corrected
-  if (scatter > 0.5 * step) return std::nullopt;
+  if (const double step = step_of(c.series); step > 0.0) {
+    if (scatter > 0.5 * step) return std::nullopt;
+    return note(
+        "readings-coarsely-rounded", "3.18",
+        fmt::format("found readings in steps of {} that scatter by {} about their means, no more than half a step: "
+                    "rounding may have made or hidden as much, and s_i and what rests on it are those of the "
+                    "steps as much as of the machine",
+                    deviation_text(c, step), deviation_text(c, scatter)));
+  }
+  // Corrected or averaged, they show no steps themselves.
+  if (!resolution || scatter > 0.5 * resolution->in_native()) return std::nullopt;
   return note(
       "readings-coarsely-rounded", "3.18",
-      fmt::format("found readings in steps of {} that scatter by {} about their means, no more than half a step: "
-                  "rounding may have made or hidden as much, and s_i and what rests on it are those of the "
+      fmt::format("found readings that scatter by {} about their means, no more than half of the resolution of {} that "
+                  "is stated: rounding may have made or hidden as much, and s_i and what rests on it are those of its "
                   "steps as much as of the machine",
-                  deviation_text(c, step), deviation_text(c, scatter)));
+                  deviation_text(c, scatter), deviation_text(c, resolution->in_native())));
 }
 
 }  // namespace axiometry::iso230_2::rules
