@@ -194,7 +194,7 @@ Result<std::optional<EvaluatedTemperatures>> add_temperatures(iso230_2::Assessme
                 evaluate_log_with_test(*options.temperatures, course_of(test).duration, metadata.agreed));
   std::vector<iso230_2::Finding>& findings = assessment.findings;
   std::ranges::move(contradicted_by_log(metadata.surroundings, found.environment), std::back_inserter(findings));
-  found.environment = iso230_2::with_statement(std::move(found.environment), metadata.surroundings);
+  found.environment = iso230_2::with_statement(std::move(found.environment), metadata);
   std::ranges::move(iso230_2::environment_findings(found.environment, depth), std::back_inserter(findings));
   auto day = other_day(test, found);
   const bool of_other_day = day && day->severity != iso230_2::Severity::note;
@@ -216,7 +216,7 @@ Result<std::optional<iso230_2::TestEnvironment>> add_statement(iso230_2::Assessm
   std::vector<iso230_2::Finding>& findings = assessment.findings;
   std::ranges::move(contradicted_by_test(stated), std::back_inserter(findings));
   if (with_log) return std::nullopt;
-  auto environment = iso230_2::stated_environment(stated.surroundings, stated.agreed);
+  auto environment = iso230_2::stated_environment(stated);
   std::ranges::move(iso230_2::environment_findings(environment, depth), std::back_inserter(findings));
   return environment;
 }

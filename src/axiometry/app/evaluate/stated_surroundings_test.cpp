@@ -162,5 +162,20 @@ TEST(StatedSurroundings, ContradictTheAirStatedAtTheStart) {
               Not(Contains("environment-statement-contradicts")));
 }
 
+/// A hall that is said to have stayed at 22 °C and had 22.6 °C when the test began did not.
+TEST(StatedSurroundings, OfTheStartAndTheEndExceedALimitAndAloneKeepNone) {
+  const Evaluated warm = evaluated_stating(
+      stating({{"highest_C", "22"}, {"agreed_highest_C", "22"}, {"air_temperature_start_C", "22.6"}}));
+  EXPECT_THAT(ids_against_tested(warm), Contains("environment-highest-exceeded"));
+  EXPECT_EQ(warm.environment()->items[1].measured, 22.6);
+  const Evaluated ends = evaluated_stating(
+      stating({{"agreed_highest_C", "22"}, {"air_temperature_start_C", "20"}, {"air_temperature_end_C", "20"}}));
+  EXPECT_THAT(ids_against_tested(ends), Contains("environment-known-in-part"));
+  EvaluateOptions machine = stating({{"agreed_gradient_C", "1"}});
+  machine.metadata.insert(machine.metadata.end(),
+                          {{"sensors", "machine|Bed|20|"}, {"sensors", "machine|Column|21.5|"}});
+  EXPECT_THAT(ids_against_tested(evaluated_stating(machine)), Contains("environment-gradient-exceeded"));
+}
+
 }  // namespace
 }  // namespace axiometry::app

@@ -43,6 +43,33 @@ std::array<std::optional<double>, 5> values_of(const AmbientTemperatures& found)
           in_kelvin(found.machine_gradient)};
 }
 
+/// What the temperatures at the start and at the end of a test tell of it.
+StatedEnvironment at_both_ends(const Environment& environment) {
+  StatedEnvironment known;
+  const auto widen = [](std::optional<Temperature>& lowest, std::optional<Temperature>& highest,
+                        const std::optional<Temperature>& t) {
+    if (t && (!lowest || t->in_celsius() < lowest->in_celsius())) lowest = t;
+    if (t && (!highest || t->in_celsius() > highest->in_celsius())) highest = t;
+  };
+  widen(known.lowest, known.highest, environment.air_temperature_start);
+  widen(known.lowest, known.highest, environment.air_temperature_end);
+  for (const auto end : {&TemperatureSensor::start, &TemperatureSensor::end}) {
+    std::optional<Temperature> coldest, warmest;  // of the places on the machine then
+    std::size_t places = 0;
+    for (const TemperatureSensor& sensor : environment.sensors) {
+      if (text::equal_ignoring_case(sensor.role, "air")) widen(known.lowest, known.highest, sensor.*end);
+      if (!text::equal_ignoring_case(sensor.role, "machine") || !(sensor.*end)) continue;
+      widen(coldest, warmest, sensor.*end);
+      ++places;
+    }
+    if (places < 2) continue;
+    const double difference = warmest->in_celsius() - coldest->in_celsius();
+    if (!known.machine_gradient || difference > known.machine_gradient->in_kelvin())
+      known.machine_gradient = TemperatureDifference::kelvin(difference);
+  }
+  return known;
+}
+
 /// Of what was found that which nobody can take for anything but the test or the twelve hours before it.
 AmbientTemperatures certain_of(const AmbientTemperatures& found, std::span<const TemperatureCourse> sensors,
                                const std::optional<TimeStretch>& test) {
@@ -53,6 +80,12 @@ AmbientTemperatures certain_of(const AmbientTemperatures& found, std::span<const
 
 bool beyond(const EnvironmentItem& item, double value) {
   return (item.lower_limit ? *item.agreed - value : value - *item.agreed) > at_limit;
+}
+
+/// Of two figures of one quantity that which lies further on its limit's side.
+std::optional<double> further(const EnvironmentItem& item, std::optional<double> a, std::optional<double> b) {
+  if (!a || !b) return a ? a : b;
+  return item.lower_limit ? std::min(*a, *b) : std::max(*a, *b);
 }
 
 void judge_item(EnvironmentItem& item, const std::optional<double>& certain, bool complete) {
@@ -189,24 +222,25 @@ std::vector<std::optional<double>> stated_figures(const StatedEnvironment& state
           in_kelvin(stated.machine_gradient)};
 }
 
-TestEnvironment with_statement(TestEnvironment environment, const StatedEnvironment& stated) {
-  const auto figures = stated_figures(stated);
-  for (std::size_t k = 0; k < figures.size(); ++k) {
+TestEnvironment with_statement(TestEnvironment environment, const Metadata& stated) {
+  const auto of_all = stated_figures(stated.surroundings), of_ends = stated_figures(at_both_ends(stated.environment));
+  for (std::size_t k = 0; k < of_all.size(); ++k) {
     EnvironmentItem& item = environment.items[k];
-    const bool worse = figures[k] && item.agreed && beyond(item, *figures[k]);
-    if (!figures[k] || item.standing == EnvironmentStanding::exceeded || (item.measured && !worse)) continue;
-    item.measured = figures[k];
+    const std::optional<double> figure = further(item, of_all[k], of_ends[k]);
+    const bool worse = figure && item.agreed && beyond(item, *figure);
+    if (!figure || item.standing == EnvironmentStanding::exceeded || (item.measured && !worse)) continue;
+    item.measured = figure;
     item.stated = true;
     item.perhaps_exceeded = false;
-    judge_item(item, figures[k], true);
+    judge_item(item, figure, of_all[k].has_value());
   }
-  environment.soaked_h = stated.soaked_h;
+  environment.soaked_h = stated.surroundings.soaked_h;
   return environment;
 }
 
-TestEnvironment stated_environment(const StatedEnvironment& stated, const AgreedEnvironment& agreed) {
+TestEnvironment stated_environment(const Metadata& stated) {
   TestEnvironment environment;
-  environment.items = items_of(agreed);
+  environment.items = items_of(stated.agreed);
   environment.placed = true;
   return with_statement(std::move(environment), stated);
 }

@@ -8,6 +8,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/quantity.h"
+#include "axiometry/model/metadata.h"
 #include "axiometry/model/surroundings.h"
 #include "axiometry/model/temperatures.h"
 #include "axiometry/standards/environment/ambient_course.h"
@@ -79,11 +80,13 @@ TestEnvironment test_environment(const TemperatureLog& log, const std::optional<
                                  const AgreedEnvironment& agreed);
 
 /// By what is stated alone, where there is no log.
-TestEnvironment stated_environment(const StatedEnvironment& stated, const AgreedEnvironment& agreed);
+TestEnvironment stated_environment(const Metadata& stated);
 
 /// Of both, by a log and stated: what the log measured is the figure of record, and what it did not is as stated. But a
 /// statement beyond the agreed limit exceeds it whatever the log says: who tested knows of something that it missed.
-TestEnvironment with_statement(TestEnvironment environment, const StatedEnvironment& stated);
+/// Temperatures of the air and of the machine at the start and at the end of the test are of a part of it: they exceed
+/// a limit, whatever is stated of the whole, and alone keep none.
+TestEnvironment with_statement(TestEnvironment environment, const Metadata& stated);
 
 /// What is stated as a figure of each item, in their order.
 std::vector<std::optional<double>> stated_figures(const StatedEnvironment& stated);
