@@ -111,9 +111,8 @@ struct AnnexA {
 ///   same angle, 0.3 R² l_i/L²: the run-off R over L is R l_i/L over l_i. Where L is stated above the measured travel,
 ///   l_i grows in the same proportion.
 /// - U of one probing and of a station, which no length divides, whole at every target.
-/// - x̄_i↑, x̄_i↓ after (A.15) and (A.17) with U_EVE²/n, x̄_i after (A.16) and (A.18) with U_EVE²/2n, n of its own cell;
-/// of
-///   cells that differ in n (1/n↑ + 1/n↓)/4 for 1/2n. At l_i = L and with n everywhere these are U(E) and U(M).
+/// - x̄_i↑, x̄_i↓ after (A.15) and (A.17) with U_EVE²/n, x̄_i after (A.16) and (A.18) with U_EVE²/2n, n of the mean's
+///   cell; of cells that differ in n (1/n↑ + 1/n↓)/4 for 1/2n. At l_i = L with n everywhere these are U(E) and U(M).
 ///
 /// Inputs are ≥ 0 (ΔT may be negative; its magnitude counts): model/fields.h checks them on entry.
 std::optional<AnnexA> annex_a(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
