@@ -16,6 +16,7 @@ import sys
 import threading
 import time
 import tempfile
+import urllib.parse
 
 from described import OPENAPI
 from served import DESCRIPTION, Answer, Checks, Served
@@ -102,6 +103,28 @@ def tables(play):
     for wrong in (b"{", b'{"format": "axiometry-import-profile/1", "columns": [{"role": "x"}]}', b" " * 70_000):
         play.expect(422, "POST", "/api/preview", *form(file, (b'name="profile"', wrong)))
     play.expect(422, "POST", "/api/tests", *form(file, file, said(profile)))
+
+
+def words_of_users(play):
+    """What a user wrote stays as it is in every language, also where it reads like the program's own words."""
+    words = "found 4 runs, expected 5"
+    test = json.loads(EXAMPLE)
+    test["axis"]["name"] = words
+    test["machine"]["name"] = words
+    test.setdefault("test", {}).update(inspector=words, comment=words)
+    sent, headers = json.dumps(test).encode(), {"X-File-Name": urllib.parse.quote(f"{words}.json")}
+    told = {language: play.expect(200, "POST", f"/api/preview?language={language}", sent, headers).json()
+            for language in ("en", "de", "fr")}
+    for language, preview in told.items():
+        result = preview["tests"][0]["evaluated"]["result"]
+        play.checks.that(f"{language}: names and remarks stay", preview["file"]["name"] == f"{words}.json" and
+                         preview["tests"][0]["machine"] == words and result["axis"]["name"] == words and
+                         result["metadata"] == told["en"]["tests"][0]["evaluated"]["result"]["metadata"], result["metadata"])
+        count = json.dumps(preview).count(words)
+        play.checks.that(f"{language}: all of them", count == json.dumps(told["en"]).count(words) > 4, count)
+        play.checks.that(f"{language}: titles are the program's", language == "en" or
+                         [claim["title"] for claim in result["claims"]] !=
+                         [claim["title"] for claim in told["en"]["tests"][0]["evaluated"]["result"]["claims"]], result["claims"])
 
 
 def tests(play):
@@ -364,6 +387,10 @@ def volumetric(play):
     play.expect(200, "POST", "/api/volumetric/identification/residuals", *sent)
     play.expect(200, "POST", "/api/volumetric/identification/report.pdf", *sent)
     play.expect(200, "POST", "/api/volumetric/result", {"result": result})
+    own = {"title": "Reversal error", "note": "Findings"}
+    shown = play.expect(200, "POST", "/api/volumetric/result?language=de", {"result": {**result, **own}}).json()
+    play.checks.that("members of a user in a result stay", {name: shown[name] for name in own} == own,
+                     (shown["title"], shown["note"]))
     model = result["model"]
     play.expect(200, "POST", "/api/volumetric/field", {"model": model, "nodes": 3})
     play.expect(200, "POST", "/api/volumetric/difference", {"before": model, "after": model, "nodes": 3})
@@ -493,6 +520,7 @@ def main():
             play = Play(server, checks)
             service(play)
             faults_are_seen(play)
+            words_of_users(play)
             test = tests(play)
             reports(play, test)
             equipment(play)
