@@ -178,7 +178,8 @@ std::string ManyOutputs::own_name(const Evaluated& evaluated) {
   const std::string name = report_name(evaluated);
   const std::string who = evaluated.test.provenance.file + (evaluated.name.empty() ? "" : ":" + evaluated.name);
   std::string own = name;
-  for (std::size_t k = 2; !names_taken_.emplace(own, who).second; ++k) own = fmt::format("{}-{}", name, k);
+  std::size_t& number = last_numbers_.try_emplace(name, 1).first->second;
+  while (!names_taken_.emplace(own, who).second) own = fmt::format("{}-{}", name, ++number);
   if (own != name)
     numbered_.push_back(fmt::format("the report of {} is called {}: that of {} is called {}", text::quoted(who),
                                     text::quoted(own), text::quoted(names_taken_.at(name)), text::quoted(name)));

@@ -42,6 +42,9 @@ TEST(ManyOutputs, NumberTheReportsOfTestsThatHaveOneName) {
                 "the report of \"b/x.csv\" is called \"x-2\": that of \"a/x.csv\" is called \"x\"",
                 "the report of \"x-2.csv\" is called \"x-2-2\": that of \"b/x.csv\" is called \"x-2\""}));
   EXPECT_TRUE(outputs->numbered().empty());
+  evaluated.test.provenance.file = "c/x.csv";
+  ASSERT_TRUE(outputs->add(evaluated));
+  EXPECT_NE(folder.content("x-3.svg"), "");
 }
 
 }  // namespace
