@@ -24,7 +24,7 @@ STANDARD_NAME = re.compile(r"\bstd::(?:ranges::)?(\w+)")
 GENERATED = {"base/version.h": "#include <string_view>\n"}  # what the generated header includes
 # Name of the standard library -> the header that declares it.
 HEADER_OF = {name: header for header, names in {
-    "algorithm": "max min max_element upper_bound find", "array": "array", "bit": "bit_ceil", "cmath": "abs exp hypot isfinite isnan nearbyint",
+    "algorithm": "max min max_element none_of upper_bound find", "array": "array", "bit": "bit_ceil", "cmath": "abs exp hypot isfinite isnan nearbyint",
     "cstddef": "size_t", "cstdint": "int64_t uint32_t uint64_t uintptr_t", "deque": "deque", "expected": "expected unexpected",
     "functional": "function", "initializer_list": "initializer_list", "iterator": "size", "limits": "numeric_limits",
     "map": "map", "memory": "make_unique_for_overwrite shared_ptr unique_ptr", "optional": "nullopt optional", "set": "set",
