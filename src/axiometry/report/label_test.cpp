@@ -82,8 +82,8 @@ TEST(Label, StandsOnEveryPageInPdf) {
 TEST(Label, StandsAboveEveryFigureOfAPicture) {
   for (TestCycle cycle : other_cycles) {
     const std::string label(cycle_label(cycle));
-    // Figures 2, 3a and 3b, the tolerances, the distributions, the contributions.
-    EXPECT_EQ(count(with_cycle(cycle).written("svg"), label), 6u) << label;
+    // Figures 2, 3a and 3b, the tolerances, the means with their U, the distributions, the contributions.
+    EXPECT_EQ(count(with_cycle(cycle).written("svg"), label), 7u) << label;
   }
 }
 

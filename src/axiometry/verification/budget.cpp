@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axiometry::verification {
@@ -14,6 +15,7 @@ using json::Value;
 
 /// Ten products and roots of doubles: more than any line or sum of the annex has.
 constexpr double budget_rounding = 1e-14;
+constexpr double means_rounding = 4e-14;  // a length, its share and one more root
 
 /// The inputs of one line by their symbols.
 class StatedInputs {
@@ -30,6 +32,14 @@ class StatedInputs {
 
   /// L in m, where it follows from the targets.
   const std::optional<double>& measured_travel() const { return measured_travel_; }
+
+  /// The same with l in place of L.
+  StatedInputs over(const Interval& l) const {
+    StatedInputs inputs = *this;
+    for (Row& row : inputs.rows_)
+      if (row.symbol == "L") row.value = l;
+    return inputs;
+  }
 
   /// Of a unit where several inputs have the symbol.
   Exact find(std::string_view symbol, std::string_view unit = {}) const {
@@ -96,6 +106,22 @@ Exact exact_line(std::string_view key, std::string_view formula, const StatedInp
   return std::nullopt;
 }
 
+/// A line of the budget that has a U.
+struct BudgetLine {
+  std::string_view key, formula;
+  StatedInputs inputs;
+  Interval U;
+
+  /// In a mean deviation over the length l in place of L; as it is where there is none, as of a rotary axis.
+  Interval at(const Exact& l) const {
+    if (!l || key == "probing" || key == "station") return U;
+    if (key == "device" && formula != "A.3")
+      if (const Exact own = exact_device(inputs.over(*l), formula)) return *own;
+    const Exact L = inputs.find("L");
+    return L && L->lower() > 0 ? U * *l / *L : U;  // (A.4) is 0.3 R² l/L², in proportion to l too
+  }
+};
+
 /// What enters the combination of all lines.
 struct ExactSum {
   Interval squares = 0;  ///< of all but U_EVE
@@ -142,6 +168,93 @@ ExactParameters combined(const ExactSum& sum, const ExactParameters& measured, s
   return U;
 }
 
+/// The means of the targets, as the budget lists them, held against what its lines make of them.
+class MeansCheck {
+ public:
+  MeansCheck(const Value& budget, std::span<const BudgetLine> lines, const Exact& eve,
+             std::span<const ExactPosition> positions, Ledger& ledger)
+      : lines_(lines), eve_(eve), positions_(positions), ledger_(ledger), datum_(number_member(&budget, "datum")) {
+    for (const BudgetLine& line : lines)
+      if (!L_) L_ = line.inputs.find("L");
+  }
+
+  std::vector<ExactMeans> operator()(const Value& rows) {
+    std::vector<ExactMeans> all;
+    if (!datum_ || rows.items().size() != positions_.size()) {
+      ledger_.differ("targets in the budget of Annex A", fmt::format("{}", rows.items().size()),
+                     fmt::format("{}, counted from a datum", positions_.size()));
+      return all;
+    }
+    for (std::size_t i = 0; i < positions_.size(); ++i) all.push_back(means_of(i, rows.items()[i]));
+    return all;
+  }
+
+ private:
+  ExactMeans means_of(std::size_t i, const Value& row) {
+    const ExactPosition& p = positions_[i];
+    ExactMeans own;
+    find_length(p, row, own);
+    const auto name = [i](std::string_view what) { return fmt::format("{} of target {} by Annex A", what, i + 1); };
+    ledger_.number([&] { return name("l"); }, number_member(&row, "length_m"), own.length_m, of_length_);
+    const Value* stated = present_value(&row, "contributions");
+    Interval squares = 0;
+    for (const BudgetLine& line : lines_) {
+      if (line.key == "eve") continue;
+      const Interval U = own.contributions.emplace_back(line.at(own.length_m)).value();
+      squares = squares + squared(U);
+      ledger_.number([&] { return name(line.key); }, number_member(stated, line.key), Exact(U), near(U));
+    }
+    const Interval up = static_cast<int>(p.up.count), down = static_cast<int>(p.down.count);
+    if (p.up.mean) own.up = combined_with(squares, Interval(1) / up);        // (A.15), (A.17)
+    if (p.down.mean) own.down = combined_with(squares, Interval(1) / down);  // (A.15), (A.17)
+    if (p.mean())                                                            // (A.16), (A.18)
+      own.mean = combined_with(squares, (Interval(1) / up + Interval(1) / down) / Interval(4));
+    for (const auto& [key, mean] : {std::pair{"up", &own.up}, {"down", &own.down}, {"mean", &own.mean}}) {
+      const Value* printed = present_value(&row, key);
+      ledger_.number([&] { return name(fmt::format("U_EVE of {}", key)); }, number_member(printed, "environment"),
+                     mean->environment, mean->environment ? near(*mean->environment) : Interval(0));
+      ledger_.number([&] { return name(fmt::format("U of {}", key)); }, number_member(printed, "U"), mean->U,
+                     mean->U ? near(*mean->U) : Interval(0));
+    }
+    return own;
+  }
+
+  /// l_i = |P_i − P_datum|, stretched where an L above the measured travel is stated; where no line has L, as stated.
+  void find_length(const ExactPosition& p, const Value& row, ExactMeans& own) {
+    const auto stated = number_member(&row, "length_m");
+    if (!stated) return;
+    const Interval datum = Interval::of(*datum_), metre = 1000;
+    const Interval travel = (positions_.back().target - positions_.front().target) / metre;
+    const bool stretches = L_ && travel.lower() > 0;
+    const Interval stretch = stretches ? larger(Interval(1), *L_ / travel) : Interval(1);
+    own.length_m = L_ ? magnitude(p.target - datum) / metre * stretch : Interval::of(*stated);
+    of_length_ = Interval::of(means_rounding) * (magnitude(p.target) + magnitude(datum)) / metre * stretch;
+    share_of_length_ = L_ && L_->lower() > 0 ? of_length_ / *L_ : Interval(0);
+  }
+
+  ExactMean combined_with(const Interval& squares, const Interval& share) const {
+    ExactMean mean;
+    if (eve_) mean.environment = *eve_ * root(share);
+    mean.U = root(squares + (eve_ ? squared(*eve_) * share : Interval(0)));
+    return mean;
+  }
+
+  /// How far a figure may be off by rounding: its own, and that of the length in every line.
+  Interval near(const Interval& U) const {
+    Interval sum = 0;
+    for (const BudgetLine& line : lines_) sum = sum + line.U;
+    return magnitude(U) * Interval::of(means_rounding) + sum * share_of_length_;
+  }
+
+  std::span<const BudgetLine> lines_;
+  const Exact& eve_;
+  std::span<const ExactPosition> positions_;
+  Ledger& ledger_;
+  std::optional<double> datum_;
+  Exact L_;
+  Interval of_length_ = 0, share_of_length_ = 0;
+};
+
 }  // namespace
 
 const Value* present_value(const Value* object, std::string_view name) {
@@ -164,6 +277,7 @@ ExactAnnexA check_budget(const Value& budget, const ExactParameters& measured, s
                          Ledger& ledger) {
   const std::size_t runs = fewest_runs(positions);
   ExactSum sum;
+  std::vector<BudgetLine> with_U;
   const Interval relative = Interval::of(budget_rounding);
   const Value* lines = present_value(&budget, "contributors");
   if (lines != nullptr && lines->is(Kind::array)) {
@@ -193,6 +307,7 @@ ExactAnnexA check_budget(const Value& budget, const ExactParameters& measured, s
         sum.squares = sum.squares + U * U;
       }
       if (key == "probing") sum.probing = U;
+      with_U.push_back({key, text_member(&line, "formula"), inputs, U});
     }
   }
   if (const auto stated = number_member(&budget, "runs"))
@@ -200,7 +315,12 @@ ExactAnnexA check_budget(const Value& budget, const ExactParameters& measured, s
                   Interval(0));
   if (runs == 0) return {};
   const Value* slow = present_value(&budget, "slow_environment");
-  return {combined(sum, measured, runs, slow != nullptr && slow->is(Kind::boolean) && slow->boolean()), sum.eve};
+  ExactAnnexA found{
+      combined(sum, measured, runs, slow != nullptr && slow->is(Kind::boolean) && slow->boolean()), sum.eve, {}};
+  const Value* rows = present_value(&budget, "positions");
+  if (rows != nullptr && rows->is(Kind::array))
+    found.means = MeansCheck(budget, with_U, found.U_eve, positions, ledger)(*rows);
+  return found;
 }
 
 }  // namespace axiometry::verification

@@ -185,6 +185,42 @@ void check_corrected_position_table(const PrintedTable& table, const Page& page)
   }
 }
 
+/// What of the means of a target stands in a column of their table; nothing where there is none.
+Exact composed_figure(const ExactMeans& means, std::string_view group, std::string_view head, std::size_t contributor) {
+  if (head.starts_with("l")) return means.length_m ? Exact(*means.length_m * Interval(1000)) : std::nullopt;
+  if (group == "Contributors")
+    return contributor < means.contributions.size() ? means.contributions[contributor] : std::nullopt;
+  const ExactMean& mean = group.contains("↑") ? means.up : group.contains("↓") ? means.down : means.mean;
+  return head.contains("EVE") ? mean.environment : mean.U;
+}
+
+void check_composed_mean_table(const PrintedTable& table, const Page& page) {
+  const std::vector<ExactMeans>& all = page.found.annex_a.means;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const auto target = target_of(table, row, all.size());
+    if (!target) {
+      page.ledger.differ(fmt::format("line {} of \"{}\"", row + 1, table.caption()), table.cell(row, std::size_t{0}),
+                         "the number of a target");
+      continue;
+    }
+    page.ledger.text([&] { return fmt::format("target {} in \"{}\"", *target + 1, table.caption()); },
+                     table.cell(row, std::size_t{1}), page.found.positions[*target].target, Interval::of(1e-12));
+    std::size_t contributor = 0;
+    for (std::size_t column = 2; column < table.column_count(); ++column) {
+      const std::string_view group = table.group(column);
+      const Exact right = composed_figure(all[*target], group, table.head(column), contributor);
+      if (group == "Contributors") ++contributor;
+      const std::string printed = table.cell(row, column);
+      const auto place = [&] { return fmt::format("{} {} of target {}", group, table.head(column), *target + 1); };
+      if (right && !says_nothing(printed)) {
+        page.ledger.text(place, printed, *right, magnitude(*right) * Interval::of(1e-12));
+      } else if (right || !says_nothing(printed)) {
+        page.ledger.differ(place(), printed, right ? shown(*right, 8) : "nothing");
+      }
+    }
+  }
+}
+
 /// Every table of a section.
 template <typename Check>
 void for_each_table(const report::Section& section, const Check& check) {
@@ -215,6 +251,9 @@ void check_annex_a_section(const report::Section& section, const Page& page) {
   for_each_table(section, [&](const PrintedTable& table) {
     if (table.column("Contributor")) return check_budget_table(table, page);
     if (table.column("As measured") && table.column("Corrected")) return check_corrected_axis_table(table, page);
+    if (table.caption().starts_with(
+            "Expanded uncertainty of the mean deviations, composed of the contributors of Annex A"))
+      return check_composed_mean_table(table, page);
     if (table.column("measured")) check_corrected_position_table(table, page);
   });
 }

@@ -644,7 +644,7 @@ TEST_F(TheWorkbench, DrawsFiguresForBothThemes) {
   const auto id = keep(example_table2);
   const auto titles = workbench.figures(id, {}, {.extension = "svg"});
   ASSERT_TRUE(titles);
-  EXPECT_EQ(titles->size(), 5u) << "three of clause 8, the means with their U, and the contributions of the GUM";
+  EXPECT_EQ(titles->size(), 6u) << "three of clause 8, the means with their U twice, and the contributions of the GUM";
   const auto light = workbench.figure(id, {}, 0, false, {.extension = "svg"});
   const auto dark = workbench.figure(id, {}, 0, true, {.extension = "svg"});
   ASSERT_TRUE(light && dark);

@@ -451,13 +451,14 @@ TEST(PositionSection, ShowsAMissingReadingAsADash) {
 
 TEST(UncertaintySection, ShowsAllContributorsWithTheirInputs) {
   const auto all = tables(section(composed(reported_table2()), "uncertainty"));
-  ASSERT_EQ(all.size(), 4u);  // with the inputs as resolved
+  ASSERT_EQ(all.size(), 5u);  // with the means of the targets and the inputs as resolved
   EXPECT_EQ(all[0].rows.size(), 7u);
   EXPECT_THAT(row_text(all[0].rows[0]), Contains(HasSubstr("1\u00a0µm/m")));
-  EXPECT_THAT(row_text(all[2].rows[0]),
+  EXPECT_EQ(all[2].rows.size(), 11u);  // composed of the contributors
+  EXPECT_THAT(row_text(all[3].rows[0]),
               ElementsAre("R", "Bidirectional positioning repeatability", "6.6", "5.6", "µm"));
-  EXPECT_EQ(all[3].rows.size(), 11u);
-  EXPECT_THAT(row_text(all[3].rows[0]), Contains("floored"));
+  EXPECT_EQ(all[4].rows.size(), 11u);
+  EXPECT_THAT(row_text(all[4].rows[0]), Contains("floored"));
 }
 
 TEST(UncertaintySection, SaysInTheRowWhatAMissingContributorMeans) {
@@ -529,7 +530,7 @@ TEST(Compose, ShowsSomeOfVeryManyTargetsAndTellsWhereTheOthersAre) {
       ASSERT_FALSE(table.notes.empty());
       EXPECT_THAT(plain_text(table.notes.back()), StartsWith("One target in 3 of 1500 stands here, "));
     }
-  EXPECT_EQ(of_targets, 3u) << "readings, results, corrected repeatability";
+  EXPECT_EQ(of_targets, 4u) << "readings, results, means with their U, corrected repeatability";
 }
 
 }  // namespace

@@ -206,7 +206,9 @@ TEST(LinesDocument, ShowsUncertaintiesVerdictsAndDeparturesOfEachLine) {
   const Table overview = tables(section(document, "overview")).front();
   EXPECT_EQ(plain_text(overview.columns[5].head), "U");
   EXPECT_THAT(plain_text(overview.rows[0][5].text), HasSubstr(","));
-  EXPECT_THAT(plain_text(tables(section(document, "line-xy")).back().caption), HasSubstr("Inputs as resolved"));
+  const auto of_line = tables(section(document, "line-xy"));
+  EXPECT_THAT(plain_text(of_line[of_line.size() - 2].caption), HasSubstr("Inputs as resolved"));
+  EXPECT_THAT(plain_text(of_line.back().caption), HasSubstr("Expanded uncertainty of the mean deviations"));
 }
 
 std::string facts_of(const Section& section) {

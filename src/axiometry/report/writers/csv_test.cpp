@@ -18,7 +18,7 @@ using testing_support::reported_without_metadata;
 
 TEST(CsvWriter, HasOneLinePerParameterAndPerQuantityOfATarget) {
   const std::string csv = reported_table2().written("csv");
-  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 12 + 11 * 11 + 3);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 12 + 11 * (11 + 3) + 3);
   EXPECT_EQ(std::ranges::count(csv, '\r'), std::ranges::count(csv, '\n'));
   EXPECT_THAT(
       csv,
