@@ -50,6 +50,7 @@ constexpr Phrase plan_rows[] = {
     {"a diagonal", "Diagonale"},
     {"an NC axis", "NC-Achse"},
     {"axis travel", "Verfahrweg"},
+    {"by {0=}: {1}", "nach {0}: {1}"},
     {"drawn, seed {0#}", "gezogen, Startwert {0}"},
     {"found a line that {0#} axes drive together (direction {1#}): a diagonal displacement test, whose programme is "
      "judged along the line as that of one axis",
@@ -69,6 +70,12 @@ constexpr Phrase plan_rows[] = {
      "are not applied",
      "ein Plan für {0}, worüber ISO 230-2 nichts sagt: Ihre Regeln für Zielpositionen, Durchläufe und Zyklen von "
      "Positionen sind nicht angewendet"},
+    {"found a plan of something else than positions over the travel, expected one of these: {0=} says nothing of "
+     "others",
+     "Plan für etwas anderes als Positionen über den Verfahrweg; erwartet: ein solcher, denn {0} sagt nichts über "
+     "andere"},
+    {"found a rotary axis, expected a linear one: {0=} says nothing of others",
+     "rotatorische Achse; erwartet: eine lineare, denn {0} sagt nichts über andere"},
     {"found a sampling point that is not finite, expected positions",
      "ein Stützpunkt ist nicht endlich; erwartet: Positionen"},
     {"found a seed beside the positions of all targets, expected one of them: nothing is drawn",
@@ -142,6 +149,8 @@ constexpr Phrase plan_rows[] = {
     {"none in the programme", "keiner im Programm"},
     {"none: targets as given", "keiner: Zielpositionen wie angegeben"},
     {"normal working area", "normaler Arbeitsbereich"},
+    {"nothing is known of the cycle that {0=} asks for: the plan is one after ISO 230-2:2014 alone",
+     "über den Zyklus, den {0} verlangt, ist nichts bekannt: Der Plan ist allein einer nach ISO 230-2:2014"},
     {"pilgrim, {0}", "Pilgerschrittzyklus, {0}"},
     {"soft limits", "Software-Endlagen"},
     {"standard, {0=}", "Normzyklus, {0}"},
@@ -153,6 +162,10 @@ constexpr Phrase plan_rows[] = {
     {"the overrun", "der Überlauf"},
     {"the overrun at {0#} above the axis travel to {1#}", "der Überlauf bei {0} oberhalb des Verfahrwegs bis {1}"},
     {"the overrun at {0#} below the axis travel from {1#}", "der Überlauf bei {0} unterhalb des Verfahrwegs ab {1}"},
+    {"the plan is judged by the cycle of {0=} too, as far as that is known ({1}); where it says nothing, by that of "
+     "ISO 230-2:2014",
+     "der Plan wird auch am Zyklus von {0} gemessen, soweit dieser bekannt ist ({1}); wo er nichts sagt, an dem der "
+     "ISO 230-2:2014"},
     {"the segment", "das Teilstück"},
     {"the step of targets", "der Schritt der Zielpositionen"},
     {"travel inside the soft limits", "Weg innerhalb der Software-Endlagen"},
