@@ -82,6 +82,27 @@ TEST(PlannedRule, GivesWayToWhatIsAskedForAndSaysSo) {
   EXPECT_THAT(ids_of_rule(piezo, planned_by(rule)), Contains("gb-t-38614-2020-approaches-for-repeatability"));
 }
 
+/// Made by one rule and judged by another: only what both do not share is found.
+TEST(PlannedRule, TellsWhatAnotherRuleAsksForBeyondIt) {
+  using Ids = std::vector<std::string>;
+  const Ids by_piezo = {"plan-rule",
+                        "gb-t-38614-2020-number-of-targets",
+                        "gb-t-38614-2020-equal-steps",
+                        "gb-t-38614-2020-ends-of-travel",
+                        "gb-t-38614-2020-approaches-for-repeatability"};
+  for (const AxisRule* made_by : axis_rule_table()) {
+    const Plan plan = planned_by(*made_by);
+    for (const AxisRule* judge : axis_rule_table()) {
+      if (judge == made_by) continue;
+      Ids expected = {"plan-rule"};
+      const bool of_piezo = made_by->id == "gb-t-38614-2020";
+      if (judge->id == "jis-b-6201" && of_piezo) expected.emplace_back("jis-b-6201-runs-for-approaches");
+      if (judge->id == "gb-t-38614-2020") expected = by_piezo;
+      EXPECT_EQ(ids_of_rule(*judge, plan), expected) << made_by->id << " by " << judge->id;
+    }
+  }
+}
+
 TEST(PlannedRule, SaysOnWhatItRestsAndWhereNothingIsKnown) {
   const auto first = [](const char* id) {
     const AxisRule& rule = *find_axis_rule(id);
