@@ -50,6 +50,7 @@ constexpr Phrase plan_rows[] = {
     {"a diagonal", "Diagonale"},
     {"an NC axis", "NC-Achse"},
     {"axis travel", "Verfahrweg"},
+    {"by {0=}: {1}", "nach {0}: {1}"},
     {"drawn, seed {0#}", "gezogen, Startwert {0}"},
     {"found a line that {0#} axes drive together (direction {1#}): a diagonal displacement test, whose programme is "
      "judged along the line as that of one axis",
@@ -69,6 +70,12 @@ constexpr Phrase plan_rows[] = {
      "are not applied",
      "ein Plan für {0}, worüber ISO 230-2 nichts sagt: Ihre Regeln für Zielpositionen, Durchläufe und Zyklen von "
      "Positionen sind nicht angewendet"},
+    {"found a plan of something else than positions over the travel, expected one of these: {0=} says nothing of "
+     "others",
+     "Plan für etwas anderes als Positionen über den Verfahrweg; erwartet: ein solcher, denn {0} sagt nichts über "
+     "andere"},
+    {"found a rotary axis, expected a linear one: {0=} says nothing of others",
+     "rotatorische Achse; erwartet: eine lineare, denn {0} sagt nichts über andere"},
     {"found a sampling point that is not finite, expected positions",
      "ein Stützpunkt ist nicht endlich; erwartet: Positionen"},
     {"found a seed beside the positions of all targets, expected one of them: nothing is drawn",
@@ -142,6 +149,8 @@ constexpr Phrase plan_rows[] = {
     {"none in the programme", "keiner im Programm"},
     {"none: targets as given", "keiner: Zielpositionen wie angegeben"},
     {"normal working area", "normaler Arbeitsbereich"},
+    {"nothing is known of the cycle that {0=} asks for: the plan is judged by ISO 230-2:2014 alone",
+     "über den Zyklus, den {0} verlangt, ist nichts bekannt: Der Plan wird allein an ISO 230-2:2014 gemessen"},
     {"pilgrim, {0}", "Pilgerschrittzyklus, {0}"},
     {"soft limits", "Software-Endlagen"},
     {"standard, {0=}", "Normzyklus, {0}"},
@@ -153,6 +162,12 @@ constexpr Phrase plan_rows[] = {
     {"the overrun", "der Überlauf"},
     {"the overrun at {0#} above the axis travel to {1#}", "der Überlauf bei {0} oberhalb des Verfahrwegs bis {1}"},
     {"the overrun at {0#} below the axis travel from {1#}", "der Überlauf bei {0} unterhalb des Verfahrwegs ab {1}"},
+    {"the plan departs from what is known of the cycle of {0=} ({1})",
+     "der Plan weicht von dem ab, was über den Zyklus von {0} bekannt ist ({1})"},
+    {"the plan is too large to be judged by the cycle of {0=} ({1})",
+     "der Plan ist zu groß, um am Zyklus von {0} gemessen zu werden ({1})"},
+    {"the plan keeps to what is known of the cycle of {0=} ({1}); no conformity with it is stated",
+     "der Plan hält ein, was über den Zyklus von {0} bekannt ist ({1}); Übereinstimmung damit wird nicht erklärt"},
     {"the segment", "das Teilstück"},
     {"the step of targets", "der Schritt der Zielpositionen"},
     {"travel inside the soft limits", "Weg innerhalb der Software-Endlagen"},

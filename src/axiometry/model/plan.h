@@ -38,6 +38,7 @@ inline constexpr std::string_view plan_clauses[] = {"5.3.2", "5.3.3", "5.3.4", "
 struct Plan {
   std::string standard{plan_standards[0]};
   std::string clause;   ///< "5.3.2", "Annex B"; empty when no clause describes the test
+  std::string rule;     ///< id of another rule whose cycle it keeps to as well (standards/rules), "vdi-dgq-3441"
   std::string title;    ///< of one among several: "2 000 mm of the normal working area"
   std::string machine;  ///< name, for comments in programs and the printed sheet; may be empty
   std::string date;     ///< on which it was made, "2026-11-21"; may be empty

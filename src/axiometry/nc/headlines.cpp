@@ -90,6 +90,7 @@ TravelRange travel_range(std::span<const Plan> plans) {
 }
 
 void add_once(std::vector<std::string>& lines, const Plan& plan) {
+  if (!plan.rule.empty()) lines.push_back("CYCLE ASKED FOR " + plan.rule);
   if (!plan.machine.empty()) lines.push_back("MACHINE " + plan.machine);
   if (!plan.date.empty()) lines.push_back("DATE " + plan.date);
 }

@@ -2,7 +2,6 @@
 #include "axiometry/app/compare_rules/compare_rules.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -16,12 +15,7 @@ namespace axiometry::app {
 Result<std::vector<const standards::AxisRule*>> named_rules(std::span<const std::string> ids) {
   std::vector<const standards::AxisRule*> rules;
   for (const std::string& id : ids) {
-    const standards::AxisRule* rule = standards::find_axis_rule(id);
-    if (rule == nullptr) {
-      std::vector<std::string_view> known;
-      for (const auto* each : standards::axis_rule_table()) known.push_back(each->id);
-      return fail(fmt::format("found {}, expected one of {}", text::quoted(id), fmt::join(known, ", ")));
-    }
+    AXIOMETRY_TRY(const standards::AxisRule* rule, standards::rule_named(id));
     if (std::ranges::find(rules, rule) != rules.end())
       return fail(fmt::format("found {} twice, expected each rule once", text::quoted(id)));
     rules.push_back(rule);

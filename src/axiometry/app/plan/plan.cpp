@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/plan/plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <random>
 
 #include "axiometry/app/files/output.h"
@@ -16,6 +18,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/report/documents/plan_sheet.h"
+#include "axiometry/standards/rules/planned_rule.h"
 
 namespace axiometry::app {
 namespace {
@@ -29,9 +32,15 @@ report::Document sheet_of(const PlannedTest& planned, const report::Options& opt
 
 Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration) {
   if (acceleration) AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(*acceleration));
+  const standards::AxisRule* rule = nullptr;
+  if (!plan.rule.empty()) {
+    AXIOMETRY_TRY(rule, standards::rule_named(plan.rule));
+  }
   PlannedTest result;
   result.acceleration = acceleration.value_or(iso230_2::usual_acceleration(plan.axis.kind));
   result.findings = iso230_2::plan_findings(plan, result.acceleration);
+  if (rule != nullptr)
+    std::ranges::move(standards::planned_rule_findings(*rule, plan), std::back_inserter(result.findings));
   result.duration = iso230_2::estimated_duration(plan, result.acceleration);
   result.duration_in_all = result.duration;
   for (const Plan& part : plan.further)

@@ -29,7 +29,8 @@ struct PlannedTest {
   bool in_accordance() const { return iso230_2::in_accordance(findings); }
 };
 
-/// Needs a sound plan. The usual acceleration when none is given. Fails as iso230_2::check_acceleration() does.
+/// Needs a sound plan. The usual acceleration when none is given. Fails as iso230_2::check_acceleration() and, for the
+/// rule of the plan, standards::rule_named() do.
 Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration);
 
 /// A plan from a file ("-" is the standard input). Fails with the file's name.

@@ -11,6 +11,7 @@
 #include "axiometry/app/plan/plan_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/standards/rules/planned_rule.h"
 
 namespace axiometry::app {
 namespace {
@@ -148,10 +149,16 @@ Result<void> put_cycle(const std::string& text, PlanRequestDraft& wish) {
   for (TestCycle cycle : {standard, step, pilgrim, unidirectional, user_defined})
     if (cycle_name(cycle) == text) {
       wish.request.cycle = cycle;
+      wish.says_cycle = true;
       return {};
     }
   return fail(
       fmt::format("found {}, expected standard, step, pilgrim, unidirectional or user-defined", text::quoted(text)));
+}
+
+Result<void> put_rule(const std::string& text, PlanRequestDraft& wish) {
+  AXIOMETRY_TRY(wish.rule, standards::rule_named(text));
+  return {};
 }
 
 Result<void> put_sequence(const std::string& text, PlanRequestDraft& wish) {
@@ -207,6 +214,10 @@ constexpr PlanOption plan_option_table[] = {
      put_stretch<&PlanRequest::measurement>},
     {"--cycle", "CYCLE", "standard, step (Annex B), pilgrim, unidirectional or user-defined", of_programme, false,
      put_cycle},
+    {"--standard", "NAME",
+     "Keep to the cycle of another rule too, as far as that is known: its approaches, targets and steps where nothing "
+     "else is asked for ('axiometry compare-rules --help' lists the rules)",
+     of_programme, false, put_rule},
     {"--sequence", "LIST or FILE",
      "The approaches of the user-defined cycle: '1+ 2+ 2- 1-', numbers of targets and directions", of_programme, false,
      put_sequence},
@@ -226,6 +237,7 @@ constexpr PlanOption plan_option_table[] = {
 constexpr PlanOptionPair apart[] = {
     {"--periodic", "--period"}, {"--targets", "--interval"},  {"--targets", "--periodic"},
     {"--cycle", "--periodic"},  {"--sequence", "--periodic"}, {"--error", "--periodic"},
+    {"--standard", "--periodic"},
 };
 
 Result<void> check_plan_names(const Plan& plan) {
@@ -268,6 +280,9 @@ Result<PlanRequest> completed(const PlanRequestDraft& wish) {
   if (request.periodic) request.periodic->at = wish.periodic_at;
   request.seed = wish.seed ? *wish.seed : drawn_seed();
   AXIOMETRY_TRY(request.date, plan_date(request.date));
+  if (wish.rule == nullptr) return request;
+  AXIOMETRY_TRY(request, standards::with_cycle_of(*wish.rule, std::move(request)));
+  if (wish.says_cycle) request.cycle = wish.request.cycle;
   return request;
 }
 

@@ -13,6 +13,7 @@
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
+#include "axiometry/standards/rules/rule.h"
 
 /// What shall be planned, as people say it: by the flags of `axiometry plan`, or by the members of a request to the
 /// workbench, which go through the same table.
@@ -25,6 +26,8 @@ struct PlanRequestDraft {
   std::vector<std::string> areas;       ///< understood when the kind of the axis is known
   std::optional<std::string> sequence;  ///< of the user-defined cycle
   std::optional<Position> periodic_at;
+  const standards::AxisRule* rule = nullptr;  ///< whose cycle is kept too
+  bool says_cycle = false;                    ///< which no rule changes then
 };
 
 /// One flag: its value, its help, and what it does. One row makes the flag of the command line and the member of

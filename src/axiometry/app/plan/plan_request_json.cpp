@@ -142,8 +142,9 @@ class RequestReader {
     const Value* value = given(member.name);
     if (value == nullptr || member.kind == Kind::array || member.kind == Kind::object || member.flag == "--travel")
       return {};
-    // A page always says the cycle; the standard one contradicts nothing.
-    if (member.name != "cycle" || value->text() != "standard") flags_.insert(std::string(member.flag));
+    // A page always says the cycle; the standard one contradicts nothing, and gives way to that of another rule.
+    if (member.name == "cycle" && value->text() == "standard") return {};
+    flags_.insert(std::string(member.flag));
     if (member.kind == Kind::text) return apply(member.flag, member.name, value->text(), value->at(), wish_);
     const bool counts = member.name == "targets" || member.name == "runs" || member.name == "seed";
     const double x = value->number();

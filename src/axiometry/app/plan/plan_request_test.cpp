@@ -56,6 +56,16 @@ TEST(PlanRequest, MakesThePlanThatTheCommandLineMakes) {
   EXPECT_TRUE(plan->planned.conforming());
 }
 
+TEST(PlanRequest, KeepsToTheCycleOfAnotherRuleAndThePlanToItsName) {
+  const auto plan = asked(with("\"period\": \"10\"", "\"standard\": \"jis-b-6201\""));
+  ASSERT_TRUE(plan) << plan.error().to_string();
+  EXPECT_EQ(plan->planned.plan.cycle, TestCycle::step) << "the standard one of a page gives way";
+  const auto read = formats::read_plan(formats::write_plan(plan->planned.plan));
+  ASSERT_TRUE(read) << read.error().to_string();
+  EXPECT_EQ(read->rule, "jis-b-6201");
+  EXPECT_FALSE(asked(with("\"period\": \"10\"", "\"standard\": \"nmtba\"")));
+}
+
 TEST(PlanRequest, RefusesADateThatIsNoDay) {
   const auto plan = asked(with("\"period\": \"10\"", "\"period\": \"10\", \"date\": \"2026-13-45\""));
   ASSERT_FALSE(plan);

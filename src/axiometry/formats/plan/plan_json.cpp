@@ -273,6 +273,7 @@ constexpr Member members[] = {
     {"format", nullptr},
     {"standard", take<&Plan::standard, known_text<plan_standards>>},
     {"clause", take<&Plan::clause, known_text<plan_clauses>>},
+    {"rule", take<&Plan::rule, text_from>},
     {"title", take<&Plan::title, text_from>},
     {"machine", take<&Plan::machine, text_from>},
     {"date", take<&Plan::date, date_from>},

@@ -33,6 +33,7 @@ void expect_same_plan(const Plan& a, const Plan& b) {
   EXPECT_EQ(a.feed, b.feed);
   EXPECT_EQ(a.dwell, b.dwell);
   EXPECT_EQ(a.warm_up_runs, b.warm_up_runs);
+  EXPECT_EQ(a.rule, b.rule);
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.sequence, b.sequence);
   EXPECT_EQ(a.way_in_mm, b.way_in_mm);
@@ -62,6 +63,7 @@ class AnyPlan {
     std::set<double> targets;
     for (std::size_t k = 1 + random_() % 6; k > 0; --k) targets.insert(number(1e9));
     for (double x : targets) plan.targets.push_back(Position::native(x));
+    plan.rule = text();
     plan.runs = 1 + random_() % 10'000;
     plan.overrun = Position::native(std::abs(number(1e9)) + 1e-12);
     plan.feed = std::abs(number(1e9)) + 1e-12;

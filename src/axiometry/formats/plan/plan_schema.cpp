@@ -77,6 +77,8 @@ Value properties() {
        text_schema("Standard whose terms the plan uses: ISO 230-2:2014, or ISO 230-6:2002 along a diagonal.")},
       {"clause",
        text_schema("Clause that describes the test: 5.3.2 to 5.3.5, Annex B or Annex C; absent when none does.")},
+      {"rule",
+       text_schema("Another rule whose cycle the plan keeps to as well, by the name that `plan --standard` takes.")},
       {"title", text_schema("Which test of several this is.")},
       {"machine", text_schema("Name of the machine, for the printed sheet and for comments in part programs.")},
       {"date", text_schema("Date on which the plan was made, ISO 8601 preferred.")},

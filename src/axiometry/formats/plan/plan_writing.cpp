@@ -37,8 +37,9 @@ Value sequence_value(const std::vector<Approach>& sequence) {
 
 Value plan_value(const Plan& plan) {
   Value root = object({{"format", plan_format_name}, {"standard", plan.standard}});
-  for (const auto& [name, text] : {std::pair{"clause", &plan.clause}, std::pair{"title", &plan.title},
-                                   std::pair{"machine", &plan.machine}, std::pair{"date", &plan.date}})
+  for (const auto& [name, text] :
+       {std::pair{"clause", &plan.clause}, std::pair{"rule", &plan.rule}, std::pair{"title", &plan.title},
+        std::pair{"machine", &plan.machine}, std::pair{"date", &plan.date}})
     if (!text->empty()) root.add(name, *text);
   root.add("axis", axis_value(plan.axis));
   Value errors = Value::array();

@@ -15,6 +15,7 @@
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
+#include "axiometry/standards/rules/rule.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
@@ -53,6 +54,7 @@ Facts programme_facts(const Plan& plan, Duration duration, double acceleration, 
   auto& list = facts.facts;
   if (!plan.errors.empty()) list.push_back(fact("Errors", errors_text(plan)));
   list.push_back(fact("Test cycle", cycle_text(plan)));
+  if (const auto* rule = standards::find_axis_rule(plan.rule)) list.push_back(fact("Rule", std::string(rule->name)));
   list.push_back(fact("Targets", fmt::format("{} from {} to {}", plan.targets.size(),
                                              shown_short(plan.targets.front().in_native(), options),
                                              with_unit(plan.targets.back().in_native(), plan, options))));

@@ -167,6 +167,10 @@ const AxisRule gb_t_38614_2020_axis_rule = {
     .linear_only = false,
     .figures = piezo_figures,
     .findings = piezo_findings,
+    .cycle = AskedCycle{.evidence = Evidence::text,
+                        .approaches = approaches_for_repeatability,
+                        .targets = positions_asked,
+                        .equal_steps = true},
 };
 
 }  // namespace axiometry::standards

@@ -123,6 +123,9 @@ const AxisRule jis_b_6201_axis_rule = {
     .linear_only = false,
     .figures = pass_figures,
     .findings = pass_findings,
+    .cycle = AskedCycle{.evidence = Evidence::makers_text,
+                        .approaches = approaches_to_a_place,
+                        .order = TestCycle::step},
 };
 
 }  // namespace axiometry::standards

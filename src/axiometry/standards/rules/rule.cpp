@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/standards/rules/rule.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
+
+#include "axiometry/base/text.h"
 
 namespace axiometry::standards {
 namespace {
@@ -31,6 +36,13 @@ const AxisRule* find_axis_rule(std::string_view id) {
   const auto all = axis_rule_table();
   const auto found = std::ranges::find(all, id, &AxisRule::id);
   return found == all.end() ? nullptr : *found;
+}
+
+Result<const AxisRule*> rule_named(std::string_view id) {
+  if (const AxisRule* rule = find_axis_rule(id)) return rule;
+  std::vector<std::string_view> known;
+  for (const auto* each : axis_rule_table()) known.push_back(each->id);
+  return fail(fmt::format("found {}, expected one of {}", text::quoted(id), fmt::join(known, ", ")));
 }
 
 }  // namespace axiometry::standards

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/base/result.h"
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2/finding.h"
 #include "axiometry/standards/iso230_2/parameters.h"
@@ -62,6 +63,16 @@ struct RuleFigure {
   bool of_single_readings = false;
 };
 
+/// What a rule asks of the cycle of a test, as far as that is known; where it says nothing a test is planned after
+/// ISO 230-2:2014 (planned_rule.h).
+struct AskedCycle {
+  Evidence evidence;
+  std::size_t approaches = 0;  ///< to each target from each direction, at least
+  std::size_t targets = 0;     ///< over the measurement travel; 0 where it says nothing
+  bool equal_steps = false;    ///< without a random part, from one end of the measurement travel to the other
+  std::optional<TestCycle> order{};  ///< of the approaches; absent where it says nothing
+};
+
 struct AxisRule {
   std::string_view id;      ///< of --standard: "vdi-dgq-3441"
   std::string_view name;    ///< "VDI/DGQ 3441"
@@ -71,6 +82,7 @@ struct AxisRule {
   /// How the test departs from what the rule asks of it, as far as that is known, and what must be known of figures;
   /// clauses are left empty. Null where nothing is known.
   std::vector<iso230_2::Finding> (*findings)(const RuleCase&);
+  std::optional<AskedCycle> cycle{};  ///< absent where nothing is known
 };
 
 /// All of them, by the names of their sources.
@@ -78,5 +90,8 @@ std::span<const AxisRule* const> axis_rule_table();
 
 /// By id; nullptr when there is none.
 const AxisRule* find_axis_rule(std::string_view id);
+
+/// Likewise. Fails with the ids that there are.
+Result<const AxisRule*> rule_named(std::string_view id);
 
 }  // namespace axiometry::standards

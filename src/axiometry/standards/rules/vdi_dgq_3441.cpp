@@ -75,10 +75,11 @@ constexpr auto vdi_figures = std::to_array<RuleFigure>({
      vdi_U_mean},
 });
 
+constexpr std::size_t vdi_approaches = 5;
+
 std::vector<iso230_2::Finding> vdi_findings(const RuleCase& c) {
-  constexpr std::size_t least_approaches = 5;
   std::vector<iso230_2::Finding> all;
-  expect_approaches(c, "vdi-dgq-3441-number-of-approaches", least_approaches, "all figures", all);
+  expect_approaches(c, "vdi-dgq-3441-number-of-approaches", vdi_approaches, "all figures", all);
   return all;
 }
 
@@ -92,6 +93,7 @@ const AxisRule vdi_dgq_3441_axis_rule = {
     .linear_only = false,
     .figures = vdi_figures,
     .findings = vdi_findings,
+    .cycle = AskedCycle{.evidence = others, .approaches = vdi_approaches},
 };
 
 }  // namespace axiometry::standards

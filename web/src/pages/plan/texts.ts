@@ -124,6 +124,7 @@ export const further_fields = [
   { key: 'area', unit: 'position', form: '500:2500' },
   { key: 'acceleration', unit: 'acceleration', form: '' },
   { key: 'warm-up', unit: '', form: '1' },
+  { key: 'standard', unit: '', form: 'vdi-dgq-3441' },
   { key: 'date', unit: '', form: '2026-11-22' },
 ] as const;
 
@@ -141,5 +142,6 @@ export const of_further = texts({
   area: ['Working areas', 'Arbeitsbereiche'],
   acceleration: ['Acceleration', 'Beschleunigung'],
   'warm-up': ['Warm-up runs', 'Warmlaufzyklen'],
+  standard: ['Keep to the cycle of another rule', 'Zyklus auch nach einer anderen Regel'],
   date: ['Date of the plan', 'Datum des Plans'],
 });

@@ -142,6 +142,7 @@ Result<Frame> make_frame(const PlanRequest& request) {
   plan.axis = request.axis;
   plan.errors = request.errors;
   plan.machine = request.machine;
+  plan.rule = request.rule;
   plan.date = request.date;
   plan.cycle = request.periodic ? TestCycle::unidirectional : request.cycle;
   plan.feed = request.feed.value_or(frame.linear() ? 1000.0 : 720.0);
@@ -167,6 +168,7 @@ struct Spacing {
   std::optional<double> interval;
   std::optional<double> segment;
   double segments_from = 0.0;
+  bool equal_steps = false;
 };
 
 /// m over a stretch: as asked for, else what the clause and the scale need.
@@ -227,13 +229,20 @@ Result<void> check_count(const Frame& frame, const Stretch& stretch, double coun
                           most_targets));
 }
 
+TargetGrid without_random_part(TargetGrid grid) {
+  grid.shift = grid.shift_inwards = 0.0;
+  grid.principal_positions = false;
+  return grid;
+}
+
 /// One test over one stretch. `stream` parts the tests of a plan.
 Result<Plan> plan_over(const Frame& frame, const Stretch& stretch, const Spacing& spacing, std::uint64_t seed,
                        std::uint64_t stream) {
   const Programme programme = programme_of(frame.kind(), Position::native(stretch.length()));
   if (spacing.interval) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.interval + 1.0));
   if (spacing.segment) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.segment));
-  const TargetGrid grid = grid_over(frame, programme, stretch, spacing);
+  TargetGrid grid = grid_over(frame, programme, stretch, spacing);
+  if (spacing.equal_steps) grid = without_random_part(std::move(grid));
   AXIOMETRY_TRY_VOID(check_count(frame, stretch, static_cast<double>(grid.count)));
   Plan plan = frame.plan;
   plan.clause = clause_of(plan, programme);
@@ -350,7 +359,7 @@ Result<Plan> plan_without_sequence(const Frame& frame, const PlanRequest& reques
   if (request.periodic) return plan_for_period(frame, request);
   if (!request.targets.empty()) return plan_of_given_targets(frame, request);
   const Spacing spacing{request.count, native(request.interval), native(request.segment),
-                        request.axis.travel_begin->in_native()};
+                        request.axis.travel_begin->in_native(), request.equal_steps};
   return plan_over(frame, frame.measurement, spacing, request.seed, 0);
 }
 
@@ -361,7 +370,7 @@ Result<Plan> make_plan(const PlanRequest& request) {
   AXIOMETRY_TRY_VOID(check_segment(frame, request));
   AXIOMETRY_TRY(Plan plan, plan_without_sequence(frame, request));
   plan.sequence = request.sequence;
-  if (request.runs) plan.runs = *request.runs;
+  plan.runs = request.runs.value_or(std::max(plan.runs, request.least_runs));
   if (plan.cycle == TestCycle::user_defined) plan.runs = last_run(plan.sequence);
   if (request.runs && plan.runs != *request.runs && !plan.sequence.empty())
     return fail(

@@ -64,6 +64,9 @@ struct PlanRequest {
   std::optional<std::size_t> count;  ///< m
   std::optional<Position> interval;  ///< p at most
   std::optional<std::size_t> runs;   ///< n
+  std::string rule;                  ///< copied
+  std::size_t least_runs = 0;        ///< n at least where it is not given
+  bool equal_steps = false;          ///< targets without a random part, from one end of the travel to the other
   std::optional<Position> overrun;
   std::optional<double> feed;  ///< mm/min or °/min
   std::optional<Duration> dwell;
@@ -107,6 +110,9 @@ Result<Plan> make_plan(const PlanRequest& request);
 /// holds at every stop. Findings about a further plan begin with its title. Whether the feed is reached depends on the
 /// acceleration of the axis, the usual one when none is given. Needs a sound plan and a > 0.
 std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration = {});
+
+/// A test that followed the plan and found no deviation; nothing where it is too large for one. Needs a sound plan.
+std::optional<Series> series_of(const Plan& plan);
 
 /// No finding is a departure.
 bool conforming(std::span<const Finding> findings);

@@ -164,17 +164,6 @@ std::optional<Finding> period_resolved(const Plan& plan) {
                   position_text(plan, p), position_text(plan, period)));
 }
 
-/// The plan as a test without deviations; nothing when a series cannot hold it.
-std::optional<Series> as_series(const Plan& plan) {
-  const std::size_t m = plan.targets.size(), n = plan.runs;
-  if (2 * m * n > most_readings) return std::nullopt;
-  std::vector<double> deviations(2 * m * n, std::numeric_limits<double>::quiet_NaN());
-  for (const Approach& a : approaches(plan))
-    deviations[(static_cast<std::size_t>(a.direction) * m + a.target) * n + a.run] = 0.0;
-  auto series = Series::make_dense(plan.targets, n, std::move(deviations));
-  return series ? std::optional(*std::move(series)) : std::nullopt;
-}
-
 /// What is said of every plan.
 constexpr PlanRule* common_rules[] = {line_of_several_axes, made_for_other_errors, travel_known,    reach_within_travel,
                                       beyond_one_turn,      warm_up_planned,       rests_at_targets};
@@ -205,7 +194,7 @@ class PlanFindings {
   }
 
   void add_programme(const Plan& plan, bool further) {
-    const auto series = as_series(plan);
+    const auto series = series_of(plan);
     if (!series) {
       const std::string clause = plan.clause.empty() ? "5.3" : plan.clause;
       add(plan.targets.size() < 2
@@ -256,6 +245,16 @@ std::vector<Finding> findings_of(const Plan& plan, std::optional<double> acceler
 }
 
 }  // namespace
+
+std::optional<Series> series_of(const Plan& plan) {
+  const std::size_t m = plan.targets.size(), n = plan.runs;
+  if (2 * m * n > most_readings) return std::nullopt;
+  std::vector<double> deviations(2 * m * n, std::numeric_limits<double>::quiet_NaN());
+  for (const Approach& a : approaches(plan))
+    deviations[(static_cast<std::size_t>(a.direction) * m + a.target) * n + a.run] = 0.0;
+  auto series = Series::make_dense(plan.targets, n, std::move(deviations));
+  return series ? std::optional(*std::move(series)) : std::nullopt;
+}
 
 std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration) {
   std::vector<Finding> all = findings_of(plan, acceleration.value_or(usual_acceleration(plan.axis.kind)));
