@@ -58,6 +58,8 @@ struct SimulatedLengths {
   std::vector<Visit> lost;
 };
 
+/// In which direction axes came to rest is told by the visit before, as identify() has it, lost ones included; before
+/// the first move at a station with a tool an axis came moving up.
 /// length = |q + t + δ − s| − dead path + drift + jumps + noise, with δ by exact transformations (kinematics.h), s the
 /// stations of the machine and σ after MachineModel::sigma_um(). Fails on no station, no visit, a point within 1 mm of
 /// its station, and on more faults than a quarter of the readings.
