@@ -90,8 +90,9 @@ Result<CoverageTrial> try_once(const MachineModel& machine, const CoverageOption
       options.errors ? *options.errors
                      : with_drawn_reversal(drawn_errors(machine.travel, options.size, draw), machine.travel,
                                            options.identify.reversal, options.size, draw);
-  const std::vector<Visit> visits =
-      options.visits.empty() ? spread_visits(machine, options.points, draw) : options.visits;
+  std::vector<Visit> visits = options.visits.empty() ? spread_visits(machine, options.points, draw) : options.visits;
+  if (options.visits.empty() && options.identify.reversal != Reversal::none)
+    visits = in_any_order(std::move(visits), draw);
   AXIOMETRY_TRY(const SimulatedLengths simulated, simulate_lengths(machine, errors, visits, options.faults, draw));
   IdentifyOptions identify_options = options.identify;
   identify_options.threads = 1;
@@ -124,14 +125,15 @@ double Share::rms() const { return count > 0 ? std::sqrt(sum_squares / static_ca
 
 Coverage::Total Coverage::total(Share CoverageTrial::*which) const {
   Total total;
-  double sum = 0.0, squares = 0.0;
+  double n = 0.0, sum = 0.0, squares = 0.0;
   for (const CoverageTrial& trial : trials) {
+    if ((trial.*which).count == 0) continue;  // it states nothing that could be true or false
+    n += 1.0;
     total.share.add(trial.*which);
     sum += (trial.*which).share();
     squares += (trial.*which).share() * (trial.*which).share();
   }
-  const double n = static_cast<double>(trials.size());
-  if (trials.size() > 1) total.standard_error = std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1.0) / n);
+  if (n > 1.0) total.standard_error = std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1.0) / n);
   return total;
 }
 

@@ -20,7 +20,7 @@ struct CoverageOptions {
   std::uint64_t seed = 1;
   std::optional<TrueErrors> errors = {};  ///< the same in every trial; else drawn for each, with identify's reversal
   DrawnSize size = {};
-  std::size_t points = 100;        ///< of each station and tool, at other places in each trial
+  std::size_t points = 100;  ///< of each station and tool, at other places in each trial; with reversal in any order
   std::vector<Visit> visits = {};  ///< where these are given: the same in every trial
   SimulatedFaults faults = {};
   IdentifyOptions identify = {};
@@ -57,7 +57,7 @@ struct Coverage {
   std::size_t failed = 0;
   std::string first_failure = {};
 
-  /// Of all trials, and the standard error of its share from the scatter among trials: values of one trial hang
+  /// Of all trials that state a value, and the standard error of its share from the scatter among trials: values of one trial hang
   /// together.
   struct Total {
     Share share;

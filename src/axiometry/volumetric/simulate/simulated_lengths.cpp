@@ -84,6 +84,18 @@ std::vector<Visit> spread_visits(const MachineModel& machine, std::size_t points
   return visits;
 }
 
+std::vector<Visit> in_any_order(std::vector<Visit> visits, Draw draw) {
+  const std::vector<double> u = uniforms(draw, detail::stream_order, visits.size());
+  for (std::size_t begin = 0, end = 0; begin < visits.size(); begin = end) {
+    while (end < visits.size() && is_same_run(visits[begin], visits[end])) ++end;
+    for (std::size_t left = end - begin; left > 1; --left) {  // Fisher and Yates
+      const std::size_t last = begin + left - 1;
+      std::swap(visits[last], visits[begin + static_cast<std::size_t>(u[last] * static_cast<double>(left))]);
+    }
+  }
+  return visits;
+}
+
 Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const TrueErrors& errors,
                                           const std::vector<Visit>& all, const SimulatedFaults& faults, Draw draw) {
   AXIOMETRY_TRY_VOID(check(machine, all, faults));

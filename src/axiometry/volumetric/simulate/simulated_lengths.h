@@ -23,6 +23,11 @@ struct Visit {
 /// station, with each its tools in the order of the machine's file.
 std::vector<Visit> spread_visits(const MachineModel& machine, std::size_t points, Draw draw);
 
+/// The same with those of each station and tool in an order by chance. In their own order spread points step by a
+/// constant share of each travel, modulo 1: every place is come to from one direction alone, and nothing tells
+/// reversal from the common curve.
+std::vector<Visit> in_any_order(std::vector<Visit> visits, Draw draw);
+
 /// What goes wrong; 0 does not.
 struct SimulatedFaults {
   bool noise = true;              ///< of instrument and machine, as the machine's file states them
