@@ -86,10 +86,10 @@ void try_faults(const Identification& found, const SimulatedLengths& simulated, 
 
 Result<CoverageTrial> try_once(const MachineModel& machine, const CoverageOptions& options, std::uint64_t number) {
   const Draw draw{options.seed, number};
-  const TrueErrors errors =
-      options.errors ? *options.errors
-                     : with_drawn_reversal(drawn_errors(machine.travel, options.size, draw), machine.travel,
-                                           options.identify.reversal, options.size, draw);
+  const TrueErrors errors = options.errors
+                                ? *options.errors
+                                : with_drawn_reversal(drawn_errors(machine.travel, options.size, draw), machine.travel,
+                                                      options.identify.reversal, options.size, draw);
   std::vector<Visit> visits = options.visits.empty() ? spread_visits(machine, options.points, draw) : options.visits;
   if (options.visits.empty() && options.identify.reversal != Reversal::none)
     visits = in_any_order(std::move(visits), draw);

@@ -57,8 +57,8 @@ struct Coverage {
   std::size_t failed = 0;
   std::string first_failure = {};
 
-  /// Of all trials that state a value, and the standard error of its share from the scatter among trials: values of one trial hang
-  /// together.
+  /// Of all trials that state a value, and the standard error of its share from the scatter among trials: values of one
+  /// trial hang together.
   struct Total {
     Share share;
     double standard_error = 0.0;

@@ -195,13 +195,12 @@ TEST(SimulatedLengths, HoldHalfOfTheReversalOfTheDirectionInWhichAxesCameToRest)
   TrueErrors errors;
   errors.halves[0][0] = table({{0.0, 3.0}, {1000.0, 3.0}});
   const Vector3 at{400, 300, -200};
-  const std::vector<Visit> visits = {{0, 0, at}, {0, 0, {600, 300, -200}}, {0, 0, at}, {0, 0, {100, 300, -200}},
-                                     {0, 0, at}, {0, 0, at},               {0, 1, at}};
+  const std::vector<Visit> visits = {
+      {0, 0, at}, {0, 0, {600, 300, -200}}, {0, 0, at}, {0, 0, {100, 300, -200}}, {0, 0, at}, {0, 0, at}, {0, 1, at}};
   const auto simulated = simulate_lengths(machine, errors, visits, {.noise = false}, {});
   ASSERT_TRUE(simulated);
   const auto expected = std::array{3.0, 3.0, -3.0, -3.0, 3.0, 3.0, 3.0};  // a stop at the same place is no move
-  for (std::size_t i = 0; i < visits.size(); ++i)
-    EXPECT_NEAR(simulated->displacements_um[i].x, expected[i], 1e-6) << i;
+  for (std::size_t i = 0; i < visits.size(); ++i) EXPECT_NEAR(simulated->displacements_um[i].x, expected[i], 1e-6) << i;
 }
 
 TEST(Visits, InAnyOrderAreTheSameOfEachStationAndTool) {

@@ -110,7 +110,8 @@ TrueCurve TrueCurve::less(Line line, double lower_mm, double upper_mm) const {
 ErrorValues TrueErrors::at(Vector3 axes_mm, Approaches approaches) const {
   ErrorValues values;
   for (std::size_t a = 0; a < axis_count; ++a)
-    for (std::size_t m = 0; m < motion_count; ++m) values.motions[a][m] = curves[a][m].at(axes_mm[a]) + approaches[a] * halves[a][m].at(axes_mm[a]);
+    for (std::size_t m = 0; m < motion_count; ++m)
+      values.motions[a][m] = curves[a][m].at(axes_mm[a]) + approaches[a] * halves[a][m].at(axes_mm[a]);
   values.squareness_urad = squareness_urad;
   return values;
 }

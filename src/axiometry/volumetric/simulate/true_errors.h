@@ -69,7 +69,8 @@ TrueErrors drawn_errors(const TravelBox& travel, DrawnSize size, Draw draw);
 
 /// The same machine with halves of reversal a quarter as large: of each motion size/4·Σ g_k/k·P_k(x), k = 1 to 3, and a
 /// constant size/4·g_0, or that constant alone. Cubics, which every spline holds.
-TrueErrors with_drawn_reversal(TrueErrors errors, const TravelBox& travel, Reversal reversal, DrawnSize size, Draw draw);
+TrueErrors with_drawn_reversal(TrueErrors errors, const TravelBox& travel, Reversal reversal, DrawnSize size,
+                               Draw draw);
 
 /// The same machine in the gauge of curves/gauge.h over its travels. What is taken off the curves is, to first order, a
 /// place of the whole machine, one of each tool, a rotation of the whole, and squareness: with A the matrix by which
