@@ -7,6 +7,7 @@
 
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/simulate_calibration.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
@@ -33,7 +34,8 @@ Examples:
       --outliers 5 --untold-breaks 1 --lengths lengths.csv
   axiometry volumetric simulate --plan plan.json --lengths lengths.csv
   axiometry volumetric simulate --plan plan.json --drift 2um --recording 'run{part}.csv' --truth truth.json
-  axiometry volumetric simulate --machine machine.json --trials 200 --json coverage.json)";
+  axiometry volumetric simulate --machine machine.json --trials 200 --json coverage.json
+  axiometry volumetric simulate --machine machine.json --trials 200 --spans 6 --points 150 --reversal curves)";
 
 struct VolumetricSimulateArguments {
   app::SimulateRequest request;
@@ -122,6 +124,7 @@ int run_trials(const VolumetricSimulateArguments& a) {
 int run(const VolumetricSimulateArguments& a) {
   if (a.trials > 0) return run_trials(a);
   if (!a.json.empty()) throw UsageError("--json", "goes with --trials");
+  if (a.request.reversal != volumetric::Reversal::none) throw UsageError("--reversal", "goes with --trials");
   const auto calibration = app::simulate_calibration(a.request);
   if (!calibration) return failed(calibration.error());
   const auto written = app::write_simulated(*calibration, a.files);
@@ -181,6 +184,14 @@ void add_volumetric_simulate(const Verb& volumetric, int& exit_code) {
       ->group("Trials");
   add_count(*verb, {"--spans", "N", "Spans of the curves in the trials (as many as identify chooses)"},
             [arguments](unsigned long long n) { arguments->request.spans = static_cast<std::size_t>(n); })
+      ->group("Trials");
+  add_read(*verb,
+           {"--reversal", "MODEL",
+            "How the directions of an axis differ in the trials, and are looked for: none, constant or curves (none)"},
+           [arguments](const std::string& word) -> Result<void> {
+             AXIOMETRY_TRY(arguments->request.reversal, app::parse_reversal(word));
+             return {};
+           })
       ->group("Trials");
   verb->add_option("--json", arguments->json, "What came of the trials, as JSON to FILE or, with -, standard output")
       ->check(fault_of_name)

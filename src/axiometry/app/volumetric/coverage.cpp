@@ -53,6 +53,7 @@ Result<Coverage> coverage_of(const SimulateRequest& request, std::size_t trials)
   options.visits = std::move(inputs.visits);
   options.faults = request.faults;
   options.identify.sizes = {request.spans, request.spans, request.spans};
+  options.identify.reversal = request.reversal;
   return volumetric::try_coverage(inputs.machine, options);
 }
 
@@ -63,6 +64,8 @@ Value coverage_value(const SimulateRequest& request, const Coverage& coverage) {
   root.add("failed", coverage.failed);
   if (coverage.failed > 0) root.add("first_failure", coverage.first_failure);
   root.add("curves", total_value(coverage.total(&CoverageTrial::curves)));
+  if (request.reversal != volumetric::Reversal::none)
+    root.add("directions", total_value(coverage.total(&CoverageTrial::directions)));
   root.add("field", total_value(coverage.total(&CoverageTrial::field)));
   root.add("field_rms_um", field_rms(coverage));
   root.add("chi2_per_dof", coverage.chi_squared_per_dof());
@@ -92,10 +95,12 @@ std::string coverage_text(const Coverage& coverage) {
       coverage.failed > 0 ? fmt::format(", {} more failed: {}", coverage.failed, coverage.first_failure) : "");
   const auto line = [&](const char* what, volumetric::Share CoverageTrial::*which) {
     const Coverage::Total total = coverage.total(which);
+    if (total.share.count == 0 && which == &CoverageTrial::directions) return;
     fmt::format_to(out, "{} within 1.96 u: {:.2f} % +- {:.2f} % (95 % expected), rms of z {:.3f}, {} values\n", what,
                    100.0 * total.share.share(), 100.0 * total.standard_error, total.share.rms(), total.share.count);
   };
   line("Curves", &CoverageTrial::curves);
+  line("Directions", &CoverageTrial::directions);
   line("Field", &CoverageTrial::field);
   fmt::format_to(out, "Field off by {:.3f} um rms; chi2/dof {:.4f}\n", field_rms(coverage),
                  coverage.chi_squared_per_dof());

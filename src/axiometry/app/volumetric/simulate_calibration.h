@@ -24,7 +24,8 @@ struct SimulateRequest {
   std::size_t points = 100;               ///< of each station and tool
   volumetric::SimulatedFaults faults = {};
   std::uint64_t seed = 1;
-  std::size_t spans = 0;  ///< of curves in trials; 0: as identify chooses
+  std::size_t spans = 0;                                       ///< of curves in trials; 0: as identify chooses
+  volumetric::Reversal reversal = volumetric::Reversal::none;  ///< that is drawn, and looked for, in trials
   RecordingNoise recording = {};
 };
 

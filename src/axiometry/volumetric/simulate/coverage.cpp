@@ -34,6 +34,13 @@ void try_curves(const ErrorModel& model, const TrueErrors& truth, CoverageTrial&
         const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(curve_places_tried);
         const double q = travel.lowest_mm[a] + share * (travel.highest_mm[a] - travel.lowest_mm[a]);
         add(a * motion_count + m, model.motion({a, m}, q), truth.curves[a][m].at(q));
+        if (model.coefficients().reversal() == Reversal::none) continue;
+        for (const double approach : {1.0, -1.0}) {
+          const auto stated = model.motion({a, m}, q, approach);
+          if (stated && stated->u > 0.0)
+            trial.directions.add((stated->value - truth.curves[a][m].at(q) - approach * truth.halves[a][m].at(q)) /
+                                 stated->u);
+        }
       }
   for (std::size_t k = 0; k < squareness_names.size(); ++k)
     add(axis_count * motion_count + k, model.squareness(static_cast<Squareness>(k)), truth.squareness_urad[k]);
@@ -79,9 +86,13 @@ void try_faults(const Identification& found, const SimulatedLengths& simulated, 
 
 Result<CoverageTrial> try_once(const MachineModel& machine, const CoverageOptions& options, std::uint64_t number) {
   const Draw draw{options.seed, number};
-  const TrueErrors errors = options.errors ? *options.errors : drawn_errors(machine.travel, options.size, draw);
-  const std::vector<Visit> visits =
-      options.visits.empty() ? spread_visits(machine, options.points, draw) : options.visits;
+  const TrueErrors errors = options.errors
+                                ? *options.errors
+                                : with_drawn_reversal(drawn_errors(machine.travel, options.size, draw), machine.travel,
+                                                      options.identify.reversal, options.size, draw);
+  std::vector<Visit> visits = options.visits.empty() ? spread_visits(machine, options.points, draw) : options.visits;
+  if (options.visits.empty() && options.identify.reversal != Reversal::none)
+    visits = in_any_order(std::move(visits), draw);
   AXIOMETRY_TRY(const SimulatedLengths simulated, simulate_lengths(machine, errors, visits, options.faults, draw));
   IdentifyOptions identify_options = options.identify;
   identify_options.threads = 1;
@@ -114,14 +125,15 @@ double Share::rms() const { return count > 0 ? std::sqrt(sum_squares / static_ca
 
 Coverage::Total Coverage::total(Share CoverageTrial::*which) const {
   Total total;
-  double sum = 0.0, squares = 0.0;
+  double n = 0.0, sum = 0.0, squares = 0.0;
   for (const CoverageTrial& trial : trials) {
+    if ((trial.*which).count == 0) continue;  // it states nothing that could be true or false
+    n += 1.0;
     total.share.add(trial.*which);
     sum += (trial.*which).share();
     squares += (trial.*which).share() * (trial.*which).share();
   }
-  const double n = static_cast<double>(trials.size());
-  if (trials.size() > 1) total.standard_error = std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1.0) / n);
+  if (n > 1.0) total.standard_error = std::sqrt(std::max(0.0, squares - sum * sum / n) / (n - 1.0) / n);
   return total;
 }
 

@@ -18,9 +18,9 @@ namespace axiometry::volumetric {
 struct CoverageOptions {
   std::size_t trials = 100;
   std::uint64_t seed = 1;
-  std::optional<TrueErrors> errors = {};  ///< the same in every trial; else drawn for each
+  std::optional<TrueErrors> errors = {};  ///< the same in every trial; else drawn for each, with identify's reversal
   DrawnSize size = {};
-  std::size_t points = 100;        ///< of each station and tool, at other places in each trial
+  std::size_t points = 100;  ///< of each station and tool, at other places in each trial; with reversal in any order
   std::vector<Visit> visits = {};  ///< where these are given: the same in every trial
   SimulatedFaults faults = {};
   IdentifyOptions identify = {};
@@ -41,6 +41,7 @@ struct Share {
 struct CoverageTrial {
   std::array<Share, 21> errors;  ///< at 9 places of each curve; squareness at one; in the order of error_names()
   Share curves;                  ///< of all of these
+  Share directions;              ///< of each direction at the same places, where directions differ
   Share field;                   ///< three components at 10 places with each tool
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
@@ -56,8 +57,8 @@ struct Coverage {
   std::size_t failed = 0;
   std::string first_failure = {};
 
-  /// Of all trials, and the standard error of its share from the scatter among trials: values of one trial hang
-  /// together.
+  /// Of all trials that state a value, and the standard error of its share from the scatter among trials: values of one
+  /// trial hang together.
   struct Total {
     Share share;
     double standard_error = 0.0;

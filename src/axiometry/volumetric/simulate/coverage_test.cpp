@@ -45,6 +45,51 @@ TEST(Coverage, IsThatOfANormalDistributionWhereTheCurvesHoldTheTruth) {
   EXPECT_NEAR(coverage->chi_squared_per_dof(), 1.0, 4.0 * std::sqrt(2.0 / dof));
 }
 
+/// The same with halves of reversal of a constant and a slope.
+TrueErrors parabolas_with_halves(const TravelBox& travel) {
+  TrueErrors errors = parabolas(travel);
+  for (std::size_t a = 0; a < axis_count; ++a)
+    for (std::size_t m = 0; m < motion_count; ++m)
+      errors.halves[a][m] = *TrueCurve::make({{travel.lowest_mm[a], 2.0}, {travel.highest_mm[a], 1.0}});
+  return errors;
+}
+
+/// Values of one machine hang together where curves have two directions: of single machines 60 % to 100 % are inside.
+TEST(Coverage, IsThatOfANormalDistributionWithReversalOverManyMachines) {
+  const MachineModel machine = machine_to_try();
+  for (const Reversal reversal : {Reversal::constant, Reversal::curves}) {
+    CoverageOptions options{.trials = 60, .seed = 4, .errors = parabolas_with_halves(machine.travel), .points = 60};
+    if (reversal == Reversal::constant)
+      for (auto& of_axis : options.errors->halves)
+        for (TrueCurve& half : of_axis) half = *TrueCurve::make({{-1000.0, 1.5}, {1000.0, 1.5}});
+    options.identify = {.sizes = {2, 2, 2},
+                        .reversal = reversal,
+                        .drift = DriftModel::none,
+                        .find_breaks = false,
+                        .find_outliers = false};
+    const auto coverage = try_coverage(machine, options);
+    ASSERT_TRUE(coverage) << coverage.error().message;
+    EXPECT_EQ(coverage->failed, 0u);
+    for (Share CoverageTrial::*which : {&CoverageTrial::curves, &CoverageTrial::directions, &CoverageTrial::field}) {
+      const Coverage::Total total = coverage->total(which);
+      EXPECT_GT(total.share.count, 3000u);
+      EXPECT_NEAR(total.share.share(), 0.95, 3.5 * total.standard_error + 0.005);
+      EXPECT_NEAR(total.share.rms(), 1.0, 0.12);
+    }
+    const double dof = static_cast<double>(coverage->trials.front().degrees_of_freedom) * 60.0;
+    EXPECT_NEAR(coverage->chi_squared_per_dof(), 1.0, 4.0 * std::sqrt(2.0 / dof));
+  }
+}
+
+TEST(Coverage, IsToldByChiSquaredWhereReversalIsNotLookedFor) {
+  const MachineModel machine = machine_to_try();
+  CoverageOptions options{.trials = 4, .seed = 4, .errors = parabolas_with_halves(machine.travel), .points = 60};
+  options.identify = {.sizes = {2, 2, 2}, .drift = DriftModel::none, .find_breaks = false, .find_outliers = false};
+  const auto coverage = try_coverage(machine, options);
+  ASSERT_TRUE(coverage);
+  EXPECT_GT(coverage->chi_squared_per_dof(), 10.0);
+}
+
 TEST(Coverage, FallsWhereTheInstrumentIsWorseThanItsStatement) {
   MachineModel machine = machine_to_try();
   CoverageOptions options{.trials = 6, .seed = 4, .errors = parabolas(machine.travel), .points = 30};

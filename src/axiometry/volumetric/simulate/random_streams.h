@@ -18,6 +18,8 @@ enum Stream : std::uint64_t {
   stream_lost,
   stream_outlier,
   stream_check,
+  stream_order,
+  stream_half,  ///< and the 17 that follow
 };
 
 }  // namespace axiometry::volumetric::detail

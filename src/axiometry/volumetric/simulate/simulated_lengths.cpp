@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "axiometry/numeric/random/random.h"
+#include "axiometry/volumetric/identify/identifier.h"
 #include "axiometry/volumetric/plan/point_set.h"
 #include "axiometry/volumetric/simulate/random_streams.h"
 
@@ -51,6 +52,14 @@ std::vector<Taken> take(std::vector<std::size_t> from, std::size_t count, Draw d
 
 bool is_same_run(const Visit& a, const Visit& b) { return a.station == b.station && a.tool == b.tool; }
 
+std::vector<Approaches> approaches_of(const std::vector<Visit>& visits) {
+  std::vector<VolumetricReading> readings;
+  for (const Visit& visit : visits) readings.push_back({visit.station, visit.tool, 0, visit.axes_mm, 0.0});
+  std::vector<Approaches> approaches = detail::directions_of_rest(readings);
+  for (Approaches& of_axes : approaches) std::ranges::replace(of_axes, 0.0, 1.0);
+  return approaches;
+}
+
 Result<void> check(const MachineModel& machine, const std::vector<Visit>& visits, const SimulatedFaults& faults) {
   if (machine.stations.empty()) return fail("found no station, expected at least one");
   if (visits.empty()) return fail("found no points, expected at least one of each station and tool");
@@ -75,6 +84,18 @@ std::vector<Visit> spread_visits(const MachineModel& machine, std::size_t points
   return visits;
 }
 
+std::vector<Visit> in_any_order(std::vector<Visit> visits, Draw draw) {
+  const std::vector<double> u = uniforms(draw, detail::stream_order, visits.size());
+  for (std::size_t begin = 0, end = 0; begin < visits.size(); begin = end) {
+    while (end < visits.size() && is_same_run(visits[begin], visits[end])) ++end;
+    for (std::size_t left = end - begin; left > 1; --left) {  // Fisher and Yates
+      const std::size_t last = begin + left - 1;
+      std::swap(visits[last], visits[begin + static_cast<std::size_t>(u[last] * static_cast<double>(left))]);
+    }
+  }
+  return visits;
+}
+
 Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const TrueErrors& errors,
                                           const std::vector<Visit>& all, const SimulatedFaults& faults, Draw draw) {
   AXIOMETRY_TRY_VOID(check(machine, all, faults));
@@ -82,10 +103,15 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
   std::vector<std::size_t> places(all.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
   std::vector<Visit> visits;
+  const std::vector<Approaches> all_approaches = approaches_of(all);
+  std::vector<Approaches> approaches;
   {
     std::set<std::size_t> lost;
     for (const Taken& t : take(places, faults.lost, draw, detail::stream_lost)) lost.insert(t.place);
-    for (std::size_t i = 0; i < all.size(); ++i) (lost.contains(i) ? simulated.lost : visits).push_back(all[i]);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      (lost.contains(i) ? simulated.lost : visits).push_back(all[i]);
+      if (!lost.contains(i)) approaches.push_back(all_approaches[i]);
+    }
   }
   std::vector<std::size_t> inner, any;  // a break before the first reading of a run would be none
   for (std::size_t i = 0; i < visits.size(); ++i) {
@@ -134,7 +160,7 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
     while (lengths.segments.size() <= segment)
       lengths.segments.push_back(fmt::format("{}", lengths.segments.size() + 1));
     const Vector3 tool = machine.tools[visit.tool].offset_mm;
-    const Vector3 delta = displacement_exact_um(machine, errors.at(visit.axes_mm), visit.axes_mm, tool);
+    const Vector3 delta = displacement_exact_um(machine, errors.at(visit.axes_mm, approaches[i]), visit.axes_mm, tool);
     const double d = distance(visit.axes_mm + tool + 1e-3 * delta, machine.stations[visit.station].at_mm);
     if (d < nearest_mm)
       return fail(fmt::format("found a point at the station {} itself, expected it elsewhere",

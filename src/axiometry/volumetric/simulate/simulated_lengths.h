@@ -23,6 +23,11 @@ struct Visit {
 /// station, with each its tools in the order of the machine's file.
 std::vector<Visit> spread_visits(const MachineModel& machine, std::size_t points, Draw draw);
 
+/// The same with those of each station and tool in an order by chance. In their own order spread points step by a
+/// constant share of each travel, modulo 1: every place is come to from one direction alone, and nothing tells
+/// reversal from the common curve.
+std::vector<Visit> in_any_order(std::vector<Visit> visits, Draw draw);
+
 /// What goes wrong; 0 does not.
 struct SimulatedFaults {
   bool noise = true;              ///< of instrument and machine, as the machine's file states them
@@ -58,6 +63,8 @@ struct SimulatedLengths {
   std::vector<Visit> lost;
 };
 
+/// In which direction axes came to rest is told by the visit before, as identify() has it, lost ones included; before
+/// the first move at a station with a tool an axis came moving up.
 /// length = |q + t + δ − s| − dead path + drift + jumps + noise, with δ by exact transformations (kinematics.h), s the
 /// stations of the machine and σ after MachineModel::sigma_um(). Fails on no station, no visit, a point within 1 mm of
 /// its station, and on more faults than a quarter of the readings.

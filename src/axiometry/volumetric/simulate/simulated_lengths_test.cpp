@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -187,6 +188,36 @@ TEST(SimulatedLengths, ShowABreakThoughNearlyAllReadingsOfItsStationFitNothing) 
     ASSERT_EQ(found->breaks.size(), 1u);
     EXPECT_EQ(found->breaks[0].before_reading, simulated->jumps[0].before_reading);
   }
+}
+
+TEST(SimulatedLengths, HoldHalfOfTheReversalOfTheDirectionInWhichAxesCameToRest) {
+  const MachineModel machine = simulated_machine();
+  TrueErrors errors;
+  errors.halves[0][0] = table({{0.0, 3.0}, {1000.0, 3.0}});
+  const Vector3 at{400, 300, -200};
+  const std::vector<Visit> visits = {
+      {0, 0, at}, {0, 0, {600, 300, -200}}, {0, 0, at}, {0, 0, {100, 300, -200}}, {0, 0, at}, {0, 0, at}, {0, 1, at}};
+  const auto simulated = simulate_lengths(machine, errors, visits, {.noise = false}, {});
+  ASSERT_TRUE(simulated);
+  const auto expected = std::array{3.0, 3.0, -3.0, -3.0, 3.0, 3.0, 3.0};  // a stop at the same place is no move
+  for (std::size_t i = 0; i < visits.size(); ++i) EXPECT_NEAR(simulated->displacements_um[i].x, expected[i], 1e-6) << i;
+}
+
+TEST(Visits, InAnyOrderAreTheSameOfEachStationAndTool) {
+  const MachineModel machine = simulated_machine();
+  const std::vector<Visit> visits = spread_visits(machine, 20, {3, 0}), mixed = in_any_order(visits, {3, 0});
+  ASSERT_EQ(mixed.size(), visits.size());
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    EXPECT_EQ(mixed[i].station, visits[i].station);
+    EXPECT_EQ(mixed[i].tool, visits[i].tool);
+    moved += mixed[i].axes_mm == visits[i].axes_mm ? 0u : 1u;
+    const auto run = i / 20 * 20;
+    EXPECT_TRUE(std::any_of(visits.begin() + static_cast<std::ptrdiff_t>(run),
+                            visits.begin() + static_cast<std::ptrdiff_t>(run + 20),
+                            [&](const Visit& v) { return v.axes_mm == mixed[i].axes_mm; }));
+  }
+  EXPECT_GT(moved, visits.size() / 2);
 }
 
 }  // namespace

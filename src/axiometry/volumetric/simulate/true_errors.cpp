@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "axiometry/base/number_text.h"
@@ -18,10 +19,13 @@ constexpr std::size_t nodes_most = 100'000;
 constexpr std::size_t drawn_nodes = 65;
 constexpr std::size_t drawn_degree = 6;
 
-/// Σ g_k/k·P_k(x), k from 1, by (k + 1) P_{k+1} = (2k + 1) x P_k − k P_{k−1}.
+constexpr double half_share = 0.25;
+constexpr std::size_t half_degree = 3;
+
+/// g_0 + Σ g_k/k·P_k(x), k from 1, by (k + 1) P_{k+1} = (2k + 1) x P_k − k P_{k−1}.
 double drawn_shape(std::span<const double> g, double x) {
   double before = 1.0, now = x, sum = g[0];
-  for (std::size_t k = 1; k <= drawn_degree; ++k) {
+  for (std::size_t k = 1; k < g.size(); ++k) {
     const double n = static_cast<double>(k);
     sum += g[k] / n * now;
     const double next = ((2.0 * n + 1.0) * x * now - n * before) / (n + 1.0);
@@ -29,6 +33,17 @@ double drawn_shape(std::span<const double> g, double x) {
     now = next;
   }
   return sum;
+}
+
+TrueCurve drawn_curve(const TravelBox& travel, ErrorMotion error, std::span<const double> g, DrawnSize size) {
+  const double lowest = travel.lowest_mm[error.axis], highest = travel.highest_mm[error.axis];
+  const double scale = error.motion < first_rotation ? size.displacement_um : size.rotation_urad;
+  std::vector<TrueCurve::Node> nodes;
+  for (std::size_t k = 0; k < drawn_nodes; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(drawn_nodes - 1);
+    nodes.push_back({lowest + share * (highest - lowest), scale * drawn_shape(g, 2.0 * share - 1.0)});
+  }
+  return *TrueCurve::make(std::move(nodes));
 }
 
 }  // namespace
@@ -92,10 +107,11 @@ TrueCurve TrueCurve::less(Line line, double lower_mm, double upper_mm) const {
   return curve;
 }
 
-ErrorValues TrueErrors::at(Vector3 axes_mm) const {
+ErrorValues TrueErrors::at(Vector3 axes_mm, Approaches approaches) const {
   ErrorValues values;
   for (std::size_t a = 0; a < axis_count; ++a)
-    for (std::size_t m = 0; m < motion_count; ++m) values.motions[a][m] = curves[a][m].at(axes_mm[a]);
+    for (std::size_t m = 0; m < motion_count; ++m)
+      values.motions[a][m] = curves[a][m].at(axes_mm[a]) + approaches[a] * halves[a][m].at(axes_mm[a]);
   values.squareness_urad = squareness_urad;
   return values;
 }
@@ -106,17 +122,24 @@ TrueErrors drawn_errors(const TravelBox& travel, DrawnSize size, Draw draw) {
     for (std::size_t m = 0; m < motion_count; ++m) {
       std::array<double, drawn_degree + 1> g{};
       numeric::fill_normal({draw.seed, detail::stream_curve + a * motion_count + m, draw.trial}, g);
-      const double scale = m < first_rotation ? size.displacement_um : size.rotation_urad;
-      std::vector<TrueCurve::Node> nodes;
-      for (std::size_t k = 0; k < drawn_nodes; ++k) {
-        const double share = static_cast<double>(k) / static_cast<double>(drawn_nodes - 1);
-        nodes.push_back({travel.lowest_mm[a] + share * (travel.highest_mm[a] - travel.lowest_mm[a]),
-                         scale * drawn_shape(g, 2.0 * share - 1.0)});
-      }
-      errors.curves[a][m] = *TrueCurve::make(std::move(nodes));
+      errors.curves[a][m] = drawn_curve(travel, {a, m}, g, size);
     }
   numeric::fill_normal({draw.seed, detail::stream_squareness, draw.trial}, errors.squareness_urad);
   for (double& s : errors.squareness_urad) s *= size.rotation_urad;
+  return errors;
+}
+
+TrueErrors with_drawn_reversal(TrueErrors errors, const TravelBox& travel, Reversal reversal, DrawnSize size,
+                               Draw draw) {
+  if (reversal == Reversal::none) return errors;
+  for (std::size_t a = 0; a < axis_count; ++a)
+    for (std::size_t m = 0; m < motion_count; ++m) {
+      std::array<double, half_degree + 1> g{};
+      numeric::fill_normal({draw.seed, detail::stream_half + a * motion_count + m, draw.trial}, g);
+      if (reversal == Reversal::constant) std::fill(g.begin() + 1, g.end(), 0.0);
+      for (double& x : g) x *= half_share;
+      errors.halves[a][m] = drawn_curve(travel, {a, m}, g, size);
+    }
   return errors;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/volumetric/curves/coefficients.h"
 #include "axiometry/volumetric/machine/kinematics.h"
 
 /// Errors of a machine that are known, to try a calibration with.
@@ -44,8 +45,10 @@ class TrueCurve {
 struct TrueErrors {
   std::array<std::array<TrueCurve, motion_count>, axis_count> curves;  ///< [axis][motion]
   std::array<double, 3> squareness_urad{};                             ///< C0Y, B0Z, A0Z
+  /// Half of what the two directions of an axis differ by: added where it came to rest moving up. It has no gauge.
+  std::array<std::array<TrueCurve, motion_count>, axis_count> halves = {};
 
-  ErrorValues at(Vector3 axes_mm) const;
+  ErrorValues at(Vector3 axes_mm, Approaches approaches = {}) const;
 };
 
 /// How large errors are that are drawn.
@@ -63,6 +66,11 @@ struct Draw {
 /// Smooth ones: of each curve size·Σ g_k/k·P_k(x), k = 1 to 6, and a constant size·g_0, with standard normal g and
 /// Legendre's P over the travel, as a table of 65 values.
 TrueErrors drawn_errors(const TravelBox& travel, DrawnSize size, Draw draw);
+
+/// The same machine with halves of reversal a quarter as large: of each motion size/4·Σ g_k/k·P_k(x), k = 1 to 3, and a
+/// constant size/4·g_0, or that constant alone. Cubics, which every spline holds.
+TrueErrors with_drawn_reversal(TrueErrors errors, const TravelBox& travel, Reversal reversal, DrawnSize size,
+                               Draw draw);
 
 /// The same machine in the gauge of curves/gauge.h over its travels. What is taken off the curves is, to first order, a
 /// place of the whole machine, one of each tool, a rotation of the whole, and squareness: with A the matrix by which
