@@ -34,9 +34,9 @@ struct ExactAnnexA {
 };
 
 /// Recomputes every line of `uncertainty.annex_a_budget` of a result (docs/results.md) and compares it, then combines
-/// them, for the parameters and for the means of every target. A line whose formula is not one of the annex is taken as it is stated and counted as compared. `measured`
-/// tells which parameters exist, `positions` how often each target was approached at least and what the measured travel
-/// is, where that stands for L.
+/// them, for the parameters and for the means of every target. A line whose formula is not one of the annex is taken as
+/// it is stated and counted as compared. `measured` tells which parameters exist, `positions` how often each target was
+/// approached and what the measured travel is, where that stands for L.
 ExactAnnexA check_budget(const json::Value& budget, const ExactParameters& measured,
                          std::span<const ExactPosition> positions, Ledger& ledger);
 

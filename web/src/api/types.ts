@@ -2284,6 +2284,8 @@ export interface components {
             standard?: string | null;
             /** @description Clause that describes the test: 5.3.2 to 5.3.5, Annex B or Annex C; absent when none does. */
             clause?: string | null;
+            /** @description Another rule whose cycle the plan keeps to as well, by the name that `plan --standard` takes. */
+            rule?: string | null;
             /** @description Which test of several this is. */
             title?: string | null;
             /** @description Name of the machine, for the printed sheet and for comments in part programs. */

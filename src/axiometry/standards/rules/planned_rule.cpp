@@ -4,14 +4,9 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <utility>
 
 namespace axiometry::standards {
 namespace {
-
-iso230_2::Finding planned_note(std::string id, std::string message) {
-  return {std::move(id), "", iso230_2::Severity::note, std::move(message)};
-}
 
 /// What is said before all that the rule finds. Its cycle may not be known, the plan be too large to be judged.
 std::string planned_standing(const AxisRule& rule, bool judged, bool departs) {
@@ -56,10 +51,12 @@ std::vector<iso230_2::Finding> planned_rule_findings(const AxisRule& rule, const
     const iso230_2::Evaluation evaluation = iso230_2::evaluate(*series);
     for (const iso230_2::Finding& finding : rule.findings({metadata, *series, evaluation})) {
       departs = departs || finding.severity == iso230_2::Severity::departure;
-      all.push_back(planned_note(finding.id, fmt::format("by {}: {}", rule.name, finding.message)));
+      all.push_back(
+          {finding.id, "", iso230_2::Severity::note, fmt::format("by {}: {}", rule.name, finding.message)});
     }
   }
-  all.insert(all.begin(), planned_note("plan-rule", planned_standing(rule, series.has_value(), departs)));
+  all.insert(all.begin(), iso230_2::Finding{"plan-rule", "", iso230_2::Severity::note,
+                                            planned_standing(rule, series.has_value(), departs)});
   return all;
 }
 
