@@ -3,7 +3,7 @@
 """Whether the phrase books of all languages but English cover what the program may say.
 
 Reads the string literals of the sources that compose findings, notes and reports, cuts them at their places, and reports
-every longer piece that stands in no English phrase of src/axiometry/language/german_*.cpp; and every phrase of these
+every longer piece that stands in no English phrase of src/axiometry/language/german/; and every phrase of these
 that a language written as a file of pairs (src/axiometry/language/fr.txt) lacks. With PROGRAM it also makes every
 document in every language (language_documents.py) and asks the workbench for things it refuses (language_refusals.py),
 and reports the English words that are left. Exits with 1 if there is one.
@@ -110,7 +110,7 @@ def blanks(text):
 
 def english_phrases():
     phrases = []
-    for path in sorted((ROOT / "src/axiometry/language").glob("german_*.cpp")):
+    for path in sorted((ROOT / "src/axiometry/language/german").glob("*.cpp")):
         if path.name.endswith("_test.cpp"):
             continue
         body = path.read_text(encoding="utf-8")

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase refusals_recordings_rows[] = {
+constexpr Phrase recording_refusals_rows[] = {
     {"found a NumPy array that ends in its header, expected samples",
      "NumPy-Array, das in seinem Kopf endet; erwartet: Abtastwerte"},
     {"found a NumPy header of {0#} bytes, expected less", "NumPy-Kopf mit {0} Bytes; erwartet: weniger"},
@@ -108,6 +108,6 @@ constexpr Phrase refusals_recordings_rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_recording_refusals = refusals_recordings_rows;
+const std::span<const Phrase> german_recording_refusals = recording_refusals_rows;
 
 }  // namespace axiometry::language

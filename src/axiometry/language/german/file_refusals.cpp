@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase refusals_files_rows[] = {
+constexpr Phrase file_refusals_rows[] = {
     {"found 0 set-points, expected one; a line '# TGT_SET_PV=NAME' names it",
      "kein Sollwert; erwartet: einer; eine Zeile „# TGT_SET_PV=NAME“ nennt ihn"},
     {"found 0 variables that may be the reference, expected one; a line '# REF_PV=NAME' names it",
@@ -273,6 +273,6 @@ constexpr Phrase refusals_files_rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_file_refusals = refusals_files_rows;
+const std::span<const Phrase> german_file_refusals = file_refusals_rows;
 
 }  // namespace axiometry::language

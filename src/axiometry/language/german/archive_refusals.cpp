@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase refusals_archive_rows[] = {
+constexpr Phrase archive_refusals_rows[] = {
     {"audit trail: found entry {0#} after {1#}, expected {2#}",
      "Änderungsnachweis: Eintrag {0} nach {1}; erwartet: {2}"},
     {"audit trail: found entry {0#} with the hash , expected {1=} as it was sealed at {2=}",
@@ -125,6 +125,6 @@ constexpr Phrase refusals_archive_rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_refusals_archive = refusals_archive_rows;
+const std::span<const Phrase> german_archive_refusals = archive_refusals_rows;
 
 }  // namespace axiometry::language

@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase refusals_measure_rows[] = {
+constexpr Phrase measurement_refusals_rows[] = {
     {"a backlash", "Umkehrspiel"},
     {"a correlation length", "Korrelationslänge"},
     {"a correlation time of the air (s)", "Korrelationszeit der Luft (s)"},
@@ -240,6 +240,6 @@ constexpr Phrase refusals_measure_rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_refusals_measure = refusals_measure_rows;
+const std::span<const Phrase> german_measurement_refusals = measurement_refusals_rows;
 
 }  // namespace axiometry::language

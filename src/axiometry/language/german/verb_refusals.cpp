@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase refusals_verbs_rows[] = {
+constexpr Phrase verb_refusals_rows[] = {
     {"break_threshold_mm: found {0#}, expected a length above 0 mm",
      "break_threshold_mm: {0}; erwartet: eine Länge über 0 mm"},
     {"cannot connect: {0}", "keine Verbindung: {0}"},
@@ -241,6 +241,6 @@ constexpr Phrase refusals_verbs_rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_refusals_verbs = refusals_verbs_rows;
+const std::span<const Phrase> german_verb_refusals = verb_refusals_rows;
 
 }  // namespace axiometry::language

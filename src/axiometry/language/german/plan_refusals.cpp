@@ -5,7 +5,7 @@
 namespace axiometry::language {
 namespace {
 
-constexpr Phrase refusals_plans_rows[] = {
+constexpr Phrase plan_refusals_rows[] = {
     {"an array of approaches", "eine Liste von Anfahrten"},
     {"an array of objects", "eine Liste von Objekten"},
     {"an array of plans", "eine Liste von Plänen"},
@@ -174,6 +174,6 @@ constexpr Phrase refusals_plans_rows[] = {
 
 }  // namespace
 
-const std::span<const Phrase> german_plan_refusals = refusals_plans_rows;
+const std::span<const Phrase> german_plan_refusals = plan_refusals_rows;
 
 }  // namespace axiometry::language
