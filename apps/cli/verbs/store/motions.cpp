@@ -7,12 +7,12 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 #include "cli/flags/about_flags.h"
 #include "cli/flags/motion_flags.h"
 #include "cli/flags/store_flags.h"
-#include "cli/verbs/command_store_calibrations.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/store/calibrations.h"
 
 namespace axiometry::cli {
 namespace {

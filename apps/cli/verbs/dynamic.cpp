@@ -12,8 +12,8 @@
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/document_text.h"
-#include "cli/verbs/command_dynamic.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/dynamic.h"
 
 namespace axiometry::cli {
 namespace {

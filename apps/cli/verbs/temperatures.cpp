@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/command_temperatures.h"
+#include "cli/verbs/temperatures.h"
 
 #include <fmt/format.h>
 

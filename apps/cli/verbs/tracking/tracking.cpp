@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/command_tracking.h"
+#include "cli/verbs/tracking/tracking.h"
 
 #include "cli/flags/verb.h"
 

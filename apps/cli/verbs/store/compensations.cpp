@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/command_store_compensations.h"
+#include "cli/verbs/store/compensations.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/app/workbench/compensations.h"
+#include "axiometry/app/workbench/compensations/compensations.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -24,7 +24,7 @@
 #include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
-#include "cli/verbs/store_report.h"
+#include "cli/verbs/store/store_report.h"
 
 namespace axiometry::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/command_store_calibrations.h"
+#include "cli/verbs/store/calibrations.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/app/files/output.h"
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -19,7 +19,7 @@
 #include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
-#include "cli/verbs/store_report.h"
+#include "cli/verbs/store/store_report.h"
 
 namespace axiometry::cli {
 namespace {

@@ -14,8 +14,8 @@
 #include "cli/flags/option_text.h"
 #include "cli/flags/ranging_flag.h"
 #include "cli/text/document_text.h"
-#include "cli/verbs/command_tracking.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/tracking/tracking.h"
 
 namespace axiometry::cli {
 namespace {

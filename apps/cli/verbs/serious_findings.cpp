@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/serious.h"
+#include "cli/verbs/serious_findings.h"
 
 #include <fmt/format.h>
 

@@ -17,8 +17,8 @@
 #include "cli/flags/option_text.h"
 #include "cli/flags/ranging_flag.h"
 #include "cli/flags/verb.h"
-#include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/volumetric/volumetric.h"
 
 namespace axiometry::cli {
 namespace {

@@ -13,9 +13,9 @@
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
-#include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
-#include "cli/verbs/serious.h"
+#include "cli/verbs/serious_findings.h"
+#include "cli/verbs/volumetric/volumetric.h"
 
 namespace axiometry::cli {
 namespace {

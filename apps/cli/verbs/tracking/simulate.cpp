@@ -11,9 +11,9 @@
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
-#include "cli/verbs/command_tracking.h"
 #include "cli/verbs/commands.h"
-#include "cli/verbs/lee_verbs.h"
+#include "cli/verbs/tracking/lee_verbs.h"
+#include "cli/verbs/tracking/tracking.h"
 
 namespace axiometry::cli {
 namespace {

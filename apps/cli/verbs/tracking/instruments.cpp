@@ -4,8 +4,8 @@
 
 #include "axiometry/app/tracking/tracker_list.h"
 #include "cli/flags/experiment_flags.h"
-#include "cli/verbs/command_tracking.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/tracking/tracking.h"
 
 namespace axiometry::cli {
 

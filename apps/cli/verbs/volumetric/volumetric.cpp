@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/command_volumetric.h"
+#include "cli/verbs/volumetric/volumetric.h"
 
 #include "cli/failure.h"
 #include "cli/flags/verb.h"

@@ -17,8 +17,8 @@
 #include "cli/flags/ranging_flag.h"
 #include "cli/text/document_text.h"
 #include "cli/text/tracking_plan_summary.h"
-#include "cli/verbs/command_tracking.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/tracking/tracking.h"
 
 namespace axiometry::cli {
 namespace {

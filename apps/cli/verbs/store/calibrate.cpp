@@ -13,7 +13,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/volumetric/plan_volume.h"
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 #include "axiometry/base/counted.h"
 #include "cli/failure.h"
 #include "cli/flags/about_flags.h"
@@ -23,8 +23,8 @@
 #include "cli/flags/store_flags.h"
 #include "cli/flags/uncertainty_flags.h"
 #include "cli/flags/verb.h"
-#include "cli/verbs/command_store_calibrations.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/store/calibrations.h"
 
 namespace axiometry::cli {
 namespace {

@@ -20,9 +20,9 @@
 #include "cli/failure.h"
 #include "cli/flags/store_flags.h"
 #include "cli/text/terminal.h"
-#include "cli/verbs/command_store_calibrations.h"
-#include "cli/verbs/command_store_compensations.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/store/calibrations.h"
+#include "cli/verbs/store/compensations.h"
 
 namespace axiometry::cli {
 namespace {

@@ -16,8 +16,8 @@
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
-#include "cli/verbs/command_volumetric.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/volumetric/volumetric.h"
 
 namespace axiometry::cli {
 namespace {

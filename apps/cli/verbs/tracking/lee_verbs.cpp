@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/verbs/lee_verbs.h"
+#include "cli/verbs/tracking/lee_verbs.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
-#include "cli/verbs/length_difference_verb.h"
+#include "cli/verbs/tracking/length_difference_verb.h"
 
 namespace axiometry::cli {
 namespace {

@@ -19,8 +19,8 @@
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
 #include "cli/text/tracking_lines_text.h"
-#include "cli/verbs/command_tracking.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/tracking/tracking.h"
 
 namespace axiometry::cli {
 namespace {

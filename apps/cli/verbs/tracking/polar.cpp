@@ -13,8 +13,8 @@
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
-#include "cli/verbs/command_tracking.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/tracking/tracking.h"
 
 namespace axiometry::cli {
 namespace {
