@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/calibration_json.h"
+#include "axiometry/app/workbench/calibrations/calibration_json.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "axiometry/app/files/given_members.h"
 #include "axiometry/app/results/localised_result.h"
-#include "axiometry/app/workbench/kept_things.h"
+#include "axiometry/app/workbench/kept_records.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/text.h"

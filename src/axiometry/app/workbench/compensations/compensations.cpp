@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/compensations.h"
+#include "axiometry/app/workbench/compensations/compensations.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/app/workbench/compensation_standing.h"
-#include "axiometry/app/workbench/kept_things.h"
+#include "axiometry/app/workbench/compensations/compensation_standing.h"
+#include "axiometry/app/workbench/kept_records.h"
 #include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/kept_things.h"
+#include "axiometry/app/workbench/kept_records.h"
 
 #include <algorithm>
 #include <utility>

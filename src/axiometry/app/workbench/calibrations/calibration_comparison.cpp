@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 
 namespace axiometry::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "axiometry/app/results/named_findings_json.h"
-#include "axiometry/app/workbench/compensations.h"
+#include "axiometry/app/workbench/compensations/compensations.h"
 
 /// What the tests that a kept table rests on have become since, and what still counts of what was found.
 namespace axiometry::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/compensation_standing.h"
+#include "axiometry/app/workbench/compensations/compensation_standing.h"
 
 #include <fmt/format.h>
 

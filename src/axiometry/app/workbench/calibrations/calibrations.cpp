@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/app/workbench/kept_things.h"
+#include "axiometry/app/workbench/kept_records.h"
 #include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"

@@ -45,27 +45,27 @@ Result<Rendered> kept_file(const store::Store& archive, std::span<const store::K
 Result<Rendered> begun_report(const store::Store& archive, std::string_view stem, int version,
                               const std::string& extension, const std::string& result_hash);
 
-/// The result of such a report, which says "withdrawn": true where the thing is. Fails with `damaged` where it is no
+/// The result of such a report, which says "withdrawn": true where the record is. Fails with `damaged` where it is no
 /// JSON.
 Result<Rendered> as_json_report(Rendered rendered, bool withdrawn);
 
-/// Thing and contents, or nothing of both.
-template <typename Thing>
-Result<store::Versioned<Thing>> add_with(store::Store& archive, const Thing& thing,
-                                         std::span<const store::Content> contents, const store::By& by) {
-  return archive.write([&](store::Transaction& t) -> Result<store::Versioned<Thing>> {
+/// The record and its contents, or nothing of both.
+template <typename Record>
+Result<store::Versioned<Record>> add_with(store::Store& archive, const Record& record,
+                                          std::span<const store::Content> contents, const store::By& by) {
+  return archive.write([&](store::Transaction& t) -> Result<store::Versioned<Record>> {
     for (const store::Content& content : contents) AXIOMETRY_TRY_VOID(t.keep(content, by));
-    return t.add(thing, by);
+    return t.add(record, by);
   });
 }
 
 /// A new version, with its result where that is a new one. Fails with `conflict` when base_version is not the latest.
-template <typename Thing>
-Result<void> change_with(store::Store& archive, const store::Versioned<Thing>& base, const Thing& thing,
+template <typename Record>
+Result<void> change_with(store::Store& archive, const store::Versioned<Record>& base, const Record& record,
                          const std::optional<store::Content>& result, const store::By& by) {
-  const auto changed = archive.write([&](store::Transaction& t) -> Result<store::Versioned<Thing>> {
+  const auto changed = archive.write([&](store::Transaction& t) -> Result<store::Versioned<Record>> {
     if (result) AXIOMETRY_TRY_VOID(t.keep(*result, by));
-    return t.change(base.id, base.version, thing, by);
+    return t.change(base.id, base.version, record, by);
   });
   if (!changed) return std::unexpected(changed.error());
   return {};
@@ -73,19 +73,19 @@ Result<void> change_with(store::Store& archive, const store::Versioned<Thing>& b
 
 /// Fails with `conflict` on what is withdrawn: nothing is changed in it before it is reinstated. `called`:
 /// "calibration".
-template <typename Thing>
-Result<void> check_not_withdrawn(const store::Versioned<Thing>& thing, std::string_view called) {
-  if (!thing.value.withdrawn) return {};
+template <typename Record>
+Result<void> check_not_withdrawn(const store::Versioned<Record>& record, std::string_view called) {
+  if (!record.value.withdrawn) return {};
   return fail(ErrorKind::conflict,
-              fmt::format("found {} {} withdrawn, expected one that is not: reinstate it first", called, thing.id));
+              fmt::format("found {} {} withdrawn, expected one that is not: reinstate it first", called, record.id));
 }
 
 /// A new version that says so. Fails with `conflict` when it is so already.
-template <typename Thing>
+template <typename Record>
 Result<void> set_withdrawn(store::Store& archive, store::Id id, bool withdrawn, const store::By& by,
                            std::string_view called) {
-  const auto changed = archive.write([&](store::Transaction& t) -> Result<store::Versioned<Thing>> {
-    AXIOMETRY_TRY(auto latest, t.get<Thing>(id));
+  const auto changed = archive.write([&](store::Transaction& t) -> Result<store::Versioned<Record>> {
+    AXIOMETRY_TRY(auto latest, t.get<Record>(id));
     if (latest.value.withdrawn == withdrawn)
       return fail(ErrorKind::conflict, fmt::format("found {} {} {}, expected it not to be", called, id,
                                                    withdrawn ? "withdrawn already" : "in the lists already"));

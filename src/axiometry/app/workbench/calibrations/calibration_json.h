@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/app/files/reader.h"
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 #include "axiometry/base/json.h"
 #include "axiometry/store/store.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/calibration_evaluation.h"
+#include "axiometry/app/workbench/calibrations/calibration_evaluation.h"
 
 #include <fmt/format.h>
 

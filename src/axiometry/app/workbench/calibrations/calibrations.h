@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/workbench/calibration_evaluation.h"
+#include "axiometry/app/workbench/calibrations/calibration_evaluation.h"
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/json.h"
 #include "axiometry/store/store.h"
