@@ -10,7 +10,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/text/generic_heads.h"
+#include "axiometry/formats/text/head_words.h"
 
 namespace axiometry::formats {
 namespace {

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cstring>
 
+#include "axiometry/formats/csv/fixed_point.h"
 #include "axiometry/formats/format.h"
-#include "axiometry/formats/text/fixed_point.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 
 namespace axiometry::formats {

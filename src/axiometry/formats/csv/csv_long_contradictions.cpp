@@ -9,7 +9,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv/csv_long_rows.h"
-#include "axiometry/formats/text/generic_motion.h"
+#include "axiometry/formats/series/sweep_directions.h"
 
 namespace axiometry::formats {
 namespace {

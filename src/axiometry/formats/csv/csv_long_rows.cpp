@@ -11,8 +11,8 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/text/fixed_point.h"
-#include "axiometry/formats/text/series_order.h"
+#include "axiometry/formats/csv/fixed_point.h"
+#include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {

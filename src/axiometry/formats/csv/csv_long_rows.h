@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "axiometry/formats/csv/csv_preamble.h"
+#include "axiometry/formats/csv/row_memory.h"
+#include "axiometry/formats/csv/test_names.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/text/csv_cells.h"
-#include "axiometry/formats/text/row_memory.h"
-#include "axiometry/formats/text/target_index.h"
-#include "axiometry/formats/text/test_names.h"
 
 namespace axiometry::formats {
 

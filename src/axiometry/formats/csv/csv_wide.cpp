@@ -13,9 +13,9 @@
 #include "axiometry/formats/csv/csv_preamble.h"
 #include "axiometry/formats/csv/csv_values.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/series/series_order.h"
+#include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/text/decoded_text.h"
-#include "axiometry/formats/text/series_order.h"
-#include "axiometry/formats/text/target_index.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {

@@ -12,7 +12,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/text/approaches.h"
+#include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/text_lines.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/time_stamp.h"

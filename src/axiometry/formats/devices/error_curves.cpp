@@ -9,7 +9,7 @@
 
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/text/approaches.h"
+#include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"

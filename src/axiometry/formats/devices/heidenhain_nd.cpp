@@ -11,7 +11,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
-#include "axiometry/formats/text/approaches.h"
+#include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_lines.h"

@@ -35,7 +35,7 @@ struct Guess {
   double confidence() const;
 };
 
-/// What kind of table the file holds. Looks at words in the header (generic_heads.h), at units, and at the numbers: a
+/// What kind of table the file holds. Looks at words in the header (head_words.h), at units, and at the numbers: a
 /// column that repeats few values is the target, one close to it the measured position, a small one a deviation, one
 /// that counts the run. Fails, with the place, when there is no table of numbers with two columns and five rows (two
 /// rows in a transposed one), when rows differ in length, when numbers have two decimal marks, and as generic::decode()

@@ -9,7 +9,7 @@
 #include "axiometry/formats/table/generic_columns.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/formats/table/generic_shape.h"
-#include "axiometry/formats/text/generic_heads.h"
+#include "axiometry/formats/text/head_words.h"
 
 /// A guess in the making: what is known of the table, and what was decided so far. Private to the generic importer; the
 /// steps come in the order of the declarations.

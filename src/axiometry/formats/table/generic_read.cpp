@@ -12,13 +12,13 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/series/approaches.h"
+#include "axiometry/formats/series/series_order.h"
+#include "axiometry/formats/series/sweep_directions.h"
+#include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/formats/table/generic_table.h"
-#include "axiometry/formats/text/approaches.h"
-#include "axiometry/formats/text/generic_heads.h"
-#include "axiometry/formats/text/generic_motion.h"
-#include "axiometry/formats/text/series_order.h"
-#include "axiometry/formats/text/target_index.h"
+#include "axiometry/formats/text/head_words.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {

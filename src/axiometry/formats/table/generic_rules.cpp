@@ -9,9 +9,9 @@
 #include <set>
 
 #include "axiometry/base/text.h"
+#include "axiometry/formats/series/sweep_directions.h"
+#include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/table/generic_draft.h"
-#include "axiometry/formats/text/generic_motion.h"
-#include "axiometry/formats/text/target_index.h"
 
 namespace axiometry::formats::generic {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/text/generic_heads.h"
+#include "axiometry/formats/text/head_words.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats::generic {

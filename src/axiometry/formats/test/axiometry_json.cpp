@@ -13,9 +13,9 @@
 #include "axiometry/base/json.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/test/metadata_json.h"
 #include "axiometry/formats/test/test_schema.h"
-#include "axiometry/formats/text/series_order.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"
 

@@ -9,7 +9,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/text/series_order.h"
+#include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/approaches.h"
+#include "axiometry/formats/series/approaches.h"
 
 #include <gtest/gtest.h>
 

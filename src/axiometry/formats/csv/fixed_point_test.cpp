@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/fixed_point.h"
+#include "axiometry/formats/csv/fixed_point.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/approaches.h"
+#include "axiometry/formats/series/approaches.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "axiometry/base/number_text.h"
-#include "axiometry/formats/text/series_order.h"
-#include "axiometry/formats/text/target_index.h"
+#include "axiometry/formats/series/series_order.h"
+#include "axiometry/formats/series/target_index.h"
 
 namespace axiometry::formats {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/test_names.h"
+#include "axiometry/formats/csv/test_names.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

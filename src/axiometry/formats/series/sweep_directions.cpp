@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/generic_motion.h"
+#include "axiometry/formats/series/sweep_directions.h"
 
 #include <cstdlib>
 

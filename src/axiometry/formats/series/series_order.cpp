@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/series_order.h"
+#include "axiometry/formats/series/series_order.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/target_index.h"
+#include "axiometry/formats/series/target_index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/formats/text/generic_heads.h"
+#include "axiometry/formats/text/head_words.h"
 
 #include <algorithm>
 #include <span>
