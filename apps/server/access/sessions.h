@@ -36,7 +36,7 @@ class Sessions {
   static bool is_over(const Times& times, Clock::time_point now);
 
   mutable std::mutex mutex_;
-  std::map<std::string, Times, std::less<>> all_;  // by the SHA-256, so that no time tells how much of it was right
+  std::map<std::string, Times, std::less<>> all_;  // keyed by SHA-256: how long a search takes tells nothing
 };
 
 }  // namespace axiometry::server

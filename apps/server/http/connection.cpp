@@ -361,7 +361,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   ConnectionShare& share_;
   Deadline deadline_;
   asio::steady_timer watch_;
-  std::optional<Desk::Ticket> asked_;  // in a line, or being answered
+  std::optional<Desk::Ticket> asked_;  // the request that waits in a line or is being answered
   bool is_idle_ = true;                // no head has come whole, or the answer is only held back
   bool is_closed_ = false;
   bool keeps_alive_ = false;
@@ -376,8 +376,8 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
         if (size > body_max_) code = http::error::body_limit;
       };
   std::size_t body_max_ = 0;
-  std::size_t body_bytes_ = 0;              // also while it is answered
-  std::shared_ptr<const Response> answer_;  // that goes out
+  std::size_t body_bytes_ = 0;              // bytes of the body, also while the request is answered
+  std::shared_ptr<const Response> answer_;  // the answer that is being sent
   std::optional<ResponseMessage> message_;
   std::optional<http::serializer<false, ResponseMessage::body_type>> serializer_;
   Clock::time_point began_, body_began_, answer_until_;

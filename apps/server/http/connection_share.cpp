@@ -11,13 +11,13 @@
 namespace axiometry::server {
 namespace {
 
-constexpr std::size_t small_answer = std::size_t{16} << 10;  // not worth to be refused for want of memory
+constexpr std::size_t small_answer = std::size_t{16} << 10;  // an answer this small is never refused for want of memory
 constexpr std::string_view no_memory_for_answers =
     "found more answers on their way than the server has memory for, expected fewer";
 
 struct Guests {
   std::vector<Guest*> all;
-  std::vector<Standing> standings;  // in the same order
+  std::vector<Standing> standings;  // of all, in the same order
 };
 
 Guests guests_of(const ConnectionShare& share) {

@@ -83,7 +83,7 @@ class Steps {
     step([&ended](error_code code, const auto&...) { ended = code; });
     io_.restart();
     io_.run_until(until_);
-    if (!ended) throw boost::system::system_error(beast::error::timeout);  // its handler is never called
+    if (!ended) throw boost::system::system_error(beast::error::timeout);  // the handler was never called
     if (*ended) throw boost::system::system_error(*ended);
   }
 

@@ -32,7 +32,7 @@ class Turnstile {
   Step first_in_turn();
 
   Post post_;
-  std::list<Line> lines_;    // in the order of their turns
+  std::list<Line> lines_;    // lines in the order of their turns
   bool is_turning_ = false;  // let_in() is to be called; so it is whenever somebody waits
 };
 

@@ -108,11 +108,11 @@ struct Desk::Work {
   std::string who;
   language::Language language;
   bool keeps = false;          // perhaps something
-  bool may_have_kept = false;  // its answer has begun; of the workers
+  bool may_have_kept = false;  // set by the workers once they have begun to answer it
   Job job;                     // of the workers, one after another
   std::string key;             // of the job, once it is in by_key_
   Load line = Load::light;
-  std::optional<Lines::Place> place;  // in a line, or being done by its worker
+  std::optional<Lines::Place> place;  // its place while it waits in a line or its worker does it
   std::stop_source stop;
   std::optional<Load> overdue;  // told to stop by the deadline of that
   asio::steady_timer deadline;

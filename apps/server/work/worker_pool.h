@@ -52,7 +52,7 @@ class WorkerPool {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::string, std::deque<Task>> lines_;  // of those who have something waiting
-  std::deque<std::string> turns_;                  // their order
+  std::deque<std::string> turns_;                  // whose turn it is, in order
   std::size_t waiting_ = 0;
   bool lone_runs_ = false;
   Ticket last_ticket_ = 0;

@@ -13,20 +13,20 @@ constexpr double cost_misfit = 1.0;    // at the tolerance; it grows with the sq
 constexpr double cost_way = 2.0;       // each end of the way that is not where it should be
 constexpr double cost_unseen = 1.5;    // the direction of arrival
 constexpr double cost_extra = 2.0;     // a standstill that is no stop
-constexpr double cost_repeated = 1.0;  // at the stop matched last, without having been away
+constexpr double cost_repeated = 1.0;  // a second standstill at the stop matched last, without having been away
 constexpr double cost_outside = 0.5;   // before the first stop, and behind the last
 constexpr double cost_short = 0.2;     // one too short to be a stop; it may be that of a stop in vain
 constexpr double cost_short_match = 0.3;
 constexpr double cost_missed = 3.0;      // the first of stops left out
 constexpr double cost_doubling = 1.0;    // of their number
-constexpr double cost_told_break = 0.5;  // samples are missing, the length is as before
-constexpr double cost_told_jump = 1.0;   // or it is another
+constexpr double cost_told_break = 0.5;  // samples are missing, and the length is as before
+constexpr double cost_told_jump = 1.0;   // samples are missing, and the length is another
 constexpr double cost_untold_break = 6.0;
 
 constexpr double cost_most = 16.0;  // more than the best: given up
 constexpr double coverage = 4.0;    // of standard uncertainties
 constexpr std::size_t states_most = 256;
-constexpr std::size_t stops_ahead = 16;  // and as many as the time has room for
+constexpr std::size_t stops_ahead = 16;  // so many stops are tried at least, and as many as the time has room for
 constexpr std::size_t links_to_collect = 4096;
 
 double missed_cost(std::size_t missed) {

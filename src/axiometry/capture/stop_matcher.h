@@ -66,7 +66,7 @@ class StopMatcher {
   static constexpr std::size_t none = SIZE_MAX;
 
   struct Link {
-    std::size_t before = none;  // in links_
+    std::size_t before = none;  // index in links_ of what came before
     StopMatch match;
     std::size_t depth = 0;
   };
@@ -74,11 +74,11 @@ class StopMatcher {
   struct State {
     std::size_t stop = none;  // matched last
     std::size_t link = none;
-    std::size_t standstill = none;  // that was
+    std::size_t standstill = none;  // the standstill that was matched to it
     double cost = 0.0;
     double lowest = 0.0, highest = 0.0;  // of the way since then, as the distance counts
     bool broken = false;                 // samples are missing on it
-    bool strayed = false;                // to a standstill that is no stop
+    bool strayed = false;                // whether it came to a standstill that is no stop
   };
   struct Step {
     double cost = 0.0;

@@ -81,7 +81,7 @@ class TargetMatcher {
   std::optional<std::size_t> last_;      // the approach read last
   double lowest_ = 0.0, highest_ = 0.0;  // of the way since then
   bool unseen_ = true;                   // a part of that way is missing
-  std::vector<Standstill> waiting_;      // until the zero is known
+  std::vector<Standstill> waiting_;      // standstills that wait until the zero is known
   double last_time_s_ = 0.0;
   CaptureResult result_;
 };

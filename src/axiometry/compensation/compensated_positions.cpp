@@ -285,7 +285,7 @@ void add_of_places(Caveats& caveats, const std::array<Way, 2>& ways, const Compe
 }  // namespace
 
 Result<CompensatedPositions> compensated_positions(const Test& test, const TableInControl& table) {
-  Test machine = test;  // what it will do, not what this test was
+  Test machine = test;  // a test of what the machine will do, not of what it did
   machine.metadata.gum.measurand = Measurand::this_machine;
   const iso230_2::Evaluation measured = iso230_2::evaluate(machine.series);
   AXIOMETRY_TRY(const auto gum, iso230_2::gum(machine, measured));

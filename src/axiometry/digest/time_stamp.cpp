@@ -120,7 +120,7 @@ Owned<TS_VERIFY_CTX> checks_of_bytes(std::string_view bytes) {
   const std::string digest = digest_of(bytes);
   auto* const imprint = static_cast<unsigned char*>(OPENSSL_memdup(digest.data(), digest.size()));
   TS_VERIFY_CTX_set_flags(context.get(), TS_VFY_VERSION | TS_VFY_IMPRINT);
-  TS_VERIFY_CTX_set_imprint(context.get(), imprint, static_cast<long>(digest.size()));  // which frees it
+  TS_VERIFY_CTX_set_imprint(context.get(), imprint, static_cast<long>(digest.size()));  // the context frees the imprint
   return context;
 }
 

@@ -13,7 +13,7 @@ namespace axiometry::language {
 bool has_no_words(std::string_view text);
 
 /// The numbers with that decimal mark: "12.5 µm" → "12,5 µm", but neither "5.3.2" nor "A.2" nor "v1.5". Where the mark
-/// is a comma, coordinates in brackets are parted by semicolons: "(0.5, 1, 2)" → "(0,5; 1; 2)".
+/// is a comma, coordinates in brackets are separated by semicolons: "(0.5, 1, 2)" → "(0,5; 1; 2)".
 std::string with_decimal_mark(std::string_view text, char mark);
 
 /// 'as the user gave it' or "…", all of it.

@@ -20,7 +20,7 @@ inline bool is_aligned(const TrackingSetup& setup) { return std::isnan(setup.sta
 
 /// As one line of that plan is seen: where the interferometer is aligned, from a place on the extension of the line, a
 /// metre before its first target. Where on it does not matter: the dead path takes it up, and the beam lies in the
-/// line. Another set-up, and a line that is none in space, as they are.
+/// line. Another set-up, and a line that is not stated in space, as they are.
 inline TrackingSetup setup_along(TrackingSetup setup, const TrackingLine& line) {
   constexpr double before_mm = 1000.0;
   const auto way = spatial_line(line.plan.axis);

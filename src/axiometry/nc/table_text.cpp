@@ -59,9 +59,9 @@ std::vector<TableLine> lines_of(std::string_view text) {
   return lines;
 }
 
-std::optional<std::vector<double>> numbers_of(std::string_view text, std::string_view parting) {
+std::optional<std::vector<double>> numbers_of(std::string_view text, std::string_view separators) {
   std::vector<double> numbers;
-  const std::string stops = " \t" + std::string(parting);
+  const std::string stops = " \t" + std::string(separators);
   while (true) {
     const std::size_t begin = text.find_first_not_of(stops);
     if (begin == std::string_view::npos) return numbers;

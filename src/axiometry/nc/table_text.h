@@ -35,8 +35,8 @@ struct TableLine {
 /// Lines as they stand, empty ones too; a last one without content is none.
 std::vector<TableLine> lines_of(std::string_view text);
 
-/// All numbers of a text that holds nothing else, parted by blanks or by any character of `parting`.
-std::optional<std::vector<double>> numbers_of(std::string_view text, std::string_view parting = "");
+/// All numbers of a text that holds nothing else, separated by blanks or by any character of `separators`.
+std::optional<std::vector<double>> numbers_of(std::string_view text, std::string_view separators = "");
 
 /// Fails, naming the limit, where the positions are more, or not as evenly spaced, as the table allows, or the kind of
 /// axis is one that it does not take.

@@ -55,7 +55,7 @@ std::string shown_exact(double x, const Options& options);
 /// So many significant digits at most, for numbers that were computed: 1744.209.
 std::string shown_short(double x, const Options& options, int significant_digits = 7);
 
-/// "(0.5, −1, 2)" to so many significant digits; parted by semicolons where the decimal mark is a comma.
+/// "(0.5, −1, 2)" to so many significant digits; separated by semicolons where the decimal mark is a comma.
 std::string shown_vector(Vector3 v, const Options& options, int significant_digits);
 
 /// Decimals that show every target fully, at most 4.

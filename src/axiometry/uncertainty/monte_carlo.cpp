@@ -20,7 +20,7 @@ namespace axiometry::uncertainty {
 namespace {
 
 constexpr std::size_t first_blocks = 10;    // of an adaptive run
-constexpr std::size_t round_blocks = 1024;  // whose figures are held until they are added in order
+constexpr std::size_t round_blocks = 1024;  // blocks of a round; their figures are held until they are added in order
 
 /// What one block says about one output.
 struct BlockFigures {
@@ -102,7 +102,7 @@ class Run {
     }
     for (std::size_t t = 1; t < threads_; ++t) tallies_.emplace_back().values.resize(outputs_ * block_size);
     for (Tally& tally : tallies_) {
-      tally.counts.reserve(outputs_);  // they are large
+      tally.counts.reserve(outputs_);  // counts are large, and are not moved then
       for (const CoreLayout& layout : layouts_) tally.counts.emplace_back(layout);
     }
     moments_.resize(outputs_);

@@ -284,7 +284,7 @@ ExactAnnexA check_budget(const Value& budget, const ExactParameters& measured, s
     for (const Value& line : lines->items()) {
       const std::string_view key = text_member(&line, "key");
       const auto stated = number_member(&line, "U");
-      if (!stated) continue;  // its inputs were not given: the line says so
+      if (!stated) continue;  // the inputs of this contributor were not given, and its line says so
       sum.any = true;
       const StatedInputs inputs(line);
       if (const auto L = inputs.measured_travel(); L && !positions.empty()) {

@@ -115,18 +115,18 @@ class CaptureSession {
   CaptureOptions options_;
   std::optional<capture::TargetMatcher> matcher_;
   std::unique_ptr<capture::StandstillDetector> detector_;
-  std::unique_ptr<capture::StopListener> stops_;  // in place of both
+  std::unique_ptr<capture::StopListener> stops_;  // in place of both, where lengths are captured
   std::unique_ptr<MotionListener> motion_;        // likewise
   std::optional<capture::StandstillDetector::Now> axis_;
   const formats::Recording* layout_ = nullptr;
   std::unique_ptr<formats::RecordingReader> reader_;
   std::unique_ptr<formats::RecordingReader> beside_;  // of what tells the stops of motion_, in the same bytes
-  std::string head_;                                  // until the layout is known
+  std::string head_;                                  // the first bytes, until the layout is known
   std::string beginning_;                             // as much as says_simulated() looks at
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
   std::vector<std::string> remarks_;
-  std::vector<capture::CapturedReading> found_;  // not handed on yet
+  std::vector<capture::CapturedReading> found_;  // readings that were not handed on yet
 };
 
 }  // namespace axiometry::app

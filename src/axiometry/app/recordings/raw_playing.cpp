@@ -60,7 +60,7 @@ class Playing {
   CaptureSession& session_;
   const PlayHooks& hooks_;
   std::optional<ArrivalNs> first_;
-  std::optional<Error> refused_;  // from where on it cannot be read
+  std::optional<Error> refused_;  // why and from where on it cannot be read
   std::uint64_t at_ = 0;
   bool wanted_ = true;
 };

@@ -21,7 +21,7 @@ constexpr std::uint64_t end_mask = (one << 46) - 1, unknown_bit = one << 46, con
 constexpr int check_at = 48;
 constexpr std::uint64_t connection_bit_1 = one << 63;
 constexpr std::size_t largest_times = std::size_t{4} << 30;
-constexpr std::uint64_t longest_piece = std::uint64_t{64} << 10;  // that was ever read at once
+constexpr std::uint64_t longest_piece = std::uint64_t{64} << 10;  // no piece longer than this was ever read at once
 
 std::uint64_t little_endian(std::uint64_t x) {
   if constexpr (std::endian::native == std::endian::big) x = std::byteswap(x);
@@ -44,7 +44,7 @@ struct ReadStamp {
   std::uint64_t at = 0;
   std::optional<ArrivalNs> arrival{};
   bool begins_connection = false;
-  std::size_t number = 0;  // in the file, from 0
+  std::size_t number = 0;  // its number in the file, from 0
 };
 
 std::optional<ReadStamp> stamp_of(std::string_view record, int version, std::size_t number) {
@@ -52,7 +52,7 @@ std::optional<ReadStamp> stamp_of(std::string_view record, int version, std::siz
   std::memcpy(words, record.data(), record_size);
   const std::uint64_t first = little_endian(words[0]);
   const auto arrival = static_cast<ArrivalNs>(little_endian(words[1]));
-  if (arrival < 0) return std::nullopt;  // before 1970
+  if (arrival < 0) return std::nullopt;  // a time before 1970 is no arrival
   if (version == 1) return ReadStamp{first & ~connection_bit_1, arrival, (first & connection_bit_1) != 0, number};
   const std::uint64_t told = first & ((one << check_at) - 1);
   if (check_of(told, little_endian(words[1])) != first >> check_at) return std::nullopt;
@@ -88,7 +88,7 @@ struct ReadTimes {
   bool headed = true;
   std::size_t records = 0;
   std::size_t torn = 0;            // bytes behind the last one
-  std::vector<ReadStamp> sound{};  // that pass their check
+  std::vector<ReadStamp> sound{};  // stamps that pass their check
 };
 
 ReadTimes read_as(std::string_view bytes, int version) {

@@ -32,7 +32,7 @@ PlaceKey key_of(Vector3 at) {
 /// Of one station with one tool.
 struct Counts {
   std::size_t lengths = 0;
-  std::size_t own = 0;                           // at points of their part
+  std::size_t own = 0;                           // how many lie at points of their own part
   std::map<std::size_t, std::size_t> elsewhere;  // run and how many at points of it alone
 };
 

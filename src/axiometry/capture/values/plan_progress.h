@@ -66,7 +66,7 @@ class PlanProgress {
   double pace_at(double time_s) const;
 
   std::vector<Approach> approaches_;
-  std::vector<double> planned_s_;  // from the stop before to this one
+  std::vector<double> planned_s_;  // time from the stop before to this one
   std::vector<Done> done_;
 };
 

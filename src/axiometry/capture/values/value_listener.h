@@ -125,16 +125,16 @@ class ValueListener {
   PlanProgress progress_;
   std::vector<PlannedValue> given_;
   std::vector<CaptureEvent> events_;
-  std::optional<CaptureEvent> last_refused_;  // while the last that was told is a refusal
+  std::optional<CaptureEvent> last_refused_;  // the refusal, where the last event that was told is one
   std::size_t more_alike_ = 0;                // refused since for the same reason
   std::optional<Sample> last_;
   double now_s_ = -std::numeric_limits<double>::infinity();  // of last_; by a rounding later behind each gap since
-  std::deque<Pressed> pressed_;                              // of a recording, not reached yet
-  std::deque<double> edges_;                                 // of the trigger, not reached yet
+  std::deque<Pressed> pressed_;                              // keys of a recording that were not reached yet
+  std::deque<double> edges_;                                 // edges of the trigger that were not reached yet
   std::optional<bool> level_;                                // of the trigger; nothing where samples are missing
   std::optional<double> window_from_s_;
   std::vector<Sample> window_;  // or what a rest of the axis may be averaged from
-  std::deque<Candidate> held_;  // from the first that is doubtful on
+  std::deque<Candidate> held_;  // readings from the first doubtful one on
   bool doubt_told_ = false;
   bool trusted_ = false;  // the next is of the target that is due
   bool warned_ = false;   // a key came too soon, another one insists

@@ -68,7 +68,7 @@ class LongRows {
     double deviation;
     std::size_t line;
     std::uint32_t target;
-    std::uint16_t run;  // from 0
+    std::uint16_t run;  // number of the run, from 0
     std::uint8_t direction;
   };
 
@@ -108,7 +108,7 @@ class LongRows {
   bool native_targets_;
   bool native_readings_;
   std::array<Label, 2> labels_;
-  std::vector<ColumnRole> roles_;  // by column
+  std::vector<ColumnRole> roles_;  // the role of each column
   bool rows_repeat_;               // the test comes first and the reading last, so that what is between may repeat
   RowMemory memory_;
 
@@ -122,7 +122,7 @@ class LongRows {
   std::vector<RowReading> readings_;
   Comparison comparison_;
   std::vector<SourceRemark> remarks_;
-  std::vector<std::size_t> approaches_;  // so far, by target and direction; without a run column
+  std::vector<std::size_t> approaches_;  // approaches so far by target and direction, where no column states the run
 };
 
 }  // namespace axiometry::formats

@@ -123,8 +123,8 @@ class Pass {
   std::string_view stated_test_number_;
   std::unordered_map<std::string_view, std::size_t> numbers_;
   std::vector<LogState> states_;
-  std::size_t states_kept_ = 0;          // by all events
-  std::vector<std::size_t> successors_;  // by the variable before
+  std::size_t states_kept_ = 0;          // states that all events together keep
+  std::vector<std::size_t> successors_;  // for each variable the one that came after it
   std::size_t last_ = 0;
   bool connecting_ = true;   // no variable has spoken twice
   std::string_view newest_;  // time of all values so far

@@ -20,7 +20,7 @@ struct NameWord {
   WordPlace place = WordPlace::whole;
 };
 
-/// Whether a name has it. Words are parted by what is no letter, by a capital after a small letter, and before "temp".
+/// Whether a name has it. Words end at what is no letter, at a capital after a small letter, and before "temp".
 bool has_word(std::string_view name, const NameWord& sought);
 bool has_any_word(std::string_view name, std::span<const NameWord> sought);
 

@@ -55,8 +55,8 @@ class ConnectionPool {
   std::vector<std::unique_ptr<Connection>> idle_;
   std::size_t open_ = 0;
   std::size_t times_silent_ = 0;
-  bool silent_ = false;  // it did not answer when it was asked last
-  bool asked_ = false;   // and somebody is asking it again
+  bool silent_ = false;  // whether it did not answer when it was asked last
+  bool asked_ = false;   // whether somebody is asking it again
 };
 
 }  // namespace axiometry::store

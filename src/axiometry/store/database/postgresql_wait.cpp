@@ -57,7 +57,7 @@ Waited wait_for_result(PGconn* session, std::chrono::milliseconds silence) {
     const int left = PQflush(session);
     if (left < 0 || (left == 0 && PQisBusy(session) == 0)) return Waited::answered;
     if (!heard(session, left > 0 ? POLLIN | POLLOUT : POLLIN, silence)) return Waited::silent;
-    if (PQconsumeInput(session) == 0) return Waited::answered;  // with the reason
+    if (PQconsumeInput(session) == 0) return Waited::answered;  // the session then states the reason
   }
 }
 

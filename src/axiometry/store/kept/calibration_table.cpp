@@ -13,7 +13,7 @@
 namespace axiometry::store {
 namespace {
 
-constexpr std::size_t longest_measured_on = 200;  // as of a test
+constexpr std::size_t longest_measured_on = 200;  // as long as that of a test may be
 
 Result<void> check_values(const Calibration& c) {
   if (!is_calibration_kind(c.kind))

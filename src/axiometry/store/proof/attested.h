@@ -47,7 +47,7 @@ class Attested {
   bool withdrawn(const std::string& subject) const;
 
  private:
-  std::map<std::string, std::string> hashes_;  // by subject and version
+  std::map<std::string, std::string> hashes_;  // hashes keyed by subject and version
   std::map<std::string, std::int64_t, std::less<>> counts_;
   std::map<std::string, bool> withdrawn_;
   std::map<std::string, Origin> origins_;

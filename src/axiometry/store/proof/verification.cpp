@@ -66,10 +66,10 @@ class Verifier {
   const Expectations& expected_;
   Verification found_;
   Attested attested_;
-  bool trail_is_read_ = false;                         // to its head
-  bool trail_is_sound_ = false;                        // from its first entry to its head
-  std::map<std::int64_t, std::string> known_entries_;  // what the trail has where something outside knows it
-  std::int64_t contents_without_name_ = 0;             // that the trail tells: kept before it did
+  bool trail_is_read_ = false;                         // whether the trail was read to its head
+  bool trail_is_sound_ = false;                        // whether the trail is sound from its first entry to its head
+  std::map<std::int64_t, std::string> known_entries_;  // hashes of entries that something outside of the trail knows
+  std::int64_t contents_without_name_ = 0;             // contents the trail tells without a name: older than names
   std::int64_t tests_without_format_ = 0;
 };
 

@@ -21,7 +21,7 @@ namespace axiometry::tracking {
 namespace {
 
 constexpr double broken_beam_mm = 1e6;          // what a lost beam costs beside the length of a way
-constexpr double no_way_mm = 1e9;               // and one that does not exist
+constexpr double no_way_mm = 1e9;               // what a way costs that does not exist
 constexpr double on_extension_mm = 1.0;         // of a diagonal: a station that near is on it
 constexpr double negligible_share = 1.0 / 3.0;  // of the instrument's uncertainty: 5 % of both together
 constexpr double step_least = 1e-6, step_most = 1.0;

@@ -262,7 +262,7 @@ class Multilateration {
   bool unknown_scales_;  // a prior tells as much as six coplanar stations lack, how well is a matter of covariances
   bool with_size_;       // whether nothing tells the size, so that it is taken from the nominal points
   Vector3 centre_{};
-  std::vector<Vector3> nominal_;  // about centre_
+  std::vector<Vector3> nominal_;  // nominal points relative to centre_
   RangeStarts starts_;
   RangeLayout layout_;
   RangeState state_;

@@ -74,7 +74,7 @@ void describe_solution(LinearSolution& result, const Vector5& x, const Eigen::Ma
                        std::span<const LocationPoint> points) {
   LinearFit& fit = result.fit;
   const double r = s.scale_mm;
-  const Vector3 local = r * Vector3{x[0], x[1], x[2]};  // about the centre
+  const Vector3 local = r * Vector3{x[0], x[1], x[2]};  // relative to the centre
   const double local_L0 = r * x[3];
   fit.station_mm = s.centre_mm + local;
   fit.L0_mm = local_L0 - s.length_centre_mm;

@@ -140,7 +140,7 @@ PredictedLine of_direction(const PredictedLine& both, Direction direction) {
   const std::size_t m = one.up.size(), first = direction == Direction::up ? 0 : m;
   const double share = 1.0 / static_cast<double>(m);
   double mean = 0.0, mean_covariance = 0.0;
-  std::vector<double> of_mean(m, 0.0);  // its covariance with each
+  std::vector<double> of_mean(m, 0.0);  // covariance of the mean with each target
   for (std::size_t i = 0; i < m; ++i) {
     mean += share * one.up[i].value;
     for (std::size_t k = 0; k < m; ++k) of_mean[i] += share * both.covariance_um2[(first + i) * 2 * m + first + k];

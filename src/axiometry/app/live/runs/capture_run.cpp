@@ -33,7 +33,7 @@ constexpr std::size_t live_block = std::size_t{64} << 10;
 constexpr std::size_t file_block = std::size_t{256} << 10;
 constexpr auto poll_time = 100ms;
 constexpr auto show_every = 100ms;
-constexpr auto sound_connection = 5s;  // with data, though no sample could be made of them yet
+constexpr auto sound_connection = 5s;  // data came for so long: it is sound, though they gave no sample yet
 constexpr std::uint64_t longest_without_break = std::uint64_t{1} << 20;
 
 /// One run from begin to end.
@@ -333,7 +333,7 @@ class Run {
   LiveCapture live_{.name = {}, .connect = {}, .raw = {}};
   Clock::time_point connected_, shown_;
   std::optional<Outage> outage_;
-  std::uint64_t room_ = UINT64_MAX;  // for bytes that may still come
+  std::uint64_t room_ = UINT64_MAX;  // how many bytes may still come
   PipedLog piped_;
   RawLog* log_ = nullptr;
   std::optional<RawHold> hold_;

@@ -69,10 +69,10 @@ class CaptureService::Running {
   const std::string source_;
   const bool concludes_;
   const CaptureKeeping& keeping_;
-  std::optional<HeldCapture> held_;  // until it has ended
+  std::optional<HeldCapture> held_;  // held until the capture has ended
   std::optional<Begun> begun_;
-  std::optional<Test> test_;  // as far as it has come
-  bool evaluated_ = true;     // what has come
+  std::optional<Test> test_;  // the test as far as its readings have come
+  bool evaluated_ = true;     // whether what has come was evaluated
   std::atomic<bool> stop_ = false;
   std::atomic<bool> interrupt_ = false;
 
@@ -84,8 +84,8 @@ class CaptureService::Running {
   std::size_t standstills_ = 0;  // of lengths, that the state knows
   std::size_t told_ = 0;         // of a motion, readings given and events, which change what is read
   std::vector<capture::StopKey> keys_;
-  bool listens_ = true;  // to keys
-  std::jthread thread_;          // last: it uses all of the above
+  bool listens_ = true;  // whether it listens to keys
+  std::jthread thread_;  // last: it uses all of the above
 };
 
 }  // namespace axiometry::app

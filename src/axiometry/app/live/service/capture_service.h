@@ -168,7 +168,7 @@ class CaptureService {
   mutable std::mutex mutex_;  // of all below
   CaptureFolder folder_;
   std::vector<std::string> beginning_;            // sources of captures that are about to run
-  std::map<store::Id, CaptureState> restarting_;  // whose source is being reached again
+  std::map<store::Id, CaptureState> restarting_;  // captures whose source is being reached again
   std::set<store::Id> about_to_conclude_;         // of those that are restarting
   std::map<store::Id, std::shared_ptr<Running>> captures_;
 };

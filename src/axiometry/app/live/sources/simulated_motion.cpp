@@ -40,7 +40,7 @@ bool tells_beside(StopSign sign) { return sign == StopSign::trigger || sign == S
 
 /// What capture and axis know of each other. Both are used by one thread.
 struct AxisAndCapture {
-  bool waits = false;    // at each stop, until it is done
+  bool waits = false;    // whether it waits at each stop until the stop is done
   std::size_t done = 0;  // approaches that have a reading or are left without one
   std::optional<capture::StandstillDetector::Now> now{};
 

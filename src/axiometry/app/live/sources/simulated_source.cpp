@@ -64,7 +64,7 @@ class SimulatedStream final : public LiveStream {
   Result<void> take(std::span<const Sample> samples, const std::stop_token& stop) {
     for (const Sample& sample : samples) {
       encoder_.append(packet_, sample);
-      if (skip_ >= packet_.size()) {  // was heard before
+      if (skip_ >= packet_.size()) {  // all of this packet was heard before
         skip_ -= packet_.size();
         packet_.clear();
         continue;

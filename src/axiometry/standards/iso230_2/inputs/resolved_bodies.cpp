@@ -15,10 +15,10 @@ namespace {
 /// One of two bodies that expand.
 struct BodyWords {
   const BodyKeys& keys;
-  std::string_view whose;  // in remarks
+  std::string_view whose;  // what remarks call it
   std::string_view role;   // of its sensors
   std::string_view alpha_symbol;
-  std::string_view expansion_input;  // its distributions
+  std::string_view expansion_input;  // these inputs state its distributions
   std::string_view temperature_input;
 };
 

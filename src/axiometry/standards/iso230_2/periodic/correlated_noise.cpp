@@ -12,7 +12,7 @@ namespace axiometry::iso230_2 {
 double NoiseCorrelation::power_beside_white(double targets_per_period) const {
   const double turn = 2.0 * std::numbers::pi / targets_per_period;
   const double cosine = std::cos(turn);
-  if (cosine <= 0.0) return 1.0;  // it has less than white noise at periods below four targets
+  if (cosine <= 0.0) return 1.0;  // at periods below four targets such noise has less than white noise
   const double worst = (1.0 - std::abs(std::sin(turn))) / cosine;
   const double rho = std::min(most, worst);
   return std::max(1.0, (1.0 - rho * rho) / (1.0 - 2.0 * rho * cosine + rho * rho));
