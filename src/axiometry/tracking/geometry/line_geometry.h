@@ -22,7 +22,7 @@ struct LineGeometry {
   double angle_most_deg = 0.0;       ///< between beam and line, over the targets
 };
 
-/// Fails on a line that is not stated in space, on a target within 1 mm of the station, on a line that runs past the station
+/// Fails on a line not stated in space, on a target within 1 mm of the station, on a line that runs past the station
 /// (κ changes its sign between the targets), and where a beam stands at more than 60° to the line: it then measures
 /// straightness rather than position.
 Result<LineGeometry> line_geometry(const TrackingSetup& setup, const TrackingLine& line);
