@@ -76,7 +76,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   void hang_up() override {
     keeps_alive_ = false;
     if (is_idle_) return close();
-    if (is_leaving_) allow(time_to_leave());
+    if (is_leaving_) allow(lingering_at_the_end);
   }
 
   void make_room() override { close(); }
@@ -331,11 +331,9 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     wait_for_request(share_.limits.idle);
   }
 
-  Clock::duration time_to_leave() const { return share_.ending ? lingering_at_the_end : lingering; }
-
   void say_goodbye() {
     is_leaving_ = true;
-    allow(time_to_leave());
+    allow(share_.ending ? lingering_at_the_end : lingering);
     if constexpr (is_tls)
       stream_.async_shutdown([self = this->shared_from_this()](error_code) { self->end_sending(); });
     else
@@ -349,7 +347,6 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     socket().shutdown(tcp::socket::shutdown_send, code);
     if (code) return close();
     piece_.resize(piece_bytes);
-    allow(time_to_leave());
     drain();
   }
 
