@@ -100,19 +100,18 @@ function(axiometry_lightly_optimised target)
   endif()
 endfunction()
 
-# axiometry_unity_build(TARGET [HEADERS header...] [HALVES folder...] [TOGETHER "folder..."...]): compiles once what is
-# common: the headers that most sources of the target include, and these; and the sources of each folder as one, so that
-# a template is instantiated once for all of them. For that a name of an anonymous namespace stands for one thing in its
-# folder; where each source has the same names, such as the read() of every format, they are in a namespace with the name
-# of the source. Small folders are compiled TOGETHER, those of each string as one, since most of the work of a unit is its
-# headers; in these a name stands for one thing in all of them. A folder that is compiled last and takes long makes HALVES,
-# so that one core does not wait for the other at the end. A source that has a UNITY_GROUP keeps it. Sources never rely on
-# any of it: without the option it does nothing.
+# axiometry_unity_build(TARGET [HEADERS header...] [TOGETHER "folder..."...]): compiles once what is common: the headers
+# that most sources of the target include, and these; and the sources of each folder as one, so that a template is
+# instantiated once for all of them. For that a name of an anonymous namespace stands for one thing in its folder; where
+# each source has the same names, such as the read() of every format, they are in a namespace with the name of the
+# source. Small folders are compiled TOGETHER, those of each string as one, since most of the work of a unit is its
+# headers; in these a name stands for one thing in all of them. A source that has a UNITY_GROUP keeps it. Sources never
+# rely on any of it: without the option it does nothing.
 function(axiometry_unity_build target)
   if(NOT AXIOMETRY_UNITY_BUILD)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;HALVES;TOGETHER")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;TOGETHER")
   target_precompile_headers(
     ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
     <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
@@ -139,14 +138,6 @@ function(axiometry_unity_build target)
           string(MAKE_C_IDENTIFIER ${first}_and_more group)
         endif()
       endforeach()
-      if(folder IN_LIST arg_HALVES)
-        set(beside ${sources})
-        list(FILTER beside INCLUDE REGEX "/${folder}/[^/]*\\.cpp$")
-        list(LENGTH beside count)
-        list(FIND beside ${source} place)
-        math(EXPR half "2 * ${place} / ${count} + 1")
-        string(APPEND group _${half})
-      endif()
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
   endforeach()

@@ -3,7 +3,7 @@
 """Whether the phrase books of all languages but English cover what the program may say.
 
 Reads the string literals of the sources that compose findings, notes and reports, cuts them at their places, and reports
-every longer piece that stands in no English phrase of src/axiometry/language/german_*.cpp; and every phrase of these
+every longer piece that stands in no English phrase of src/axiometry/language/german/; and every phrase of these
 that a language written as a file of pairs (src/axiometry/language/fr.txt) lacks. With PROGRAM it also makes every
 document in every language (language_documents.py) and asks the workbench for things it refuses (language_refusals.py),
 and reports the English words that are left. Exits with 1 if there is one.
@@ -44,7 +44,7 @@ SOURCES = [
     "report/figures/layout/layout.cpp", "report/figures/layout/layout_of.cpp", "report/figures/residuals.cpp",
     "report/figures/lines_overview.cpp", "report/figures/length_difference.cpp", "report/figures/periodic.cpp",
     "report/method_values.cpp", "report/conformity_text.cpp", "report/correction_text.cpp", "report/documents/plan_sheet.cpp",
-    "app/compensate/measured_state.cpp", "app/workbench/compensations.cpp", "app/workbench/compensation_standing.cpp", "app/workbench/kept_things.cpp", "compensation/fit.cpp", "compensation/grid.cpp", "compensation/suspicions.cpp",
+    "app/compensate/measured_state.cpp", "app/workbench/compensations/compensations.cpp", "app/workbench/compensations/compensation_standing.cpp", "app/workbench/kept_records.cpp", "compensation/fit.cpp", "compensation/grid.cpp", "compensation/suspicions.cpp",
     "model/axis_correction.cpp", "nc/axis_table.cpp", "nc/table_text.cpp", "nc/compensations/fanuc_reading.cpp",
     "nc/compensations/increments.cpp", "nc/compensations/linuxcnc_lines.cpp", "nc/compensations/siemens_lines.cpp",
     "report/documents/compensation_document.cpp", "report/figures/compensation_curves.cpp", "report/documents/volumetric_document.cpp",
@@ -71,7 +71,7 @@ SOURCES = [
     "app/plan/nc_program.cpp", "app/recordings/capture_session.cpp", "app/recordings/raw_log.cpp",
     "app/results/outputs.cpp", "app/studies/lee_experiments.cpp", "app/tracking/evaluate_options.cpp",
     "app/tracking/tracking_request.cpp", "app/volumetric/identify_options.cpp",
-    "app/workbench/calibration_evaluation.cpp", "app/workbench/measured_file.cpp", "app/workbench/workbench.cpp",
+    "app/workbench/calibrations/calibration_evaluation.cpp", "app/workbench/measured_file.cpp", "app/workbench/workbench.cpp",
     "app/workbench/workbench_state.cpp", "capture/dynamics/motion_course.cpp", "digest/time_stamp.cpp",
     "nc/compensations/mitsubishi.cpp", "nc/word_program.cpp", "simulation/instrument_errors.cpp",
     "simulation/record.cpp", "simulation/timeline.cpp", "simulation/tracked_machine.cpp",
@@ -110,7 +110,7 @@ def blanks(text):
 
 def english_phrases():
     phrases = []
-    for path in sorted((ROOT / "src/axiometry/language").glob("german_*.cpp")):
+    for path in sorted((ROOT / "src/axiometry/language/german").glob("*.cpp")):
         if path.name.endswith("_test.cpp"):
             continue
         body = path.read_text(encoding="utf-8")

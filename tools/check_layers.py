@@ -25,8 +25,8 @@ OWNERS = {  # prefix of an include -> the only folder that may use it; linear al
     "boost/": ("apps/server/", "src/axiometry/verification/"),
     "cairo": "src/axiometry/report/",
     "pango/": "src/axiometry/report/",
-    "CLI/": ("apps/cli/main.cpp", "apps/cli/flags/verb.cpp", "apps/cli/verbs/command_completion.cpp",
-             "apps/cli/verbs/command_manual.cpp"),
+    "CLI/": ("apps/cli/main.cpp", "apps/cli/flags/verb.cpp", "apps/cli/verbs/completion.cpp",
+             "apps/cli/verbs/manual.cpp"),
 }
 
 

@@ -23,6 +23,10 @@ FORBIDDEN = [
     (re.compile(r"\b(TODO|FIXME|XXX)\b"), "an unfinished note"),
 ]
 
+# A file of the project that a comment names, with or without its folders.
+NAMED_FILE = re.compile(r"(?<![\w./<*{}-])([a-z0-9_]+(?:/[a-z0-9_]+)*\.(?:h|cpp))\b")
+FOREIGN_FILES = {"cet.h", "termios.h", "version.h"}  # of the system, and made by the build
+
 
 def tracked_files():
     listing = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
@@ -49,6 +53,15 @@ def check_code(name, text):
         for pattern, what in FORBIDDEN:
             if pattern.search(line):
                 yield f"{name}:{number}: {what}"
+
+
+def check_named_files(name, text, files):
+    """What a comment sends its reader to is there: after a file was moved or renamed it says where."""
+    for number, line in enumerate(text.splitlines(), 1):
+        _, _, comment = line.partition("//")
+        for named in NAMED_FILE.findall(comment):
+            if named not in FOREIGN_FILES and not any(f"/{file}".endswith(f"/{named}") for file in files):
+                yield f"{name}:{number}: found {named} in a comment, expected a file that exists"
 
 
 def types_defined(lines):
@@ -78,7 +91,9 @@ class OneDefinition:
 
 def problems():
     one_definition = OneDefinition()
-    for path in tracked_files():
+    tracked = tracked_files()
+    files = [path.relative_to(ROOT).as_posix() for path in tracked if path.suffix in CODE and path.is_file()]
+    for path in tracked:
         if not path.is_file():
             continue
         name = path.relative_to(ROOT).as_posix()
@@ -86,6 +101,7 @@ def problems():
             text = path.read_text(encoding="utf-8")
             yield from check_code(name, text)
             yield from one_definition.check(name, text)
+            yield from check_named_files(name, text, files)
         if path.suffix in CODE and path.stem != path.stem.lower():
             yield f"{name}: file names are snake_case"
 

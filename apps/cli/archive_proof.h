@@ -6,7 +6,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/store/store.h"
-#include "cli/verbs/commands.h"
+#include "cli/exit_code.h"
 
 /// `axiometry store verify` and `axiometry store seal`.
 namespace axiometry::cli {

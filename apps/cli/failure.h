@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/base/result.h"
-#include "cli/verbs/commands.h"
+#include "cli/exit_code.h"
 
 namespace axiometry::cli {
 

@@ -15,9 +15,9 @@
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
 #include "cli/flags/verb.h"
-#include "cli/verbs/command_dynamic.h"
-#include "cli/verbs/command_temperatures.h"
 #include "cli/verbs/commands.h"
+#include "cli/verbs/dynamic.h"
+#include "cli/verbs/temperatures.h"
 
 namespace {
 

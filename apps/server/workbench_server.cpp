@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "axiometry/app/live/service/capture_keeping.h"
-#include "axiometry/app/workbench/examples.h"
+#include "axiometry/app/workbench/examples/examples.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/broken_contract.h"
 #include "axiometry/base/number_text.h"

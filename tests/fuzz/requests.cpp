@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "described.h"
 #include "server/http/target.h"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "axiometry/app/workbench/calibration_json.h"
+#include "axiometry/app/workbench/calibrations/calibration_json.h"
 #include "axiometry/report/drawing/utf8.h"
 
 namespace axiometry::cli {

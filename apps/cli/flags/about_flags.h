@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 #include "axiometry/base/result.h"
 #include "cli/flags/verb.h"
 

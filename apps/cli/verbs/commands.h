@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cli/exit_code.h"
+
 namespace axiometry::cli {
 
 class Verb;
-
-/// What the process returns to its caller.
-enum ExitCode : int {
-  exit_done = 0,
-  exit_usage = 1,       ///< the command line is wrong
-  exit_bad_input = 2,   ///< an input cannot be read or an output cannot be written
-  exit_exceeded = 3,    ///< a parameter does not conform, a finding is serious (serious.h), a case or a plan departs
-  exit_undecided = 4,   ///< none is known not to conform, but the uncertainty leaves one undecided, or none was judged
-  exit_incomplete = 5,  ///< a capture ended before every reading of its plan had come; what came is kept
-  exit_interrupted = 130,  ///< stopped by Ctrl-C, as shells have it
-};
 
 /// Each adds one verb to the program; when that verb is given, its callback sets `exit_code`.
 void add_evaluate(const Verb& program, int& exit_code);

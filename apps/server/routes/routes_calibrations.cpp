@@ -9,8 +9,8 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/localised_result.h"
-#include "axiometry/app/workbench/calibration_json.h"
-#include "axiometry/app/workbench/calibrations.h"
+#include "axiometry/app/workbench/calibrations/calibration_json.h"
+#include "axiometry/app/workbench/calibrations/calibrations.h"
 #include "axiometry/app/workbench/equipment_json.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/text.h"

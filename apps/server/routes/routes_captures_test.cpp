@@ -11,7 +11,7 @@
 #include "axiometry/app/live/lengths/length_plans_test_support.h"
 #include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/live/service/piece_server_test_support.h"
-#include "axiometry/app/workbench/calibration_evaluation.h"
+#include "axiometry/app/workbench/calibrations/calibration_evaluation.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"

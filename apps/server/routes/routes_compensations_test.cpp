@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "axiometry/app/workbench/kept_things.h"
+#include "axiometry/app/workbench/kept_records.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "server/routes/route_test_support.h"
 #include "server/routes/routes.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"

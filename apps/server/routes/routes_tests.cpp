@@ -8,7 +8,7 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/workbench/equipment_json.h"
-#include "axiometry/app/workbench/examples.h"
+#include "axiometry/app/workbench/examples/examples.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/number_text.h"

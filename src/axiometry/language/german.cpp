@@ -52,9 +52,9 @@ std::span<const std::span<const Phrase>> german_tables() {
                                  german_file_refusals,
                                  german_recording_refusals,
                                  german_plan_refusals,
-                                 german_refusals_verbs,
-                                 german_refusals_archive,
-                                 german_refusals_measure};
+                                 german_verb_refusals,
+                                 german_archive_refusals,
+                                 german_measurement_refusals};
   return tables;
 }
 

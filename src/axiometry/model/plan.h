@@ -15,7 +15,7 @@
 #include "axiometry/model/motion_series.h"
 #include "axiometry/model/series.h"
 
-/// What shall be measured, before it is: the test programme of clause 5 as a value. standards/iso230_2_plan makes and
+/// What shall be measured, before it is: the test programme of clause 5 as a value. standards/iso230_2/plan makes and
 /// checks it, formats/plan_json keeps it, nc programs it, capture waits for it, simulation walks it.
 namespace axiometry {
 

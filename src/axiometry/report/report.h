@@ -54,7 +54,7 @@ struct Subject {
 /// What a trail_head is called wherever an output says it.
 inline constexpr std::string_view trail_head_name = "Audit trail before issue";
 
-/// Parameter value and uncertainty of record (iso230_2_record.h) as shown to people: U to `uncertainty_digits`
+/// Parameter value and uncertainty of record (verdict/record.h) as shown to people: U to `uncertainty_digits`
 /// significant digits, the value to U's last place; without U to `deviation_decimals`.
 struct ShownParameter {
   std::string value;       ///< "9.6"; "not applicable" where the parameter does not exist

@@ -11,7 +11,7 @@
 
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/compensate/compensate_options.h"
-#include "axiometry/app/workbench/compensation_json.h"
+#include "axiometry/app/workbench/compensations/compensation_json.h"
 #include "axiometry/base/json.h"
 #include "axiometry/language/language.h"
 #include "tests/support/repository_file.h"

@@ -4,7 +4,7 @@
 #include "axiometry/base/json_place.h"
 #include "axiometry/model/test.h"
 
-/// What was done to the readings, as machines read it; belongs to wire.h. docs/results.md describes the keys.
+/// What was done to the readings, as machines read it; belongs to result_json.h. docs/results.md describes the keys.
 namespace axiometry::app {
 
 /// Adds "corrections" and "readings" (those evaluated, and beside them as they were measured) where the readings were

@@ -25,7 +25,7 @@ json::Value error_to_json(const std::string& file, const Error& error);
 
 /// Header and rows of the table of many evaluations: file, test, axis, kind, unit, conforming, the
 /// twelve parameters, their U, error, verdict, keys of the parameters that do not conform and of those undecided, and
-/// what wire_uncertainty.h adds for the methods that were asked for, label; RFC 4180, full precision, empty where null.
+/// what uncertainty_json.h adds for the methods that were asked for, label; RFC 4180, full precision, empty where null.
 /// The same methods must be given for all rows of a table.
 std::string combined_csv_header(const UncertaintyOptions& asked = {});
 std::string combined_csv_row(const Evaluated& evaluated, const UncertaintyOptions& asked = {});

@@ -8,7 +8,8 @@
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/base/json.h"
 
-/// The uncertainties of an evaluation as machines read them; belongs to wire.h. docs/results.md describes the keys.
+/// The uncertainties of an evaluation as machines read them; belongs to result_json.h. docs/results.md describes the
+/// keys.
 namespace axiometry::app {
 
 json::Value number_or_null(const std::optional<double>& x);

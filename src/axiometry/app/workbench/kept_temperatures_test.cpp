@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/digest/sha256.h"

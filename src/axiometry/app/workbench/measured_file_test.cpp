@@ -6,7 +6,7 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/source.h"
-#include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/same_answer.h"
 #include "axiometry/app/workbench/workbench_state.h"
 #include "tests/support/archive.h"

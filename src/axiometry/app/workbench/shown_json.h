@@ -6,7 +6,7 @@
 #include "axiometry/app/files/reader.h"
 #include "axiometry/base/json.h"
 
-/// The parameters of a result as a page shows them; belongs to wire_workbench.h.
+/// The parameters of a result as a page shows them; belongs to workbench_json.h.
 namespace axiometry::app {
 
 /// Of an object; nullptr where there is none, or no object.

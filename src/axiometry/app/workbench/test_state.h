@@ -15,7 +15,7 @@
 /// An evaluated test as the archive keeps it.
 namespace axiometry::app {
 
-/// Every parameter that exists, with the uncertainty of record (iso230_2_record.h) where there is one, and with its
+/// Every parameter that exists, with the uncertainty of record (verdict/record.h) where there is one, and with its
 /// limit and verdict.
 std::vector<store::Figure> figures_of(const Evaluated& evaluated);
 

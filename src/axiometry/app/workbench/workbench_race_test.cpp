@@ -13,7 +13,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "tests/support/archive.h"
 

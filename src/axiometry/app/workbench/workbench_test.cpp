@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "axiometry/app/workbench/example_table2.h"
+#include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/digest/sha256.h"

@@ -19,7 +19,7 @@
 #include "axiometry/report/report.h"
 #include "axiometry/store/store.h"
 
-/// What goes into the workbench and comes out of it (workbench.h). wire_workbench.h spells it as JSON.
+/// What goes into the workbench and comes out of it (workbench.h). workbench_json.h spells it as JSON.
 namespace axiometry::app {
 
 /// A file as somebody sends it. The bytes must outlive the call.

@@ -7,8 +7,8 @@
 
 #include "axiometry/model/axis.h"
 
-/// What clause 5.3 asks of a test programme, for those who make one (iso230_2_plan.h) and those who judge one that was
-/// measured (iso230_2_rules.h). Clauses 5.3.3 and 5.3.4 follow general knowledge.
+/// What clause 5.3 asks of a test programme, for those who make one (plan/plan.h) and those who judge one that was
+/// measured (rules/rules.h). Clauses 5.3.3 and 5.3.4 follow general knowledge.
 namespace axiometry::iso230_2 {
 
 /// Which of the four tests of clause 5.3 the measured travel calls for.

@@ -17,7 +17,7 @@ namespace axiometry {
 ///
 /// - Coefficients: `nde.machine_expansion`, else that of the scale; `nde.equipment_expansion`. An interferometer has
 ///   none (0 or not given): its own compensation is not touched. Nor has an artefact whose calibrated positions were
-///   brought to its temperature (iso230_2_artefact.h).
+///   brought to its temperature (artefact.h).
 /// - Temperatures: the mean of the sensors with role `machine` (`equipment`), interpolated from start to end over
 ///   the course of the test (test_course.h). A sensor read only once counts as constant.
 /// - Datum: `nde.datum`, else the first target.

@@ -41,7 +41,7 @@ struct Assessment {
   std::optional<AnnexA> annex_a;
   std::optional<GumUncertainty> gum;  ///< this and the next are added by who wants them; assess() leaves them out
   std::optional<MonteCarlo> monte_carlo;
-  /// What somebody chose to be the method of record; the default of iso230_2_record.h where nobody did.
+  /// What somebody chose to be the method of record; the default of verdict/record.h where nobody did.
   std::optional<UncertaintyMethod> method_of_record;
   std::vector<UncorrectedEffect> uncorrected;  ///< no verdict may rest on what they act on
   std::vector<Finding> findings;
@@ -50,7 +50,7 @@ struct Assessment {
   bool temperatures_recorded = false;  ///< of the air at the start and the end of the test, by a log beside it
 
   /// Whether no finding is a departure: nothing that is known of the test contradicts the standard. What may be claimed
-  /// for it is another question (iso230_2_claims.h).
+  /// for it is another question (rules/claims.h).
   bool conforming() const;
 };
 

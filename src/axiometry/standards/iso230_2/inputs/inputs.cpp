@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The given distributions laid over what the single items say (iso230_2_inputs_items.cpp).
+// The given distributions laid over what the single items say (inputs_items.cpp).
 #include "axiometry/standards/iso230_2/inputs/inputs.h"
 
 #include <fmt/format.h>

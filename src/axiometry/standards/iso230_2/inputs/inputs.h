@@ -14,7 +14,7 @@
 #include "axiometry/uncertainty/distribution.h"
 
 /// The input quantities of a positioning test's uncertainty, with their distributions: the one list that the
-/// law of propagation (iso230_2_gum.h) and the Monte Carlo method (iso230_2_monte_carlo.h) both read. Model and
+/// law of propagation (uncertainty/gum.h) and the Monte Carlo method (monte_carlo/monte_carlo.h) both read. Model and
 /// equation numbers: Lira & Cargill, Precision Engineering 28 (2004) 232. Derivation: docs/theory/uncertainty.md.
 namespace axiometry::iso230_2 {
 
@@ -63,9 +63,9 @@ struct UncertaintyInputs {
   std::optional<Position> station;  ///< P_s, there where a `station` input is: what it acts from (station_offset.h)
 };
 
-/// From the metadata as resolved (iso230_2_resolved_inputs.h), where `uncertainty.distributions` replaces or adds to
+/// From the metadata as resolved (resolved_inputs.h), where `uncertainty.distributions` replaces or adds to
 /// what the single items say. The items of Annex A mean what they mean there, with the same defaults
-/// (iso230_2_uncertainty.h). An item that was not given has no input.
+/// (uncertainty/annex_a.h). An item that was not given has no input.
 ///
 /// - machine_temperature: uniform of width R(θ) about ΔT; ΔT given, else the sensors' largest, else 0 with α known.
 /// - machine_expansion: uniform of width R(α) about α.

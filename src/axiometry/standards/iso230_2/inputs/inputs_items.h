@@ -8,7 +8,7 @@
 #include "axiometry/standards/iso230_2/inputs/inputs.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 
-/// The inputs that single items of the metadata stand for. For iso230_2_inputs.cpp alone, which lays the given
+/// The inputs that single items of the metadata stand for. For inputs.cpp alone, which lays the given
 /// distributions over them.
 namespace axiometry::iso230_2 {
 

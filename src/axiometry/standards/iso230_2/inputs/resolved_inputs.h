@@ -11,8 +11,8 @@
 #include "axiometry/model/series.h"
 
 /// What a test states about its uncertainty, resolved once: of several statements about one thing the one that counts,
-/// what follows where nothing was stated, and what cannot act. Annex A (iso230_2_uncertainty.h) and the inputs of the
-/// other methods (iso230_2_inputs.h) read this alone, so that no statement reaches one of them and not the others.
+/// what follows where nothing was stated, and what cannot act. Annex A (uncertainty/annex_a.h) and the inputs of the
+/// other methods (inputs.h) read this alone, so that no statement reaches one of them and not the others.
 /// Rules and derivations: docs/theory/uncertainty.md, "Inputs as resolved".
 namespace axiometry::iso230_2 {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-/// The keys of the vocabulary that iso230_2_resolved_inputs.cpp and the archive's reading of instruments need, and
+/// The keys of the vocabulary that resolved_inputs.cpp and the archive's reading of instruments need, and
 /// which of them say one thing together.
 namespace axiometry::iso230_2 {
 

@@ -9,7 +9,7 @@
 
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 
-/// The statements of a test as they are taken, set aside and told of. For iso230_2_resolved_*.cpp alone.
+/// The statements of a test as they are taken, set aside and told of. For resolved_*.cpp alone.
 namespace axiometry::iso230_2 {
 
 std::optional<double> stated_number(const std::optional<ExpansionCoefficient>& x);

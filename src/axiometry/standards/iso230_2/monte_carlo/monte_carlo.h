@@ -19,14 +19,14 @@
 /// parameter, given the readings and what is known about the inputs.
 ///
 /// Every trial is a complete test that may have happened: readings as perfect instruments would have given them
-/// (iso230_2_posterior.h), moved by one draw of each systematic input, evaluated as evaluate() does. A, E, M, R and
+/// (posterior.h), moved by one draw of each systematic input, evaluated as evaluate() does. A, E, M, R and
 /// B are extremes of many readings: noise pushes them apart. What a trial finds is therefore smaller on average
 /// than what was measured, and the difference is stated as the bias. The measured value stays the result.
 namespace axiometry::iso230_2 {
 
 /// How the sampling of n approaches enters where the question is what the machine does in the long run.
 enum class TypeA {
-  pooled,     ///< cells tell about each other (iso230_2_posterior.h): intervals hold what they promise
+  pooled,     ///< cells tell about each other (posterior.h): intervals hold what they promise
   t_scaled,   ///< each cell for itself, mean by Student's t and variance by χ² (JCGM 101, 6.4.9.2)
   resampled,  ///< whole runs drawn with replacement (bootstrap); the noise of the readings stays in
 };
@@ -103,7 +103,7 @@ struct MonteCarlo {
   bool stable = false;  ///< every numerical tolerance is met (JCGM 101, 7.9)
   double coverage = 0.95;
   /// In the order of `parameters`. Absent where the parameter does not exist, and where nothing that is known acts on
-  /// it: ±0 would be a false claim, as in iso230_2_gum.h.
+  /// it: ±0 would be a false claim, as in uncertainty/gum.h.
   std::array<std::optional<ParameterDistribution>, std::size(parameters)> distributions;
   std::vector<UncertaintyInput> inputs;
   std::vector<Contribution> contributions;
@@ -116,7 +116,7 @@ struct MonteCarlo {
 };
 
 /// Nothing when no input was given and the measurand is this test: then nothing is known about its uncertainty.
-/// Fails on inputs that make no sense (iso230_2_inputs.h), on an input without a finite variance that acts as
+/// Fails on inputs that make no sense (inputs/inputs.h), on an input without a finite variance that acts as
 /// noise, on this_machine with a single approach per direction (its scatter cannot be known), and when stopped.
 Result<std::optional<MonteCarlo>> monte_carlo(const Test& test, const Evaluation& evaluation,
                                               const MonteCarloOptions& options);

@@ -19,7 +19,7 @@
 #include "axiometry/standards/readings/station_offset.h"
 #include "axiometry/uncertainty/monte_carlo.h"
 
-/// The trials of iso230_2_monte_carlo.h, block by block; private to it and its tests.
+/// The trials of monte_carlo.h, block by block; private to it and its tests.
 namespace axiometry::iso230_2 {
 
 struct TrialModelOptions {

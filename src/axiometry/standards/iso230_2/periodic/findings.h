@@ -9,7 +9,7 @@
 namespace axiometry::iso230_2 {
 
 /// How a test for a periodic error departs from Annex C, and what its result must not be taken for; departures first.
-/// For iso230_2_periodic.cpp alone.
+/// For periodic.cpp alone.
 std::vector<Finding> periodic_findings(const Test& test, std::span<const PeriodicDirection> directions);
 
 }  // namespace axiometry::iso230_2

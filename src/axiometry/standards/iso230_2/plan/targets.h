@@ -9,7 +9,7 @@
 #include "axiometry/base/result.h"
 #include "axiometry/model/axis.h"
 
-/// Formula (1) of 5.2, as iso230_2_plan.h explains it. Private to standards/. Numbers in mm or °.
+/// Formula (1) of 5.2, as plan.h explains it. Private to standards/. Numbers in mm or °.
 namespace axiometry::iso230_2 {
 
 /// (i − 1)·p with the room that each r has.

@@ -45,7 +45,7 @@ bool is_stated(const Field& field, const Metadata& metadata);
 
 using Rule = std::optional<Finding>(const Case&);
 
-// Clauses 3 and 4: what was measured, and where (iso230_2_rules_conditions.cpp).
+// Clauses 3 and 4: what was measured, and where (conditions.cpp).
 Rule both_ends_from_both_sides;       // 3.2
 Rule targets_within_axis_travel;      // 3.2
 Rule part_of_axis_travel;             // 3.2
@@ -64,10 +64,10 @@ inline constexpr const char* progression_clause = "4.3";  ///< of an ordered pro
 /// chosen, that another test was made as well. As missing: they speak against a test, and against a plan of one.
 std::vector<Finding> unexplained(const Case& c);
 
-/// Clauses 3.18 and 4.3: outliers, uneven scatter, shifts and drifts of the runs (iso230_2_rules_scatter.cpp).
+/// Clauses 3.18 and 4.3: outliers, uneven scatter, shifts and drifts of the runs (scatter.cpp).
 std::vector<Finding> scatter_findings(const Case& c);
 
-// Clause 5: the test programme (iso230_2_rules_programme.cpp).
+// Clause 5: the test programme (programme.cpp).
 Rule equally_spaced_targets;    // 5.2
 Rule gap_between_targets;       // 5.2
 Rule targets_on_compensation;   // 5.2
@@ -81,7 +81,7 @@ Rule cycle_declared_otherwise;  // 5.3.2
 Rule additional_test;           // 5.3.3, 5.3.5
 Rule step_cycle;                // Annex B
 
-// Clauses 6 and 8, Annex A: what the report states (iso230_2_rules_report.cpp).
+// Clauses 6 and 8, Annex A: what the report states (report.cpp).
 Rule parameters_not_applicable;      // 6.2
 Rule items_of_identification;        // 8.1
 Rule equipment_identified;           // 8.1
@@ -94,7 +94,7 @@ Rule uncertainty_stated;             // 8.2.1
 Rule uncertainty_of_zero;            // 8.2.1
 Rule repeatability_below_variation;  // A.2.6
 
-// Lines in space and tracking interferometers (iso230_2_rules_lines.cpp).
+// Lines in space and tracking interferometers (lines.cpp).
 Rule diagonal_line;   // ISO 230-6
 Rule line_in_space;   // 8.1
 Rule station_stated;  // 8.2.1

@@ -7,7 +7,7 @@
 
 #include "axiometry/numeric/additive_table.h"
 
-/// The search for outliers in the table of one direction, targets by runs, for iso230_2_scatter.cpp. Private to
+/// The search for outliers in the table of one direction, targets by runs, for scatter.cpp. Private to
 /// standards/.
 namespace axiometry::iso230_2::scatter {
 

@@ -89,7 +89,7 @@ struct AnnexA {
 ///   (Table A.2), noted as assumed. R(α): given, else 2 µm/(m·°C) (A.2.4.3), when ΔT is known. ΔT: given,
 ///   else the largest |T − 20 °C| of the sensors with role "machine". For the device alike, but only when
 ///   one of ΔT and R(α) was given: without, its statement is taken to include its temperature.
-/// - Which of several statements counts, and what follows where one is missing: iso230_2_resolved_inputs.h. Of equally
+/// - Which of several statements counts, and what follows where one is missing: inputs/resolved_inputs.h. Of equally
 ///   strong ones about the device the calibration (A.1, A.2) before the error range (A.3).
 /// - A calibration with a constant part a and one of b per metre: U_DEVICE = a + b·L, or √(a² + (b·L)²) where the
 ///   certificate says so; of an artefact likewise.

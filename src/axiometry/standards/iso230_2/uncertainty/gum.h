@@ -102,7 +102,7 @@ struct GumUncertainty {
 /// - this_test: the systematic inputs, and the known noise u of a reading (and of a run) as it passes into means
 ///   (u/√n) and, to first order, into s (u/√(n − 1)). The scatter of the machine itself is no uncertainty here. E_VE as
 ///   a drift or a random walk moves neighbouring readings alike (environment_modes.h): its covariance is propagated in
-///   place of u². Of an unknown kind the largest u of all that the readings do not refute counts (iso230_2_noise.h).
+///   place of u². Of an unknown kind the largest u of all that the readings do not refute counts (monte_carlo/noise.h).
 /// - this_machine: the systematic inputs, and type A: s/√n of a mean and s/√(2(n − 1)) of s, ν = n − 1 at each target
 ///   and direction. The known noise is part of s and not counted again; what runs have in common is taken out of the
 ///   single s²/n and shared by all targets. A single approach has no s: there the known noise counts.

@@ -10,7 +10,7 @@
 #include "axiometry/standards/readings/station_offset.h"
 
 /// What the law of propagation needs of the inputs: their u and ν, the factors, the noise. For the sources
-/// iso230_2_gum*.cpp alone.
+/// gum*.cpp alone.
 namespace axiometry::iso230_2 {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
