@@ -10,10 +10,10 @@
 
 #include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/live/service/capture_service.h"
-#include "axiometry/app/temperatures/agreed_limits.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
+#include "axiometry/model/surroundings.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
@@ -93,10 +93,10 @@ TEST(OpenApi, bounds_what_was_agreed_on_temperatures_as_the_program_does) {
   const json::Value* limits =
       api_description().find("components")->find("schemas")->find("KeptTemperatures")->find("properties");
   for (const auto& [name, least] :
-       {std::pair{"lowest_C", app::coldest_agreed_C}, std::pair{"highest_C", app::coldest_agreed_C},
+       {std::pair{"lowest_C", coldest_hall_C}, std::pair{"highest_C", coldest_hall_C},
         std::pair{"rate_C_per_h", 0.0}, std::pair{"gradient_C", 0.0}}) {
     EXPECT_EQ(limits->find(name)->find("minimum")->number(), least) << name;
-    EXPECT_EQ(limits->find(name)->find("maximum")->number(), app::most_agreed_C) << name;
+    EXPECT_EQ(limits->find(name)->find("maximum")->number(), hottest_hall_C) << name;
   }
 }
 
