@@ -17,6 +17,7 @@
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
+#include "tests/support/repository_file.h"
 
 namespace axiometry::server {
 namespace {
@@ -87,6 +88,14 @@ void collect_references(const json::Value& value, std::set<std::string>& found) 
     if (name == "$ref" && member.is(json::Kind::text)) found.insert(member.text());
     collect_references(member, found);
   }
+}
+
+/// A capture's setting is the owner; these say it in words.
+TEST(OpenApi, says_as_page_and_guide_how_long_the_last_reading_can_be_taken_back) {
+  ASSERT_EQ(app::CaptureSettings{}.for_undo.in_s(), 10.0);
+  for (const char* file :
+       {"apps/server/openapi.json", "web/src/pages/capture/motion_texts.ts", "docs/howto/capture.md"})
+    EXPECT_THAT(testing_support::repository_file(file), ::testing::HasSubstr("ten seconds")) << file;
 }
 
 TEST(OpenApi, bounds_what_was_agreed_on_temperatures_as_the_program_does) {
