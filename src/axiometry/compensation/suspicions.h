@@ -22,16 +22,11 @@ Result<void> check_plausible(const Series& series, AxisKind kind);
 /// apart, differ.
 std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind kind, TableCurves curves);
 
-/// What a control does beyond the ends of its table.
-enum class BeyondEnds {
-  held,        ///< it holds the last value
-  rolled_over  ///< it goes on to the other end, so its file holds the last value itself as far as there are targets
-};
-
 /// Of a table: what lies beyond its ends, of what was measured; positions without a target between their neighbours,
-/// which follow from those beside them.
+/// which follow from those beside them. A control that rolls over does not hold the last value beyond the ends, so its
+/// file does itself as far as there are targets.
 std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction,
-                                            BeyondEnds beyond_ends = BeyondEnds::held);
+                                            bool rolls_over = false);
 
 struct RetestContext {
   bool sign_inferred = false;   ///< of the control: a sign mistake names the way out

@@ -55,8 +55,9 @@ TEST(Registry, SaysThatAUnitIsDoubtedWhereThatIsAllThatIsOpen) {
   };
   EXPECT_EQ(answer(1.0), "generic");
   for (const double factor : {1e-3, 1e4}) {
-    EXPECT_TRUE(answer(factor).starts_with("line 2: found an open question, expected \"reading_unit\"")) << answer(factor);
-    EXPECT_TRUE(answer(factor).contains("are they really in µm (deviation_um)?")) << answer(factor);
+    const std::string said = answer(factor);
+    EXPECT_TRUE(said.starts_with("line 2: found an open question, expected \"reading_unit\"")) << said;
+    EXPECT_TRUE(said.contains("are they really in µm (deviation_um)?")) << said;
   }
 }
 

@@ -243,8 +243,8 @@ constexpr Phrase volume_report_rows[] = {
     {"set aside, at the edge where beyond it", "ausgesondert, außerhalb liegende am Rand"},
     {"straight lines between nodes, spans: {0#}", "Geraden zwischen Knoten, Abschnitte: {0}"},
     {"straightness", "Geradheit"},
-    {"the best straight line of the six straightness functions is level: their slopes are squareness, or turn the whole "
-     "machine",
+    {"the best straight line of the six straightness functions is level: their slopes are squareness, or turn the "
+     "whole machine",
      "die beste Gerade der sechs Geradheitsfunktionen liegt eben: Ihre Steigungen sind Rechtwinkligkeit oder "
      "drehen die ganze Maschine"},
     {"the comparison holds the uncertainty of the errors and the scatter of the test, but not what all readings of the "

@@ -42,7 +42,8 @@ void expect_no_sentences(std::string_view result, ResultKind kind) {
 
 TEST(LocalisedResult, OfATestHasItsSentencesInTheLanguage) {
   expect_sentences(R"({"claims": [{"title": "@", "remark": "@", "missing": [{"id": "x", "message": "@"}]}],
-    "corrections": [{"title": "@", "details": [{"name": "@", "value": "@"}]}], "findings": [{"message": "@"}], "label": "@",
+    "corrections": [{"title": "@", "details": [{"name": "@", "value": "@"}]}], "label": "@",
+    "findings": [{"message": "@"}],
     "information": {"smaller_repeatability": {"remark": "@"}}, "tolerances": [{"withheld": "@"}, {"withheld": null}],
     "environment": {"gaps": ["@"], "quantities": [{"title": "@"}], "remarks": ["@", "@"]}})",
                    ResultKind::test);
@@ -62,7 +63,8 @@ TEST(LocalisedResult, OfEveryOtherKindHasItsSentencesInTheLanguage) {
   expect_sentences(R"({"remarks": ["@"], "angles": [{"remarks": ["@"]}], "lines": [{"remarks": ["@"]}],
     "straightness": {"remarks": ["@"]}})",
                    ResultKind::motions);
-  expect_sentences(R"({"findings": [{"message": "@"}], "gauge": {"means": "@", "straightness": "@"}, "remarks": ["@"]})",
+  expect_sentences(R"({"findings": [{"message": "@"}], "remarks": ["@"],
+    "gauge": {"means": "@", "straightness": "@"}})",
                    ResultKind::volumetric);
   expect_sentences(R"({"findings": [{"message": "@"}], "reasons": ["@"]})", ResultKind::volumetric_plan);
   expect_sentences(R"({"before": {"findings": [{"message": "@"}]}, "after": {"findings": [{"message": "@"}]}})",
