@@ -80,7 +80,20 @@ TEST(Directions, OfAnAxisThatStoodStillForLongAreTheMeanOfBoth) {
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_TRUE(result->set_aside.empty());
   EXPECT_THAT(directions_told(*result), HasSubstr("at 600 lengths before their first move"));
-  EXPECT_THAT(directions_told(*result), HasSubstr("they count as of the mean of both"));
+  EXPECT_THAT(directions_told(*result), HasSubstr("with a tool: they count as of the mean of both"));
+}
+
+/// Z stands still at the second station, where nothing is "before its first move".
+TEST(Directions, OfAnAxisThatNeverMovesAreToldAsThat) {
+  TrueMachine machine("XFYZ", 33);
+  VolumetricLengths lengths = measured(machine, four_stations(), {.points = points});
+  for (VolumetricReading& r : lengths.readings)
+    if (r.station == 1) r.axes_mm.z = -500.0;
+  for (VolumetricReading& r : lengths.readings)
+    r.length_mm = distance(r.axes_mm + machine.model.tools[r.tool].offset_mm, four_stations()[r.station].at_mm);
+  const auto result = identify(machine.model, lengths, with_reversal());
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_THAT(directions_told(*result), HasSubstr("with a tool, or where Z did not move at all: they count"));
 }
 
 }  // namespace
