@@ -57,7 +57,7 @@ TEST(Registry, SaysThatAUnitIsDoubtedWhereThatIsAllThatIsOpen) {
   for (const double factor : {1e-3, 1e4}) {
     const std::string said = answer(factor);
     EXPECT_TRUE(said.starts_with("line 2: found an open question, expected \"reading_unit\"")) << said;
-    EXPECT_TRUE(said.contains("are they really in µm (deviation_um)?")) << said;
+    EXPECT_TRUE(said.contains("are they really in µm (column 2 \"deviation_um\")?")) << said;
   }
 }
 

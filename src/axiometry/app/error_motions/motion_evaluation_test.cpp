@@ -161,9 +161,10 @@ TEST(MeasuredMotion, DoesNotBelieveASquareWithoutUncertainty) {
     request.square.square_uncertainty_arcsec = u;
     const auto measured = measure_squareness(request);
     EXPECT_TRUE(measured);
-    const auto& remarks = present(*measured, {}, {}).json.find("remarks")->items();
-    return std::ranges::count_if(
-        remarks, [](const json::Value& remark) { return remark.text().contains("square is stated as 0"); });
+    const Experiment shown = present(*measured, {}, {});
+    return std::ranges::count_if(shown.json.find("remarks")->items(), [](const json::Value& remark) {
+      return remark.text().contains("square is stated as 0");
+    });
   };
   EXPECT_EQ(zeros(0.0), 1);
   EXPECT_EQ(zeros(0.2), 0);

@@ -45,6 +45,7 @@ constexpr std::string_view in_test[] = {
     "corrections.[].details.[].name",
     "corrections.[].details.[].value",
     "corrections.[].title",
+    "drift.basis",
     "environment.gaps.[]",
     "environment.quantities.[].title",
     "environment.remarks.[]",

@@ -40,9 +40,10 @@ IdentifyOptions with_reversal() {
 }
 
 std::string directions_told(const Identification& result) {
+  std::string told;
   for (const VolumetricFinding& f : result.findings)
-    if (f.id == "volumetric-unknown-directions") return f.message;
-  return "";
+    if (f.id == "volumetric-unknown-directions") told += (told.empty() ? "" : "\n") + f.message;
+  return told;
 }
 
 /// With the mean of both they would be 4 µm off along each axis, and what is not set aside for it bends curves.
