@@ -108,14 +108,19 @@ Result<void> check_one_machine(const MeasuredMotion& a, const MeasuredMotion& b)
                           text::quoted(two.name)));
 }
 
-void add_gaps(MeasuredMotion& measured) {
+/// No instrument measures without error: 0 is none that is known, and makes no U of 0.
+bool states_nothing(const std::optional<error_motions::InstrumentUncertainty>& stated) {
+  return !stated || (stated->a == 0.0 && stated->b_per_m == 0.0);
+}
+
+void add_gaps(MeasuredMotion& measured, bool stated_as_0) {
   if (measured.motion.runs == 1)
     measured.remarks.push_back(
         "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
   if (measured.motion.repeats_without_U())
     measured.remarks.push_back(
         "the runs agree to the last digit: they tell nothing of how far they are from the truth");
-  if (!measured.instrument) measured.remarks.emplace_back(no_instrument_remark);
+  if (!measured.instrument) measured.remarks.emplace_back(stated_as_0 ? zero_instrument_remark : no_instrument_remark);
   if (auto why = simulated_by_purpose(measured.metadata.conditions.purpose))
     measured.remarks.push_back(*std::move(why));
 }
@@ -135,9 +140,11 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
   AXIOMETRY_TRY_VOID(put_sense(measured, request.sense, file));
   AXIOMETRY_TRY_VOID(check_statements(measured, file.may_be_positions));
   AXIOMETRY_TRY(const MotionSeries series, MotionSeries::make(std::move(file.readings), file.unit, angle ? 2 : 3));
-  measured.motion = error_motions::axis_motion(series, request.options);
-  measured.instrument = request.options.instrument;
-  add_gaps(measured);
+  error_motions::MotionOptions options = request.options;
+  if (states_nothing(options.instrument)) options.instrument.reset();
+  measured.motion = error_motions::axis_motion(series, options);
+  measured.instrument = options.instrument;
+  add_gaps(measured, request.options.instrument.has_value());
   return measured;
 }
 

@@ -29,6 +29,10 @@ struct MotionRequest {
 /// Of readings whose instrument nobody states; who knows it from elsewhere takes the remark away.
 inline constexpr std::string_view no_instrument_remark =
     "no uncertainty of the instrument is stated: U does not hold it";
+/// Of readings of which somebody states that their instrument has none.
+inline constexpr std::string_view zero_instrument_remark =
+    "the uncertainty of the instrument is stated as 0, which no instrument has: it counts as not stated, and U does "
+    "not hold it";
 
 /// One file, evaluated.
 struct MeasuredMotion {

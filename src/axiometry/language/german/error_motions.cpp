@@ -216,6 +216,12 @@ constexpr Phrase error_motions_rows[] = {
     {"the runs agree to the last digit: they tell nothing of how far they are from the truth",
      "die Durchläufe stimmen bis zur letzten Ziffer überein: Sie sagen nichts darüber, wie weit sie von der Wahrheit "
      "entfernt sind"},
+    {"the uncertainty of the instrument is stated as 0, which no instrument has: it counts as not stated, and U does "
+     "not hold it",
+     "die Unsicherheit des Messgeräts ist mit 0 angegeben, was kein Messgerät hat: Sie gilt als nicht angegeben, und U "
+     "enthält sie nicht"},
+    {"the uncertainty of the optical square is stated as 0, which no square has: U does not hold it",
+     "die Unsicherheit des optischen Winkels ist mit 0 angegeben, was kein Winkel hat: U enthält sie nicht"},
     {"{0#} less its line", "{0} ohne seine Gerade"},
 };
 

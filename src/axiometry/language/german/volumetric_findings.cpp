@@ -141,6 +141,11 @@ constexpr Phrase volumetric_findings_rows[] = {
      "ist nichts gesagt: Er würde in den Steigungen von EXX, EYY und EZZ erscheinen, deren Unsicherheiten ihn nicht "
      "enthalten (scale_u_um_per_m in der Datei der Maschine)"},
     {"nothing tells in which direction axes had come to rest at {0#} length before their first move at a station "
+     "with a tool, or where {1=} did not move at all: it counts as of the mean of both",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug, oder wo {1} sich gar nicht bewegte, zur Ruhe gekommen waren: sie zählt als eine des Mittels beider "
+     "Richtungen"},
+    {"nothing tells in which direction axes had come to rest at {0#} length before their first move at a station "
      "with a tool: it counts as of the mean of both",
      "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
      "Werkzeug zur Ruhe gekommen waren: sie zählt als eine des Mittels beider Richtungen"},
@@ -148,6 +153,11 @@ constexpr Phrase volumetric_findings_rows[] = {
      "with a tool: it is left out",
      "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
      "Werkzeug zur Ruhe gekommen waren: sie ist ausgelassen"},
+    {"nothing tells in which direction axes had come to rest at {0#} lengths before their first move at a station "
+     "with a tool, or where {1=} did not move at all: they count as of the mean of both",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Längen vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug, oder wo {1} sich gar nicht bewegte, zur Ruhe gekommen waren: sie zählen als solche des Mittels beider "
+     "Richtungen"},
     {"nothing tells in which direction axes had come to rest at {0#} lengths before their first move at a station "
      "with a tool: they are left out",
      "nichts sagt, in welcher Richtung Achsen bei {0} Längen vor ihrer ersten Bewegung an einer Station mit einem "

@@ -40,9 +40,10 @@ IdentifyOptions with_reversal() {
 }
 
 std::string directions_told(const Identification& result) {
+  std::string told;
   for (const VolumetricFinding& f : result.findings)
-    if (f.id == "volumetric-unknown-directions") return f.message;
-  return "";
+    if (f.id == "volumetric-unknown-directions") told += (told.empty() ? "" : "\n") + f.message;
+  return told;
 }
 
 /// With the mean of both they would be 4 µm off along each axis, and what is not set aside for it bends curves.
@@ -80,7 +81,20 @@ TEST(Directions, OfAnAxisThatStoodStillForLongAreTheMeanOfBoth) {
   ASSERT_TRUE(result) << result.error().message;
   EXPECT_TRUE(result->set_aside.empty());
   EXPECT_THAT(directions_told(*result), HasSubstr("at 600 lengths before their first move"));
-  EXPECT_THAT(directions_told(*result), HasSubstr("they count as of the mean of both"));
+  EXPECT_THAT(directions_told(*result), HasSubstr("with a tool: they count as of the mean of both"));
+}
+
+/// Z stands still at the second station, where nothing is "before its first move".
+TEST(Directions, OfAnAxisThatNeverMovesAreToldAsThat) {
+  TrueMachine machine("XFYZ", 33);
+  VolumetricLengths lengths = measured(machine, four_stations(), {.points = points});
+  for (VolumetricReading& r : lengths.readings)
+    if (r.station == 1) r.axes_mm.z = -500.0;
+  for (VolumetricReading& r : lengths.readings)
+    r.length_mm = distance(r.axes_mm + machine.model.tools[r.tool].offset_mm, four_stations()[r.station].at_mm);
+  const auto result = identify(machine.model, lengths, with_reversal());
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_THAT(directions_told(*result), HasSubstr("with a tool, or where Z did not move at all: they count"));
 }
 
 }  // namespace
