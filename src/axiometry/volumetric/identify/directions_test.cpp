@@ -87,8 +87,8 @@ TEST(Directions, OfAnAxisThatStoodStillForLongAreTheMeanOfBoth) {
 }
 
 /// What X does at an end to which it came from one side alone is told by the bend of its curves there and nothing else.
-/// Its direction has shares of some 1e-4 in what Y and Z do, of which it makes no number more uncertain: those are told,
-/// and rightly.
+/// Its direction has shares of some 1e-4 in what Y and Z do, of which it makes no number more uncertain: those are
+/// told, and rightly.
 TEST(Directions, NamesOnlyErrorsThatTakePartInWhatIsWeaklyTold) {
   TrueMachine machine("XYFZ", 1);
   machine.model.repeatability = Length::um(0.05);

@@ -20,10 +20,10 @@ using Eigen::VectorXd;
 constexpr double null_most = 1e-8;
 /// What rounding makes of the eigenvalue 0 of a matrix with a unit diagonal and some hundred rows.
 constexpr double rounded_zero = 1e-15;
-/// A direction that would make the uncertainty of a number larger by less than 0.5 % (√(1 + 0.1²)) tells nothing against
-/// the number, and leaving it out moves the number by a tenth of that uncertainty. Rounding stays far below: it gives
-/// an eigenvector a share ε/λ of another one with the eigenvalue λ, ε being rounded_zero, which over √ε is √(ε/λ) of
-/// the 1/√λ that the other is uncertain by, at most 3e-4 where λ is above null_most.
+/// A direction that would make the uncertainty of a number larger by less than 0.5 % (√(1 + 0.1²)) tells nothing
+/// against the number, and leaving it out moves the number by a tenth of that uncertainty. Rounding stays far below: it
+/// gives an eigenvector a share ε/λ of another one with the eigenvalue λ, ε being rounded_zero, which over √ε is √(ε/λ)
+/// of the 1/√λ that the other is uncertain by, at most 3e-4 where λ is above null_most.
 constexpr double harmless_share = 0.1;
 
 /// Under the gauge, columns scaled to a unit diagonal. Coefficients last: then the inverse of their block of the factor
