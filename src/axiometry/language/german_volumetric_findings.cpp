@@ -84,6 +84,14 @@ constexpr Phrase volumetric_findings_rows[] = {
      "in mm, or their unit in the head",
      "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn die Längen als Zoll gelesen werden, erwartet "
      "alle Zahlen in mm oder ihre Einheit im Kopf"},
+    {"found lengths of station {0=} with tool {1=} that fit when the lengths are read as m, expected all numbers "
+     "in mm, or their unit in the head",
+     "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn die Längen als m gelesen werden, erwartet "
+     "alle Zahlen in mm oder ihre Einheit im Kopf"},
+    {"found lengths of station {0=} with tool {1=} that fit when the lengths are read as µm, expected all numbers "
+     "in mm, or their unit in the head",
+     "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn die Längen als µm gelesen werden, erwartet "
+     "alle Zahlen in mm oder ihre Einheit im Kopf"},
     {"found lengths of station {0=} with tool {1=} that fit when the positions and tools are read as inches, expected "
      "all numbers in mm, or their unit in the head",
      "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn Positionen und Werkzeuge als Zoll gelesen "

@@ -221,7 +221,7 @@ TEST(Identify, GivesAllNumbersOfCoarseCurvesWhereThreeToolsTellThem) {
   }
 }
 
-TEST(Identify, SaysWhereNumbersAreInches) {
+TEST(Identify, SaysWhereNumbersAreInOtherUnits) {
   TrueMachine machine("XFYZ", 5);
   const VolumetricLengths lengths = measured(machine, four_stations());
   VolumetricLengths in_inches = lengths;
@@ -229,6 +229,14 @@ TEST(Identify, SaysWhereNumbersAreInches) {
   const auto refused = identify(machine.model, in_inches, with_spans(4));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("fit when the lengths are read as inches"));
+
+  for (const auto& [factor, unit] : {std::pair(1e-3, "m,"), {1e3, "µm,"}}) {
+    VolumetricLengths other = lengths;
+    for (VolumetricReading& reading : other.readings) reading.length_mm *= factor;
+    const auto mistaken = identify(machine.model, other, with_spans(4));
+    ASSERT_FALSE(mistaken) << unit;
+    EXPECT_THAT(mistaken.error().message, HasSubstr("fit when the lengths are read as " + std::string(unit)));
+  }
 
   MachineModel small = machine.model;
   small.travel = {1.0 / 25.4 * small.travel.lowest_mm, 1.0 / 25.4 * small.travel.highest_mm};
