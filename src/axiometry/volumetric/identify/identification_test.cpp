@@ -265,6 +265,17 @@ TEST(Identify, SaysThatTwoStationsAreTooFew) {
   EXPECT_THAT(finding(*result, "volumetric-unseen-errors")->message, HasSubstr("three stations are the least"));
 }
 
+/// What two stations tell as weakly as this takes some ninety steps.
+TEST(Identify, FollowsWhatIsToldWeaklyToItsEnd) {
+  TrueMachine machine("FXYZ", 7);
+  machine.model.repeatability = Length::um(0.3);
+  const std::vector<NamedStation> two = {{"A", {-200.0, -150.0, -800.0}}, {"B", {1200.0, -130.0, -750.0}}};
+  const auto result = identify(machine.model, measured(machine, two, {.points = 150}), with_spans(5));
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_NE(finding(*result, "volumetric-unseen-errors"), nullptr);
+  EXPECT_NEAR(result->chi_squared_per_dof(), 1.0, 0.15);
+}
+
 TEST(Identify, FindsABreakOfTheBeamThatNobodyTold) {
   TrueMachine machine("XFYZ", 6);
   VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});
