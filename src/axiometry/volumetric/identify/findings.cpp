@@ -11,6 +11,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
+#include "axiometry/volumetric/identify/one_sided_places.h"
 #include "axiometry/volumetric/identify/residual_causes.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
@@ -323,6 +324,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_places(done, lengths, findings);
   add_copies(done, findings);
   add_unknown_directions(done, lengths, findings);
+  add_one_sided_places(done, lengths, findings);
   add_smoothness(done, result, findings);
   add_scale(machine, findings);
   std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });
