@@ -182,6 +182,8 @@ constexpr Phrase capture_rows[] = {
      "der des Plans"},
     {"incomplete: {0}", "unvollständig: {0}"},
     {"left out the end of the recording: {0}", "das Ende der Aufzeichnung wurde weggelassen: {0}"},
+    {"left out the last byte of the recording, which is no whole sample",
+     "das letzte Byte der Aufzeichnung, das kein ganzer Abtastwert ist, wurde weggelassen"},
     {"left out the last {0#} bytes of the recording, which are no whole sample",
      "die letzten {0} Bytes der Aufzeichnung, die kein ganzer Abtastwert sind, wurden weggelassen"},
     {"left out the recording up to the connection that begins behind byte {0#}: {1}",

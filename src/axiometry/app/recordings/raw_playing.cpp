@@ -38,7 +38,10 @@ class Playing {
       session_.remark(fmt::format("left out the rest of the recording: {}", refused_->to_string()));
     else if (wanted_ && session_.unfinished() > 0)
       session_.remark(
-          fmt::format("left out the last {} bytes of the recording, which are no whole sample", session_.unfinished()));
+          session_.unfinished() == 1
+              ? "left out the last byte of the recording, which is no whole sample"
+              : fmt::format("left out the last {} bytes of the recording, which are no whole sample",
+                            session_.unfinished()));
     return std::nullopt;
   }
 
