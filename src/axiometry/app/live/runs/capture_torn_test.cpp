@@ -198,7 +198,7 @@ TEST_F(CaptureTornTest, AWrongDigitInATimeCostsItsLine) {
     EXPECT_EQ(harmed.error, "");
     EXPECT_EQ(harmed.readings.size(), 6u);
     EXPECT_THAT(harmed.remarks,
-                Contains(HasSubstr("left out 1 lines whose time is out of order, the first is line 797")));
+                Contains(HasSubstr("left out 1 line whose time is out of order, the first is line 797")));
   }
 }
 
@@ -212,7 +212,7 @@ TEST_F(CaptureTornTest, AClockThatIsSetCostsNothing) {
     EXPECT_EQ(set.error, "");
     EXPECT_GE(set.readings.size(), 5u) << shift_s;
     EXPECT_THAT(set.remarks,
-                Contains(HasSubstr(shift_s < 0.0 ? "set back 1 times, first in line 701" : "set ahead 1 times")));
+                Contains(HasSubstr(shift_s < 0.0 ? "set back 1 time, first in line 701" : "set ahead 1 time")));
   }
 }
 
