@@ -35,7 +35,7 @@ class Playing {
     for (std::string& remark : remarks) session_.remark(std::move(remark));
     if (hooks_.goes_on) take_up_again(at_);
     if (refused_)
-      session_.remark(fmt::format("left out the rest of the recording: {}", refused_->to_string()));
+      session_.leave_out_rest(*refused_);
     else if (wanted_ && session_.unfinished() > 0)
       session_.remark(
           session_.unfinished() == 1

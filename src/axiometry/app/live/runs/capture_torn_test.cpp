@@ -227,6 +227,20 @@ TEST_F(CaptureTornTest, BehindARefusedStretchTheRestIsLeftOutAndTold) {
               Contains(HasSubstr("left out the rest of the recording: line 1000:1: found \"?\", expected")));
 }
 
+TEST_F(CaptureTornTest, WhereTheBeginningIsNoTestItIsSaidWhyTheRestWasLeftOut) {
+  auto lines = lines_of("time-position");
+  for (std::size_t k = 10; k < lines.size(); ++k) lines[k].text = "?\n";
+  write_raw(lines);
+  CaptureOptions options = options_of("time-position", true);
+  options.plan = folder_.written("plan.json", formats::write_plan(short_plan(2)));
+  auto source = Source::open(raw_);
+  ASSERT_TRUE(source);
+  const auto test = read_recording(*source, options);
+  ASSERT_FALSE(test);
+  EXPECT_THAT(test.error().message,
+              HasSubstr("; left out the rest of the recording: line 110:1: found \"?\", expected"));
+}
+
 TEST_F(CaptureTornTest, BehindARefusedStretchTheNextConnectionIsPlayedAndAllOfItHashed) {
   const auto lines = lines_of("time-position", 2);
   const std::size_t half = lines.size() / 4 * 2;
