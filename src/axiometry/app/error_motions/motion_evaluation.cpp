@@ -122,8 +122,8 @@ void add_gaps(MeasuredMotion& measured) {
 
 Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFile file, bool angle) {
   if (is_angle(file.unit) != angle)
-    return fail(fmt::format("found readings in {}, expected {}", motion_unit_symbol(file.unit),
-                            angle ? "an angle, such as angle_urad" : "a length, such as straightness_um"));
+    return fail(angle ? "found readings of a length, expected an angle, such as angle_urad"
+                      : "found readings of an angle, expected a length, such as straightness_um");
   MeasuredMotion measured{.file = request.file, .error = file.error, .metadata = std::move(file.metadata)};
   if (!measured.error && !request.error && request.plan && request.alone_with_plan)
     measured.error = formats::error_of_plan(*request.plan, file.unit);
