@@ -19,10 +19,11 @@ namespace {
 
 constexpr double urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
 
-Result<void> put_name(MeasuredMotion& measured, const std::optional<MotionName>& stated, bool angle) {
+Result<void> put_name(MeasuredMotion& measured, const MotionRequest& request, bool angle) {
+  const std::optional<MotionName>& stated = request.error;
   if (stated && measured.error && *stated != *measured.error)
-    return fail(
-        fmt::format("found the error {} in the file, expected {} as given", measured.error->text(), stated->text()));
+    return fail(fmt::format("found the error {} in the file, expected {} {}", measured.error->text(), stated->text(),
+                            request.error_by_senses ? "by the senses of both lines" : "as given"));
   if (stated) measured.error = stated;
   if (!measured.error) return {};
   const MotionName& error = *measured.error;
@@ -127,12 +128,12 @@ void add_gaps(MeasuredMotion& measured, bool stated_as_0) {
 
 Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFile file, bool angle) {
   if (is_angle(file.unit) != angle)
-    return fail(fmt::format("found readings in {}, expected {}", motion_unit_symbol(file.unit),
-                            angle ? "an angle, such as angle_urad" : "a length, such as straightness_um"));
+    return fail(angle ? "found readings of a length, expected an angle, such as angle_urad"
+                      : "found readings of an angle, expected a length, such as straightness_um");
   MeasuredMotion measured{.file = request.file, .error = file.error, .metadata = std::move(file.metadata)};
   if (!measured.error && !request.error && request.plan && request.alone_with_plan)
     measured.error = formats::error_of_plan(*request.plan, file.unit);
-  AXIOMETRY_TRY_VOID(put_name(measured, request.error, angle));
+  AXIOMETRY_TRY_VOID(put_name(measured, request, angle));
   if (request.plan) AXIOMETRY_TRY_VOID(formats::check_error_of_plan(measured.error, file.unit, *request.plan));
   for (const SourceRemark& remark : file.remarks) measured.remarks.push_back(remark.message);
   if (request.plan && request.plan->errors.empty())
@@ -222,6 +223,7 @@ Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& reques
         error_motions::check_square_pair({one.coordinate, two.coordinate}, {two.coordinate, one.coordinate}));
     first.error = MotionName{one.coordinate, two.coordinate};
     second.error = MotionName{two.coordinate, one.coordinate};
+    first.error_by_senses = second.error_by_senses = true;
   }
   AXIOMETRY_TRY(s.first, measure_straightness(first));
   AXIOMETRY_TRY(s.second, measure_straightness(second));

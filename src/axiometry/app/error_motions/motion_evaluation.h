@@ -19,6 +19,7 @@ namespace axiometry::app {
 struct MotionRequest {
   std::string file;                     ///< or "-"
   std::optional<MotionName> error{};    ///< what the file holds, where it does not say so itself
+  bool error_by_senses = false;         ///< both senses of a squareness tell that
   std::optional<ReadingSense> sense{};  ///< likewise which way its readings are positive
   error_motions::MotionOptions options;
   std::optional<Plan> plan{};               ///< after which readings alone were taken, read_planned_motion()

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -44,6 +45,18 @@ TEST(MotionEvaluation, RefusesAFileOfAnotherAxisThanThatOfItsError) {
   EXPECT_EQ(straight_fault("# axis.name: Z\n"), "") << "no error is named";
   EXPECT_THAT(square_fault("# positive: +Y\n# axis.name: Z\n", "# positive: -X\n"), HasSubstr("the axis \"Z\""))
       << "the senses name the errors";
+}
+
+TEST(MotionEvaluation, SaysThatSensesTellAnotherErrorThanTheFile) {
+  const std::string rows(straight_rows), one = "# error: EYX\n" + rows, two = "# error: EXY\n" + rows;
+  SquarenessRequest request;
+  request.first = "a.csv";
+  request.second = "b.csv";
+  request.bytes = {one, two};
+  request.senses = std::array{reading_sense("+Y").value(), reading_sense("+Z").value()};
+  const auto measured = measure_squareness(request);
+  ASSERT_FALSE(measured);
+  EXPECT_EQ(measured.error().message, "found the error EYX in the file, expected EYZ by the senses of both lines");
 }
 
 TEST(MotionEvaluation, RefusesAGainAndASignThatItDoesNotApply) {
