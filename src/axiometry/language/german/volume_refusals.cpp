@@ -77,6 +77,8 @@ constexpr Phrase volume_refusals_rows[] = {
     {"found curves of {0#} spans, expected {1#} to {2#}", "Kurven mit {0} Abschnitten; erwartet: {1} bis {2}"},
     {"found dwell_s of {0#}, expected one above 0 and up to {1#}",
      "dwell_s von {0}; erwartet: ein Wert über 0 und bis {1}"},
+    {"found errors of a file and reversal to be drawn, expected the reversal that the file holds",
+     "Abweichungen aus einer Datei und eine zu ziehende Umkehr; erwartet: die Umkehr, die in der Datei steht"},
     {"found errors of a machine of the chain {0=}, expected those of one of the chain {1=}",
      "Abweichungen einer Maschine der Kette {0}; erwartet: die einer Maschine der Kette {1}"},
     {"found errors of {0#} that have no range in common, expected readings of all of them over one travel",
@@ -201,6 +203,8 @@ constexpr Phrase volume_refusals_rows[] = {
     {"found the tool {0=}, expected one of {1=}", "Werkzeug {0}; erwartet: eines von {1}"},
     {"found two places of {0=} in {1=}, expected one", "zwei Orte von {0} in {1}; erwartet: einer"},
     {"found value of {0#}, expected at most {1#}", "value von {0}; erwartet: höchstens {1}"},
+    {"found values of {0=} with and without those of each direction, expected one or the other",
+     "Werte von {0} mit und ohne die jeder Richtung; erwartet: das eine oder das andere"},
     {"found where axes stand, {0=}, and no axis, expected both or none",
      "fand, wo Achsen stehen, {0}, und keine Achse, erwartete beides oder keines"},
     {"found {0#} at {1#} (reading {2#}), expected it within its travel of {3#} to {4#}; are axes, signs or units mixed "
