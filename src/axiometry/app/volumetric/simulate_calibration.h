@@ -61,7 +61,7 @@ struct SimulationInputs {
 /// given, and beyond 1 000 000 readings.
 Result<SimulationInputs> simulation_inputs(const SimulateRequest& request);
 
-/// Fails as simulation_inputs() does, and on reversal that is to be drawn beside errors of a file, which hold their own.
+/// Fails as simulation_inputs() does, and on reversal to be drawn beside errors of a file, which hold their own.
 Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request);
 
 /// The errors as they are and in the gauge of the identification, and all that went wrong.
