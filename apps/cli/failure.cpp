@@ -8,9 +8,31 @@
 #include "axiometry/report/drawing/utf8.h"
 
 namespace axiometry::cli {
+namespace {
+
+/// A process is called by one reader, of whom the verbs that fail know nothing.
+language::Language& language_of_faults() {
+  static language::Language language = language::Language::english;
+  return language;
+}
+
+std::string in_language_of_faults(std::string_view text) { return language::translated(text, language_of_faults()); }
+
+}  // namespace
+
+void tell_faults_in(language::Language language) { language_of_faults() = language; }
+
+std::string told_fault(std::string_view text) {
+  const std::size_t colon = text.find(": "), space = text.find(' ');
+  const bool names_option = colon != text.npos && colon < space;
+  const std::size_t begin = names_option ? colon + 2 : 0;
+  return report::printable(std::string(text.substr(0, begin)) + in_language_of_faults(text.substr(begin)));
+}
 
 int failed(const Error& error, ExitCode code) {
-  fmt::print(stderr, "axiometry: {}\n", report::printable(error.to_string()));
+  Error told = error;
+  told.message = in_language_of_faults(error.message);
+  fmt::print(stderr, "axiometry: {}\n", report::printable(told.to_string()));
   return code;
 }
 

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "axiometry/base/result.h"
+#include "axiometry/language/language.h"
 #include "cli/exit_code.h"
 
 namespace axiometry::cli {
 
-/// Says on the standard error what is wrong, without what a terminal would obey; returns `code`.
+/// Who calls the program with --language is told in it what is wrong, whichever verb fails; else in English.
+void tell_faults_in(language::Language language);
+
+/// What is wrong in that language, without what a terminal would obey. The name of an option before it stays:
+/// "--out: found …".
+std::string told_fault(std::string_view text);
+
+/// Says on the standard error what is wrong; returns `code`. The name of a file and the place in it stay.
 int failed(const Error& error, ExitCode code = exit_bad_input);
 
 }  // namespace axiometry::cli

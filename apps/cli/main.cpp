@@ -8,12 +8,15 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "axiometry/base/text.h"
 #include "axiometry/base/version.h"
+#include "axiometry/language/language.h"
+#include "cli/failure.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/commands.h"
 #include "cli/verbs/dynamic.h"
@@ -100,8 +103,23 @@ std::string not_converted(const std::string& what) {
                                    : "a smaller whole number");
 }
 
+/// The value of --language, wherever it stands: what is wrong with the call may stand before it. Nothing where it is
+/// none, which the verb refuses.
+std::optional<axiometry::language::Language> asked_language(int argc, char** argv) {
+  constexpr std::string_view flag = "--language";
+  std::optional<axiometry::language::Language> asked;
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view word = argv[k];
+    if (word == flag && k + 1 < argc) asked = axiometry::language::language_of(argv[k + 1]);
+    if (word.starts_with(flag) && word.substr(flag.size()).starts_with('='))
+      asked = axiometry::language::language_of(word.substr(flag.size() + 1));
+  }
+  return asked;
+}
+
 int run(int argc, char** argv) {
   using namespace axiometry::cli;
+  if (const auto language = asked_language(argc, argv)) tell_faults_in(*language);
   int exit_code = exit_done;
   CLI::App program("Tests how truly a machine tool's axes move: ISO 230-2 from the measured file to the report.",
                    "axiometry");
@@ -144,8 +162,8 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       program.exit(error);
     } else {
-      fmt::print(stderr, "axiometry: {}\nTry 'axiometry --help' or 'axiometry VERB --help'.\n",
-                 unknown_flag(program, not_converted(error.what())));
+      fmt::print(stderr, "axiometry: {}\n{}\n", told_fault(unknown_flag(program, not_converted(error.what()))),
+                 told_fault("Try 'axiometry --help' or 'axiometry VERB --help'."));
       return exit_usage;
     }
   }

@@ -84,7 +84,7 @@ export const calibrations = {
     await shows(page.getByRole('dialog'), 'one, or three');
     await page.getByRole('dialog').getByLabel('Spans').fill('5');
     await with_reason(page, 'Save as version 2', 'finer curves');
-    await shows(page.locator('main'), /Options: \{"spans":5\}/);
+    await shows(page.locator('main'), /Options: Spans: 5/);
     await page.getByText('Versions (2)').click();
     await shows(page.locator('.history'), /finer curves/);
     await page.goto('/calibrations/1?version=1');

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/app/temperatures/agreed_limits.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/model/surroundings.h"
 #include "cli/flags/option_text.h"
 
 namespace axiometry::cli {
@@ -18,7 +18,7 @@ namespace {
 
 /// A temperature, a rate or a difference that nobody means below absolute zero or above what burns.
 double within_reason(const std::string& flag, double x, double least) {
-  constexpr double most = app::most_agreed_C;
+  constexpr double most = hottest_hall_C;
   if (!(x >= least && x <= most))
     throw UsageError(flag, fmt::format("found {}, expected a number from {} to {}", format_exact(x),
                                        format_exact(least), format_exact(most)));
@@ -69,7 +69,7 @@ void add_temperature_flags(const Verb& verb, app::TemperatureRequest& request, c
       ->type_name("NAME=ROLE")
       ->one_at_a_time()
       ->group(group);
-  constexpr double coldest = app::coldest_agreed_C;
+  constexpr double coldest = coldest_hall_C;
   auto& agreed = request.agreed;
   const std::vector<AgreedFlag> flags = {
       {"--" + prefix + "lowest", "C", "Lowest temperature of the air that the parties agreed on, °C (7)", coldest,

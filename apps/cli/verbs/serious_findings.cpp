@@ -5,13 +5,13 @@
 
 #include <cstdio>
 
-#include "axiometry/report/drawing/utf8.h"
+#include "cli/failure.h"
 
 namespace axiometry::cli {
 
 void tell_serious(std::span<const NamedFinding> findings) {
   for (const NamedFinding& finding : findings)
-    if (finding.serious) fmt::print(stderr, "axiometry: serious: {}\n", report::printable(finding.message));
+    if (finding.serious) fmt::print(stderr, "axiometry: {}: {}\n", told_fault("serious"), told_fault(finding.message));
 }
 
 }  // namespace axiometry::cli

@@ -42,6 +42,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t piece_bytes = std::size_t{64} << 10;
 constexpr auto lingering = std::chrono::seconds(3);
+constexpr auto lingering_at_the_end = std::chrono::milliseconds(250);
 constexpr auto watching = std::chrono::milliseconds(500);
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
 
@@ -74,7 +75,8 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
 
   void hang_up() override {
     keeps_alive_ = false;
-    if (is_idle_) close();
+    if (is_idle_) return close();
+    if (is_leaving_) allow(lingering_at_the_end);
   }
 
   void make_room() override { close(); }
@@ -330,7 +332,8 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void say_goodbye() {
-    allow(lingering);
+    is_leaving_ = true;
+    allow(share_.ending ? lingering_at_the_end : lingering);
     if constexpr (is_tls)
       stream_.async_shutdown([self = this->shared_from_this()](error_code) { self->end_sending(); });
     else
@@ -344,7 +347,6 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     socket().shutdown(tcp::socket::shutdown_send, code);
     if (code) return close();
     piece_.resize(piece_bytes);
-    allow(lingering);
     drain();
   }
 
@@ -363,6 +365,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   asio::steady_timer watch_;
   std::optional<Desk::Ticket> asked_;  // the request that waits in a line or is being answered
   bool is_idle_ = true;                // no head has come whole, or the answer is only held back
+  bool is_leaving_ = false;            // has the last answer
   bool is_closed_ = false;
   bool keeps_alive_ = false;
   Doing doing_ = Doing::silent;

@@ -10,13 +10,14 @@
 
 #include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/live/service/capture_service.h"
-#include "axiometry/app/temperatures/agreed_limits.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
+#include "axiometry/model/surroundings.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
+#include "tests/support/repository_file.h"
 
 namespace axiometry::server {
 namespace {
@@ -89,14 +90,22 @@ void collect_references(const json::Value& value, std::set<std::string>& found) 
   }
 }
 
+/// A capture's setting is the owner; these say it in words.
+TEST(OpenApi, says_as_page_and_guide_how_long_the_last_reading_can_be_taken_back) {
+  ASSERT_EQ(app::CaptureSettings{}.for_undo.in_s(), 10.0);
+  for (const char* file :
+       {"apps/server/openapi.json", "web/src/pages/capture/motion_texts.ts", "docs/howto/capture.md"})
+    EXPECT_THAT(testing_support::repository_file(file), ::testing::HasSubstr("ten seconds")) << file;
+}
+
 TEST(OpenApi, bounds_what_was_agreed_on_temperatures_as_the_program_does) {
   const json::Value* limits =
       api_description().find("components")->find("schemas")->find("KeptTemperatures")->find("properties");
   for (const auto& [name, least] :
-       {std::pair{"lowest_C", app::coldest_agreed_C}, std::pair{"highest_C", app::coldest_agreed_C},
+       {std::pair{"lowest_C", coldest_hall_C}, std::pair{"highest_C", coldest_hall_C},
         std::pair{"rate_C_per_h", 0.0}, std::pair{"gradient_C", 0.0}}) {
     EXPECT_EQ(limits->find(name)->find("minimum")->number(), least) << name;
-    EXPECT_EQ(limits->find(name)->find("maximum")->number(), app::most_agreed_C) << name;
+    EXPECT_EQ(limits->find(name)->find("maximum")->number(), hottest_hall_C) << name;
   }
 }
 

@@ -201,6 +201,15 @@ std::optional<NamedFinding> finding_of_one_direction(const Effect& effect) {
   return std::nullopt;
 }
 
+std::string_view beyond_its_ends(const std::vector<double>& nodes, AxisKind kind, bool rolls_over) {
+  if (!rolls_over) return "beyond its ends the control holds the last value";
+  if (kind == AxisKind::linear) return "over the targets beyond its ends the file holds the last value";
+  if (nodes.back() - nodes.front() > 360.0 - 1e-6)
+    return "beyond its ends the control begins the turn anew, and what is foretold there counts on the last value";
+  return "over the targets beyond its ends the file holds the last value, or goes on to that of the other end where "
+         "the turn closes";
+}
+
 }  // namespace
 
 Result<void> check_plausible(const Series& series, AxisKind kind) {
@@ -279,7 +288,7 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
   return findings;
 }
 
-std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction) {
+std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction, bool rolls_over) {
   std::vector<NamedFinding> findings;
   const std::vector<double>& nodes = correction.positions();
   const AxisKind kind = correction.kind();
@@ -288,10 +297,10 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
   const double beyond = std::max(0.0, nodes.front() - first) + std::max(0.0, last - nodes.back());
   if (beyond > printed)
     findings.push_back({"compensation-beyond-ends", beyond > much_beyond * (last - first),
-                        fmt::format("the table goes from {} to {}, the targets from {} to {}: beyond its ends the "
-                                    "control holds the last value",
+                        fmt::format("the table goes from {} to {}, the targets from {} to {}: {}",
                                     place_words(nodes.front(), kind), place_words(nodes.back(), kind),
-                                    place_words(first, kind), place_words(last, kind))});
+                                    place_words(first, kind), place_words(last, kind),
+                                    beyond_its_ends(nodes, kind, rolls_over))});
   if (nodes.front() < first - printed || nodes.back() > last + printed)
     findings.push_back({"compensation-ends-held", true,
                         fmt::format("the table goes from {} to {}, where {} to {} were measured: beyond them it holds "

@@ -23,8 +23,10 @@ Result<void> check_plausible(const Series& series, AxisKind kind);
 std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind kind, TableCurves curves);
 
 /// Of a table: what lies beyond its ends, of what was measured; positions without a target between their neighbours,
-/// which follow from those beside them.
-std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction);
+/// which follow from those beside them. A control that rolls over does not hold the last value beyond the ends, so its
+/// file does itself as far as there are targets.
+std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction,
+                                            bool rolls_over = false);
 
 struct RetestContext {
   bool sign_inferred = false;   ///< of the control: a sign mistake names the way out

@@ -134,6 +134,27 @@ TEST(GermanSuspicions, AreAllOfThem) {
   EXPECT_EQ(found, expected);
 }
 
+/// A control that rolls over holds no last value: its file does as far as there are targets, and a turn begins anew.
+TEST(Suspicions, TellWhatIsBeyondTheEndsOfATableThatRollsOver) {
+  const Series series = make_series(five_targets, scattered(0, 0), scattered(0, 0));
+  const auto said = [&](AxisKind kind, double first, double last, bool rolls_over) -> std::string {
+    for (const NamedFinding& finding : findings_of_table(series, straight(kind, first, last), rolls_over)) {
+      if (finding.id != "compensation-beyond-ends") continue;
+      expect_german_text(finding.message);
+      EXPECT_TRUE(language::is_known(finding.message, Language::french)) << finding.message;
+      return finding.message.substr(finding.message.rfind(": ") + 2);
+    }
+    return "";
+  };
+  EXPECT_EQ(said(AxisKind::linear, 50, 350, false), "beyond its ends the control holds the last value");
+  EXPECT_EQ(said(AxisKind::linear, 50, 350, true),
+            "over the targets beyond its ends the file holds the last value");
+  EXPECT_EQ(said(AxisKind::rotary, 0, 360, true),
+            "beyond its ends the control begins the turn anew, and what is foretold there counts on the last value");
+  EXPECT_TRUE(said(AxisKind::rotary, 30, 300, true).ends_with("where the turn closes"));
+  EXPECT_EQ(said(AxisKind::linear, 0, 400.5, true), "");
+}
+
 TEST(Suspicions, CountPositionsThatNoTargetIsNear) {
   const Series series = make_series(five_targets, scattered(0, 0), scattered(0, 0));
   const auto bare = [&](std::vector<double> positions) -> std::string {

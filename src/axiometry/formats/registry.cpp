@@ -19,7 +19,8 @@ std::string_view first_line(std::string_view text) {
 }
 
 /// nullptr when no format fits. A guess is made only where no format is surer: it costs more than a look at the header.
-const Format* best_for(std::string_view text) {
+/// Fails where no format is sure and all that keeps a guess from being made is a unit that the numbers speak against.
+Result<const Format*> best_for(std::string_view text) {
   constexpr int score_of_a_guess = 10;
   const Format* const guessing = find_format("generic");
   const Format* best = nullptr;
@@ -31,7 +32,10 @@ const Format* best_for(std::string_view text) {
     best = format;
     best_score = score;
   }
-  return best_score < score_of_a_guess && guessing->recognise(text) > best_score ? guessing : best;
+  if (best_score >= score_of_a_guess) return best;
+  if (guessing->recognise(text) > best_score) return guessing;
+  if (best != nullptr) AXIOMETRY_TRY_VOID(check_unit_believed(text));
+  return best;
 }
 
 }  // namespace
@@ -51,7 +55,8 @@ Result<const Format*> recognise(std::string_view head) {
   if (!decoded) return std::unexpected(readable.error());
   const std::string_view text = readable ? *readable : decoded->text;
   AXIOMETRY_TRY_VOID(check_no_other_table(text));
-  if (const Format* best = best_for(text)) return best;
+  AXIOMETRY_TRY(const Format* best, best_for(text));
+  if (best != nullptr) return best;
   constexpr std::size_t longest_character = 4;  // the head may end within one
   if (const auto bad = text::invalid_utf8(text); bad && *bad + longest_character < text.size())
     AXIOMETRY_TRY_VOID(check_utf8(text));

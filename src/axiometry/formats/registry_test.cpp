@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -40,6 +41,23 @@ TEST(Registry, ReadsTheExampleOfEveryManualThatIsWhole) {
     if (example.find("…") != std::string::npos) continue;
     const auto test = format->read(example);
     EXPECT_TRUE(test) << format->id << ": " << test.error().to_string();
+  }
+}
+
+/// Names of columns that lack a direction alone look like those of another format, which would miss the direction.
+TEST(Registry, SaysThatAUnitIsDoubtedWhereThatIsAllThatIsOpen) {
+  const auto answer = [](double factor) {
+    std::string table = "target_mm,deviation_um\n";
+    for (const int target : {0, 100, 200, 300, 300, 200, 100, 0})
+      table += fmt::format("{},{}\n", target, factor * (1.0 + 0.01 * target));
+    const auto found = recognise(table);
+    return found ? std::string((*found)->id) : found.error().to_string();
+  };
+  EXPECT_EQ(answer(1.0), "generic");
+  for (const double factor : {1e-3, 1e4}) {
+    const std::string said = answer(factor);
+    EXPECT_TRUE(said.starts_with("line 2: found an open question, expected \"reading_unit\"")) << said;
+    EXPECT_TRUE(said.contains("are they really in µm (column 2 \"deviation_um\")?")) << said;
   }
 }
 

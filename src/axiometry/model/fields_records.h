@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "axiometry/model/fields_access.h"
+#include "axiometry/model/surroundings.h"
 
 /// The lists of records among the metadata: their columns, and how a list is read and written as a FieldValue.
 namespace axiometry::fields_access {
@@ -76,19 +77,17 @@ struct DistributionAccess {
 
 // What is stated of the surroundings over the test (4.1), and what was agreed on them (7).
 
-inline constexpr double hottest_C = 100.0;  ///< °C; also of °C/h and of a difference: above it nobody means a hall
-
 template <auto Member, const auto& Unit>
 constexpr Field stated_field(std::string_view key, std::string_view title, std::string_view clause, double minimum) {
   return number_field<QuantityAccess<At<&Metadata::surroundings, Member>, Unit>>(
-      key, title, "°C", "°C", clause, Field::Wanted::no, minimum, hottest_C,
+      key, title, "°C", "°C", clause, Field::Wanted::no, minimum, hottest_hall_C,
       "During the whole test; what a log of temperatures tells takes its place.");
 }
 
 template <auto Member>
 constexpr Field stated_rate(std::string_view key, std::string_view title) {
   return number_field<PlainAccess<At<&Metadata::surroundings, Member>, double>>(
-      key, title, "°C/h", "°C/h", "4.1", Field::Wanted::no, 0, hottest_C,
+      key, title, "°C/h", "°C/h", "4.1", Field::Wanted::no, 0, hottest_hall_C,
       "The largest, of the air; what a log of temperatures tells takes its place.");
 }
 
@@ -102,12 +101,12 @@ constexpr Field soaked_field(std::string_view key, std::string_view title) {
 template <auto Member, const auto& Unit>
 constexpr Field agreed_field(std::string_view key, std::string_view title, std::string_view clause, double minimum) {
   return number_field<QuantityAccess<At<&Metadata::agreed, Member>, Unit>>(
-      key, title, "°C", "°C", clause, Field::Wanted::no, minimum, hottest_C, "Limit between the parties.");
+      key, title, "°C", "°C", clause, Field::Wanted::no, minimum, hottest_hall_C, "Limit between the parties.");
 }
 
 constexpr Field agreed_rate(std::string_view key, std::string_view title) {
   return number_field<PlainAccess<At<&Metadata::agreed, &AgreedEnvironment::rate>, double>>(
-      key, title, "°C/h", "°C/h", "4.1", Field::Wanted::no, 0, hottest_C,
+      key, title, "°C/h", "°C/h", "4.1", Field::Wanted::no, 0, hottest_hall_C,
       "Limit between the parties, in the twelve hours before the test and during it.");
 }
 

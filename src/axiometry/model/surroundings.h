@@ -8,6 +8,10 @@
 /// The surroundings of a test as a test states them, and what was agreed on them (4.1, 7).
 namespace axiometry {
 
+/// Of a hall, however it is stated: colder or hotter nobody means one.
+inline constexpr double coldest_hall_C = -60.0;  ///< °C
+inline constexpr double hottest_hall_C = 100.0;  ///< °C; also of °C/h and of a difference
+
 /// The surroundings over the whole test, as who tested states them (4.1): what a log of temperatures would find.
 struct StatedEnvironment {
   std::optional<Temperature> lowest;                      ///< of the air, during the test

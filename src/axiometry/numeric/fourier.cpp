@@ -15,62 +15,18 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double two_pi_of_fourier = 2.0 * std::numbers::pi;
-constexpr std::ptrdiff_t reach = 16;  // M_sp, points to each side: what is cut off and what folds back is 3e-15
-constexpr double finer = 2.0;         // R, of the grid
-constexpr std::size_t most_at_once = 1 << 16;  // frequencies: their grid stays in the cache
+constexpr std::size_t reach = 16;   // M_sp, points to each side: what is cut off and what folds back is 3e-15
+constexpr std::size_t finer = 2;    // R, of the grid
+constexpr std::size_t spread_size = finer * FourierSums::most_at_once;
+constexpr double spread_spacing = two_pi_of_fourier / double(spread_size);
+constexpr double tau = std::numbers::pi * double(reach) /
+                       (double(finer) * (double(finer) - 0.5) * double(FourierSums::most_at_once) *
+                        double(FourierSums::most_at_once));
 
 /// Products without the C library's care for infinities.
 Complex product_of(Complex a, Complex b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
-
-/// Sums for frequencies `middle` + k step, k from −count/2 on; count ≤ modes, a power of two.
-class Gridding {
- public:
-  Gridding(std::size_t modes, std::size_t rows)
-      : modes_(modes),
-        size_(static_cast<std::size_t>(finer) * modes),
-        tau_(std::numbers::pi * double(reach) / (finer * (finer - 0.5) * double(modes) * double(modes))),
-        transform_(size_),
-        grids_(rows, std::vector<Complex>(size_)) {}
-
-  void operator()(std::span<const double> places, std::span<const std::span<const double>> weights, double middle,
-                  double step) {
-    for (auto& grid : grids_) std::ranges::fill(grid, Complex{});
-    const double spacing = two_pi_of_fourier / double(size_);
-    std::array<double, 2 * reach + 1> bell;
-    for (std::size_t j = 0; j < places.size(); ++j) {
-      const double turns = step * places[j];
-      const double at = (turns - std::floor(turns)) * double(size_);
-      const double nearest = std::round(at);
-      for (std::ptrdiff_t d = -reach; d <= reach; ++d) {
-        const double x = (double(d) - (at - nearest)) * spacing;
-        bell[static_cast<std::size_t>(d + reach)] = std::exp(-x * x / (4.0 * tau_));
-      }
-      const Complex turn = std::polar(1.0, two_pi_of_fourier * middle * places[j]);
-      const std::size_t begin = static_cast<std::size_t>(nearest) + size_ - static_cast<std::size_t>(reach);
-      for (std::size_t r = 0; r < grids_.size(); ++r) {
-        const Complex weighed = weights[r][j] * turn;
-        for (std::size_t d = 0; d < bell.size(); ++d) grids_[r][(begin + d) & (size_ - 1)] += bell[d] * weighed;
-      }
-    }
-    for (auto& grid : grids_) transform_(grid);
-  }
-
-  /// Of frequency number k of `count`, whose middle is number count/2.
-  Complex sum(std::size_t row, std::size_t k, std::size_t count) const {
-    const double from_middle = double(k) - double(count / 2);
-    const double made_up =
-        std::sqrt(std::numbers::pi / tau_) * std::exp(from_middle * from_middle * tau_) / double(size_);
-    return made_up * grids_[row][(k + size_ - count / 2) & (size_ - 1)];
-  }
-
- private:
-  std::size_t modes_, size_;
-  double tau_;
-  FourierTransform transform_;
-  std::vector<std::vector<Complex>> grids_;
-};
 
 }  // namespace
 
@@ -102,22 +58,62 @@ void FourierTransform::operator()(std::span<std::complex<double>> values) const 
   }
 }
 
-std::vector<std::vector<std::complex<double>>> fourier_sums(std::span<const double> places,
-                                                            std::span<const std::span<const double>> weights,
-                                                            const FrequencyGrid& grid) {
+FourierSums::FourierSums(std::span<const double> places, std::span<const std::span<const double>> weights)
+    : places_(places),
+      weights_(weights.begin(), weights.end()),
+      transform_(spread_size),
+      grids_(weights.size(), std::vector<Complex>(spread_size + 2 * reach)),
+      sums_(weights.size()) {
   for (const auto row : weights) AXIOMETRY_CONTRACT(row.size() == places.size());
-  std::vector<std::vector<Complex>> sums(weights.size());
-  for (auto& row : sums) row.reserve(grid.count);
-  if (grid.count == 0) return sums;
-  const std::size_t modes = std::bit_ceil(std::clamp<std::size_t>(grid.count, 2 * reach, most_at_once));
-  Gridding gridding(modes, weights.size());
-  for (std::size_t begin = 0; begin < grid.count; begin += modes) {
-    const std::size_t count = std::min(modes, grid.count - begin);
-    gridding(places, weights, grid.first + grid.step * double(begin + count / 2), grid.step);
-    for (std::size_t r = 0; r < sums.size(); ++r)
-      for (std::size_t k = 0; k < count; ++k) sums[r].push_back(gridding.sum(r, k, count));
+  for (std::size_t d = 0; d <= 2 * reach; ++d) {
+    const double x = (double(d) - double(reach)) * spread_spacing;
+    bell_.push_back(std::exp(-x * x / (4.0 * tau)));
   }
-  return sums;
+  for (std::size_t k = 0; k <= most_at_once / 2; ++k)
+    made_up_.push_back(std::sqrt(std::numbers::pi / tau) * std::exp(double(k) * double(k) * tau) / double(spread_size));
+}
+
+/// Of frequencies `middle` + k step. The grids have `reach` points more at both ends, which are those of the other end.
+void FourierSums::spread(double middle, double step) {
+  for (auto& grid : grids_) std::ranges::fill(grid, Complex{});
+  std::array<double, 2 * reach + 1> bell;
+  for (std::size_t j = 0; j < places_.size(); ++j) {
+    const double turns = step * places_[j];
+    const double at = (turns - std::floor(turns)) * double(spread_size);
+    const double nearest = std::round(at);
+    // e^{−(d h − o)²/4τ} = e^{−o²/4τ} (e^{o h/2τ})^d e^{−(d h)²/4τ}
+    const double off = (at - nearest) * spread_spacing;
+    const double slope = off * spread_spacing / (2.0 * tau);
+    const double further = std::exp(slope);
+    double power = std::exp(-off * off / (4.0 * tau) - double(reach) * slope);
+    for (std::size_t d = 0; d < bell.size(); ++d, power *= further) bell[d] = power * bell_[d];
+    const Complex turn = std::polar(1.0, two_pi_of_fourier * middle * places_[j]);
+    const std::size_t begin = static_cast<std::size_t>(nearest) % spread_size;
+    for (std::size_t r = 0; r < grids_.size(); ++r) {
+      const Complex weighed = weights_[r][j] * turn;
+      Complex* const points = &grids_[r][begin];
+      for (std::size_t d = 0; d < bell.size(); ++d) points[d] += bell[d] * weighed;
+    }
+  }
+  for (auto& grid : grids_)
+    for (std::size_t d = 0; d < reach; ++d) {
+      grid[spread_size + d] += grid[d];
+      grid[reach + d] += grid[spread_size + reach + d];
+    }
+}
+
+std::span<const std::vector<std::complex<double>>> FourierSums::operator()(const FrequencyGrid& grid) {
+  AXIOMETRY_CONTRACT(grid.count <= most_at_once);
+  const std::size_t half = grid.count / 2;
+  spread(grid.first + grid.step * double(half), grid.step);
+  for (std::size_t r = 0; r < sums_.size(); ++r) {
+    const auto values = std::span(grids_[r]).subspan(reach, spread_size);
+    transform_(values);
+    sums_[r].clear();
+    for (std::size_t k = 0; k < grid.count; ++k)
+      sums_[r].push_back(made_up_[k < half ? half - k : k - half] * values[(k + spread_size - half) % spread_size]);
+  }
+  return sums_;
 }
 
 }  // namespace axiometry::numeric

@@ -32,7 +32,7 @@ TEST(FourierTransform, IsTheSumThatItStandsFor) {
   }
 }
 
-/// Validation: the sums one by one; places on both sides of zero, and as many frequencies as several grids take.
+/// Validation: the sums one by one; places on both sides of zero, few frequencies and as many as are taken at once.
 TEST(FourierSums, AreTheSumsOneByOne) {
   constexpr std::size_t n = 50;
   std::vector<double> places(n), ones(n, 1.0), others(n);
@@ -40,9 +40,10 @@ TEST(FourierSums, AreTheSumsOneByOne) {
   fill_normal({2, 2, 0}, others);
   for (double& x : places) x *= 300.0;
   const std::array<std::span<const double>, 2> weights = {ones, others};
+  FourierSums sums_of(places, weights);
   for (const FrequencyGrid grid : {FrequencyGrid{0.001, 0.0002, 1}, FrequencyGrid{0.001, 0.0002, 777},
-                                   FrequencyGrid{-0.3, 0.00001, 70000}, FrequencyGrid{0.5, 0.013, 4096}}) {
-    const auto sums = fourier_sums(places, weights, grid);
+                                   FrequencyGrid{-0.3, 0.00001, 8192}, FrequencyGrid{0.5, 0.013, 8191}}) {
+    const auto sums = sums_of(grid);
     for (std::size_t r = 0; r < 2; ++r) {
       ASSERT_EQ(sums[r].size(), grid.count);
       double size = 0.0;
@@ -63,7 +64,7 @@ TEST(FourierSums, AreTheSumsOneByOne) {
 TEST(FourierSums, OfNoFrequenciesAreNone) {
   const std::vector<double> one = {1.0};
   const std::array<std::span<const double>, 1> weights = {one};
-  EXPECT_TRUE(fourier_sums(one, weights, {1.0, 1.0, 0}).front().empty());
+  EXPECT_TRUE(FourierSums(one, weights)({1.0, 1.0, 0}).front().empty());
 }
 
 }  // namespace

@@ -211,16 +211,21 @@ class LineSpectrum {
   std::vector<SpectralLine> by_transform(const FrequencyGrid& grid) const {
     const std::vector<double> ones(centred_.size(), 1.0);
     const std::array<std::span<const double>, 3> columns = {ones, ramp_, rest_};
-    const auto sums = fourier_sums(centred_, columns, grid);
-    const auto twice = fourier_sums(centred_, std::span(columns).first(1), {2 * grid.first, 2 * grid.step, grid.count});
+    FourierSums of_angle(centred_, columns), of_twice_the_angle(centred_, std::span(columns).first(1));
     const double n = static_cast<double>(centred_.size());
     std::vector<SpectralLine> lines;
     lines.reserve(grid.count);
-    for (std::size_t k = 0; k < grid.count; ++k) {
-      const std::complex<double> one = sums[0][k], ramp = sums[1][k], rest = sums[2][k], both = twice[0][k];
-      lines.push_back(of(grid.first + grid.step * static_cast<double>(k),
-                         Sums{0.5 * (n + both.real()), 0.5 * (n - both.real()), 0.5 * both.imag(), one.real(),
-                              one.imag(), ramp.real(), ramp.imag(), rest.real(), rest.imag()}));
+    while (lines.size() < grid.count) {
+      const double first = grid.first + grid.step * static_cast<double>(lines.size());
+      const std::size_t count = std::min(FourierSums::most_at_once, grid.count - lines.size());
+      const auto once = of_angle({first, grid.step, count});
+      const auto twice = of_twice_the_angle({2 * first, 2 * grid.step, count});
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::complex<double> one = once[0][k], ramp = once[1][k], rest = once[2][k], both = twice[0][k];
+        lines.push_back(of(first + grid.step * static_cast<double>(k),
+                           Sums{0.5 * (n + both.real()), 0.5 * (n - both.real()), 0.5 * both.imag(), one.real(),
+                                one.imag(), ramp.real(), ramp.imag(), rest.real(), rest.imag()}));
+      }
     }
     return lines;
   }

@@ -12,7 +12,7 @@ const t = texts({
   instrument: ['Instrument', 'Messmittel'],
   measured_on: ['Measured on', 'Gemessen am'],
   notes: ['Notes', 'Bemerkungen'],
-  none: ['–', '–'],
+  none: ['not stated', 'nicht angegeben'],
 });
 
 export interface CalibrationWords { title: string; machine: number | null; instrument: number | null; measured_on: string; notes: string }

@@ -47,6 +47,20 @@ export const option_label = (flag: string): string | undefined => (flag in flags
 
 export type Options = Readonly<Record<string, unknown>>;
 
+const fields = {
+  tolerances: 'tolerances', rule: 'rule', reversed: 'reversed', find_breaks: 'find_breaks', find_outliers: 'find_outliers', break_threshold_mm: 'break_threshold',
+  curves: 'curves', spans: 'spans', reversal: 'reversal', smoothness: 'smoothness', drift: 'drift',
+} as const;
+
+/** An option that was kept as its field calls it and its choice; nothing where it has no field. */
+export function kept_option(key: string, value: unknown): readonly [label: string, value: unknown] | undefined {
+  if (!(key in fields)) return undefined;
+  const label = t(fields[key as keyof typeof fields]);
+  const chosen = key in choices ? choices[key as keyof typeof choices].find((one) => one === value) : undefined;
+  if (chosen) return [label, t(word_of(key as keyof typeof choices, chosen))];
+  return [label, key === 'rule' && (value === 'simple' || value === 'iso14253-1') ? t(value) : value];
+}
+
 /** Typed text beside the options it stands for; null where it stands for none. */
 export interface OptionsForm { options: Options; spans: string; smoothness: string; tolerances: string; break_threshold: string }
 

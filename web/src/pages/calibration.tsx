@@ -7,16 +7,17 @@ import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { Hash } from '../components/hash';
 import { use_page_words, words_by } from '../components/page_words';
+import type { Options } from '../components/evaluation_options';
 import { DataTable } from '../components/table';
 import { VerdictMark } from '../components/verdict';
 import { VersionList } from '../components/versions';
-import { absent } from '../numbers';
 import { place } from '../router';
 import { decimal, language } from '../settings';
 import './calibrations.css';
 import { ComparePanel } from './calibrations/comparison';
 import { EditCalibration, EvaluateAgain, WithdrawCalibration } from './calibrations/dialogs';
 import { CalibrationHistory } from './calibrations/history';
+import { told_options } from './calibrations/told_options';
 import { CalibrationResult } from './calibrations/result';
 import { t } from './calibrations/texts';
 import { motion_label } from './motions/words';
@@ -76,8 +77,8 @@ function Facts({ calibration }: { calibration: KeptCalibration }) {
     <section class="panel">
       <dl class="fact-grid">
         <div><dt>{t('kind')}</dt><dd>{t(kind)}</dd></div>
-        <div><dt>{t('machine')}</dt><dd>{machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : absent}</dd></div>
-        <div><dt>{t('instrument')}</dt><dd>{instrument ? <a href={`/instruments/${instrument.id}`}>{instrument.name}</a> : absent}</dd></div>
+        <div><dt>{t('machine')}</dt><dd>{machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : t('unstated')}</dd></div>
+        <div><dt>{t('instrument')}</dt><dd>{instrument ? <a href={`/instruments/${instrument.id}`}>{instrument.name}</a> : t('unstated')}</dd></div>
         <div><dt>{t('measured')}</dt><dd>{measured_on || t('undated')}</dd></div>
         <div><dt>{t('program')}</dt><dd>{program}</dd></div>
         {verdict !== null && <div><dt>{t('verdict')}</dt><dd><VerdictMark verdict={verdict} /></dd></div>}
@@ -108,7 +109,7 @@ function Files({ calibration }: { calibration: KeptCalibration }) {
         { key: 'name', head: t('file'), cell: ({ role, name }) => <a href={`/api/calibrations/${calibration.id}/files/${role}`} download>{name}</a> },
         { key: 'sha256', head: 'SHA-256', cell: ({ sha256 }) => <Hash hash={sha256} /> },
       ]} />
-      <p class="small quiet">{t('options')}: {Object.keys(calibration.options).length === 0 ? t('as_usual') : <code>{JSON.stringify(calibration.options)}</code>}</p>
+      <p class="small quiet">{t('options')}: {told_options(calibration.kind, calibration.options as Options) || t('as_usual')}</p>
     </section>
   );
 }

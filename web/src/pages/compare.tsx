@@ -6,6 +6,7 @@ import type { Test, Vocabulary } from '../api/types';
 import { Chart, Swatch, type ChartPlace } from '../components/chart';
 import { FailureNotice } from '../components/failure';
 import { narrow } from '../components/narrow';
+import { test_date } from '../components/test_date';
 import { VerdictMark } from '../components/verdict';
 import { Withdrawn } from '../components/withdrawn';
 import { keep_focus } from '../focus';
@@ -113,7 +114,8 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
   test: Test; n: number; shown: boolean; toggle: () => void; remove: () => void; refer: () => void;
 }) {
   const { title } = test;
-  const facts = [test.machine?.name, test.axis?.name, test.result.metadata.test?.date].filter((part): part is string => typeof part === 'string' && part !== '');
+  const date = test.result.metadata.test?.date;
+  const facts = [test.machine?.name, test.axis?.name, date && test_date(date)].filter((part): part is string => typeof part === 'string' && part !== '');
   return (
     <li>
       <label class="show" title={t('show', { title })}>

@@ -4,8 +4,8 @@ import { query, type ApiError } from '../api/client';
 import type { ComparedRule, RulesCompared, Test } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { test_date } from '../components/test_date';
 import { Withdrawn } from '../components/withdrawn';
-import { absent } from '../numbers';
 import { go, place } from '../router';
 import { decimal, language } from '../settings';
 import { Evidence, PlacedFindings } from './rules/evidence';
@@ -52,7 +52,7 @@ function Compared({ test, compared, waits, failed }: { test: Test; compared: Rul
     <>
       <div class="page-head">
         <div>
-          <p class="crumb"><a href={`/tests/${test.id}${query({ version })}`}>{test.title}</a> · {test.result.metadata.test?.date ?? absent} <Withdrawn test={test} /></p>
+          <p class="crumb"><a href={`/tests/${test.id}${query({ version })}`}>{test.title}</a> · {test_date(test.result.metadata.test?.date)} <Withdrawn test={test} /></p>
           <h1 tabIndex={-1}>{axis ? t('title_axis', { axis }) : t('title')}</h1>
         </div>
         {rules.length > 0 && (

@@ -6,7 +6,7 @@ import type { CompensatedControl, CompensationHead, CompensationList, KeptCompen
 import { use_get } from '../api/use';
 import { day_seconds } from '../components/dates';
 import { FailureNotice } from '../components/failure';
-import { absent } from '../numbers';
+import { test_date } from '../components/test_date';
 import { place } from '../router';
 import './compensations.css';
 import { use_made, use_read_table } from './compensations/asked';
@@ -101,7 +101,7 @@ function Correct({ test, controls, active, last, words }: Props) {
     <>
       <div class="page-head">
         <div>
-          <p class="crumb"><a href={`/tests/${test.id}${test.version === test.latest ? '' : `?version=${test.version}`}`}>{test.title}</a> · {test.result.metadata.test?.date ?? absent}</p>
+          <p class="crumb"><a href={`/tests/${test.id}${test.version === test.latest ? '' : `?version=${test.version}`}`}>{test.title}</a> · {test_date(test.result.metadata.test?.date)}</p>
           <h1 tabIndex={-1}>{axis ? t('correct_axis', { axis }) : t('correct')}</h1>
         </div>
       </div>

@@ -33,6 +33,7 @@ Examples:
       --station -200,-150,-700 --station 1200,-150,-650 --station 500,800,-680 --points 150 --drift 2um \
       --outliers 5 --untold-breaks 1 --lengths lengths.csv
   axiometry volumetric simulate --plan plan.json --lengths lengths.csv
+  axiometry volumetric simulate --plan plan.json --reversal curves --lengths lengths.csv --truth truth.json
   axiometry volumetric simulate --plan plan.json --drift 2um --recording 'run{part}.csv' --truth truth.json
   axiometry volumetric simulate --machine machine.json --trials 200 --json coverage.json
   axiometry volumetric simulate --machine machine.json --trials 200 --spans 6 --points 150 --reversal curves)";
@@ -124,7 +125,6 @@ int run_trials(const VolumetricSimulateArguments& a) {
 int run(const VolumetricSimulateArguments& a) {
   if (a.trials > 0) return run_trials(a);
   if (!a.json.empty()) throw UsageError("--json", "goes with --trials");
-  if (a.request.reversal != volumetric::Reversal::none) throw UsageError("--reversal", "goes with --trials");
   const auto calibration = app::simulate_calibration(a.request);
   if (!calibration) return failed(calibration.error());
   const auto written = app::write_simulated(*calibration, a.files);
@@ -187,12 +187,13 @@ void add_volumetric_simulate(const Verb& volumetric, int& exit_code) {
       ->group("Trials");
   add_read(*verb,
            {"--reversal", "MODEL",
-            "How the directions of an axis differ in the trials, and are looked for: none, constant or curves (none)"},
+            "How the directions of an axis differ where errors are drawn, and what trials look for: none, constant or "
+            "curves (none)"},
            [arguments](const std::string& word) -> Result<void> {
              AXIOMETRY_TRY(arguments->request.reversal, app::parse_reversal(word));
              return {};
            })
-      ->group("Trials");
+      ->group("Truth");
   verb->add_option("--json", arguments->json, "What came of the trials, as JSON to FILE or, with -, standard output")
       ->check(fault_of_name)
       ->type_name("FILE")

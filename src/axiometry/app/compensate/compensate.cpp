@@ -351,7 +351,8 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   if (!measures_axis) findings.push_back(finding_of_kept_table(measures_axis.error()));
   std::ranges::move(compensation::findings_of_readings(test.series, s.options.kind, s.curves),
                     std::back_inserter(findings));
-  std::ranges::move(compensation::findings_of_table(test.series, fit.correction), std::back_inserter(findings));
+  std::ranges::move(compensation::findings_of_table(test.series, fit.correction, s.control.limits.rolls_over),
+                    std::back_inserter(findings));
   if (periodic)
     std::ranges::move(compensation::findings_of_periodic(*periodic, request.periodic, s.nodes, s.options.kind),
                       std::back_inserter(findings));

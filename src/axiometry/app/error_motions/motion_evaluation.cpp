@@ -19,10 +19,11 @@ namespace {
 
 constexpr double urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
 
-Result<void> put_name(MeasuredMotion& measured, const std::optional<MotionName>& stated, bool angle) {
+Result<void> put_name(MeasuredMotion& measured, const MotionRequest& request, bool angle) {
+  const std::optional<MotionName>& stated = request.error;
   if (stated && measured.error && *stated != *measured.error)
-    return fail(
-        fmt::format("found the error {} in the file, expected {} as given", measured.error->text(), stated->text()));
+    return fail(fmt::format("found the error {} in the file, expected {} {}", measured.error->text(), stated->text(),
+                            request.error_by_senses ? "by the senses of both lines" : "as given"));
   if (stated) measured.error = stated;
   if (!measured.error) return {};
   const MotionName& error = *measured.error;
@@ -108,26 +109,31 @@ Result<void> check_one_machine(const MeasuredMotion& a, const MeasuredMotion& b)
                           text::quoted(two.name)));
 }
 
-void add_gaps(MeasuredMotion& measured) {
+/// No instrument measures without error: 0 is none that is known, and makes no U of 0.
+bool states_nothing(const std::optional<error_motions::InstrumentUncertainty>& stated) {
+  return !stated || (stated->a == 0.0 && stated->b_per_m == 0.0);
+}
+
+void add_gaps(MeasuredMotion& measured, bool stated_as_0) {
   if (measured.motion.runs == 1)
     measured.remarks.push_back(
         "one run: what does not repeat cannot be told from the shape, and there is no repeatability");
   if (measured.motion.repeats_without_U())
     measured.remarks.push_back(
         "the runs agree to the last digit: they tell nothing of how far they are from the truth");
-  if (!measured.instrument) measured.remarks.emplace_back(no_instrument_remark);
+  if (!measured.instrument) measured.remarks.emplace_back(stated_as_0 ? zero_instrument_remark : no_instrument_remark);
   if (auto why = simulated_by_purpose(measured.metadata.conditions.purpose))
     measured.remarks.push_back(*std::move(why));
 }
 
 Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFile file, bool angle) {
   if (is_angle(file.unit) != angle)
-    return fail(fmt::format("found readings in {}, expected {}", motion_unit_symbol(file.unit),
-                            angle ? "an angle, such as angle_urad" : "a length, such as straightness_um"));
+    return fail(angle ? "found readings of a length, expected an angle, such as angle_urad"
+                      : "found readings of an angle, expected a length, such as straightness_um");
   MeasuredMotion measured{.file = request.file, .error = file.error, .metadata = std::move(file.metadata)};
   if (!measured.error && !request.error && request.plan && request.alone_with_plan)
     measured.error = formats::error_of_plan(*request.plan, file.unit);
-  AXIOMETRY_TRY_VOID(put_name(measured, request.error, angle));
+  AXIOMETRY_TRY_VOID(put_name(measured, request, angle));
   if (request.plan) AXIOMETRY_TRY_VOID(formats::check_error_of_plan(measured.error, file.unit, *request.plan));
   for (const SourceRemark& remark : file.remarks) measured.remarks.push_back(remark.message);
   if (request.plan && request.plan->errors.empty())
@@ -135,9 +141,11 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
   AXIOMETRY_TRY_VOID(put_sense(measured, request.sense, file));
   AXIOMETRY_TRY_VOID(check_statements(measured, file.may_be_positions));
   AXIOMETRY_TRY(const MotionSeries series, MotionSeries::make(std::move(file.readings), file.unit, angle ? 2 : 3));
-  measured.motion = error_motions::axis_motion(series, request.options);
-  measured.instrument = request.options.instrument;
-  add_gaps(measured);
+  error_motions::MotionOptions options = request.options;
+  if (states_nothing(options.instrument)) options.instrument.reset();
+  measured.motion = error_motions::axis_motion(series, options);
+  measured.instrument = options.instrument;
+  add_gaps(measured, request.options.instrument.has_value());
   return measured;
 }
 
@@ -215,6 +223,7 @@ Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& reques
         error_motions::check_square_pair({one.coordinate, two.coordinate}, {two.coordinate, one.coordinate}));
     first.error = MotionName{one.coordinate, two.coordinate};
     second.error = MotionName{two.coordinate, one.coordinate};
+    first.error_by_senses = second.error_by_senses = true;
   }
   AXIOMETRY_TRY(s.first, measure_straightness(first));
   AXIOMETRY_TRY(s.second, measure_straightness(second));

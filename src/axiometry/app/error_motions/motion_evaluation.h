@@ -19,6 +19,7 @@ namespace axiometry::app {
 struct MotionRequest {
   std::string file;                     ///< or "-"
   std::optional<MotionName> error{};    ///< what the file holds, where it does not say so itself
+  bool error_by_senses = false;         ///< both senses of a squareness tell that
   std::optional<ReadingSense> sense{};  ///< likewise which way its readings are positive
   error_motions::MotionOptions options;
   std::optional<Plan> plan{};               ///< after which readings alone were taken, read_planned_motion()
@@ -29,6 +30,10 @@ struct MotionRequest {
 /// Of readings whose instrument nobody states; who knows it from elsewhere takes the remark away.
 inline constexpr std::string_view no_instrument_remark =
     "no uncertainty of the instrument is stated: U does not hold it";
+/// Of readings of which somebody states that their instrument has none.
+inline constexpr std::string_view zero_instrument_remark =
+    "the uncertainty of the instrument is stated as 0, which no instrument has: it counts as not stated, and U does "
+    "not hold it";
 
 /// One file, evaluated.
 struct MeasuredMotion {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -44,6 +45,18 @@ TEST(MotionEvaluation, RefusesAFileOfAnotherAxisThanThatOfItsError) {
   EXPECT_EQ(straight_fault("# axis.name: Z\n"), "") << "no error is named";
   EXPECT_THAT(square_fault("# positive: +Y\n# axis.name: Z\n", "# positive: -X\n"), HasSubstr("the axis \"Z\""))
       << "the senses name the errors";
+}
+
+TEST(MotionEvaluation, SaysThatSensesTellAnotherErrorThanTheFile) {
+  const std::string rows(straight_rows), one = "# error: EYX\n" + rows, two = "# error: EXY\n" + rows;
+  SquarenessRequest request;
+  request.first = "a.csv";
+  request.second = "b.csv";
+  request.bytes = {one, two};
+  request.senses = std::array{reading_sense("+Y").value(), reading_sense("+Z").value()};
+  const auto measured = measure_squareness(request);
+  ASSERT_FALSE(measured);
+  EXPECT_EQ(measured.error().message, "found the error EYX in the file, expected EYZ by the senses of both lines");
 }
 
 TEST(MotionEvaluation, RefusesAGainAndASignThatItDoesNotApply) {
@@ -150,6 +163,43 @@ TEST(MotionReport, HasNoUncertaintyOfNothingWhereRunsAgreeToTheLastDigit) {
   ASSERT_TRUE(measured);
   EXPECT_TRUE(measured->motion.principal().slope_per_m.tells_U());
   EXPECT_EQ(std::ranges::count(measured->remarks, why), 0);
+}
+
+TEST(MeasuredMotion, DoesNotBelieveASquareWithoutUncertainty) {
+  SquarenessRequest request;
+  request.first = "a.csv";
+  request.second = "b.csv";
+  request.bytes = {straight_rows, straight_rows};
+  const auto zeros = [&](double u) {
+    request.square.square_uncertainty_arcsec = u;
+    const auto measured = measure_squareness(request);
+    EXPECT_TRUE(measured);
+    const Experiment shown = present(*measured, {}, {});
+    return std::ranges::count_if(shown.json.find("remarks")->items(), [](const json::Value& remark) {
+      return remark.text().contains("square is stated as 0");
+    });
+  };
+  EXPECT_EQ(zeros(0.0), 1);
+  EXPECT_EQ(zeros(0.2), 0);
+}
+
+/// With it the range of the residuals of one run had U = 0.
+TEST(MeasuredMotion, DoesNotBelieveAnInstrumentWithoutUncertainty) {
+  const std::string rows = "position_mm,straightness_um\n0,1\n400,2\n800,3.5\n";
+  MotionRequest request{.file = "a.csv", .options = {}, .bytes = rows};
+  request.options.instrument = error_motions::InstrumentUncertainty{};
+  const auto measured = measure_straightness(request);
+  ASSERT_TRUE(measured);
+  EXPECT_FALSE(measured->motion.principal().range.tells_U());
+  EXPECT_EQ(std::ranges::count(measured->remarks, zero_instrument_remark), 1);
+  EXPECT_EQ(std::ranges::count(measured->remarks, no_instrument_remark), 0);
+  for (const language::Language language : {language::Language::german, language::Language::french})
+    EXPECT_TRUE(language::is_known(zero_instrument_remark, language));
+  request.options.instrument->b_per_m = 0.5;
+  const auto growing = measure_straightness(request);
+  ASSERT_TRUE(growing);
+  EXPECT_TRUE(growing->motion.principal().range.tells_U());
+  EXPECT_EQ(std::ranges::count(growing->remarks, zero_instrument_remark), 0);
 }
 
 }  // namespace

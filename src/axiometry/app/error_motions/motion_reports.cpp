@@ -35,6 +35,8 @@ std::vector<std::string> square_remarks(const SquarenessMeasurement& s) {
     remarks.push_back("no error of the optical square is stated: it counts as 0, and the squareness holds it");
   if (!s.square.square_uncertainty_arcsec)
     remarks.push_back("no uncertainty of the optical square is stated: U does not hold it");
+  else if (*s.square.square_uncertainty_arcsec == 0.0)
+    remarks.push_back("the uncertainty of the optical square is stated as 0, which no square has: U does not hold it");
   if (!s.square.in_axes)
     remarks.push_back(
         "nothing states which way the readings of both lines are positive (--positive, or # positive: +Y in each "

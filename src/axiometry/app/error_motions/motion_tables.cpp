@@ -87,8 +87,8 @@ std::string_view uncertainty_note(const MeasuredMotion& measured) {
   if (measured.motion.repeats_without_U()) return "Nothing tells an uncertainty.";
   if (measured.motion.runs > 1)
     return instrument
-               ? "U of a line for about 95 %, from runs and instrument; of a range without the bias noise gives it."
-               : "U of a line for about 95 %, from the runs alone; of a range without the bias that noise gives it.";
+               ? "U for about 95 %, from runs and instrument; of a range without the bias noise gives it."
+               : "U for about 95 %, from the runs alone; of a range without the bias that noise gives it.";
   if (measured.motion.principal().slope_per_m.scatter == MotionEstimate::Scatter::residuals)
     return instrument ? "U for about 95 %, of a line from its residuals and the instrument, of a range from the "
                         "instrument alone."

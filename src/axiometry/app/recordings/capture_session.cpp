@@ -293,8 +293,15 @@ std::vector<std::string> CaptureSession::remarks() const {
 
 bool CaptureSession::simulated() const { return says_simulated(beginning_); }
 
+void CaptureSession::leave_out_rest(const Error& refused) {
+  rest_left_out_ = fmt::format("left out the rest of the recording: {}", refused.to_string());
+  remark(rest_left_out_);
+}
+
 Result<Test> CaptureSession::test() const {
-  AXIOMETRY_TRY(Test test, capture::captured_test(matcher_->plan(), matcher_->result()));
+  auto captured = capture::captured_test(matcher_->plan(), matcher_->result());
+  if (!captured && !rest_left_out_.empty()) captured.error().message += "; " + rest_left_out_;
+  AXIOMETRY_TRY(Test test, std::move(captured));
   if (reader_) test.metadata.environment = reader_->environment();
   if (reader_ && reader_->lost() > 0)
     test.provenance.remarks.push_back(

@@ -74,6 +74,9 @@ class CaptureSession {
 
   /// What is to be known of the recording beside its samples: a remark of the test.
   void remark(std::string text) { remarks_.push_back(std::move(text)); }
+
+  /// The reader refused to go on: a remark, and the reason beside that of a test which cannot be made of the beginning.
+  void leave_out_rest(const Error& refused);
   /// Those, and what the reader says of the order of its lines.
   std::vector<std::string> remarks() const;
   std::size_t unfinished() const { return reader_ ? reader_->unfinished() : head_.size() - head_.rfind('\n') - 1; }
@@ -126,6 +129,7 @@ class CaptureSession {
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
   std::vector<std::string> remarks_;
+  std::string rest_left_out_;                    // the remark of that; empty while nothing is
   std::vector<capture::CapturedReading> found_;  // readings that were not handed on yet
 };
 

@@ -35,10 +35,13 @@ class Playing {
     for (std::string& remark : remarks) session_.remark(std::move(remark));
     if (hooks_.goes_on) take_up_again(at_);
     if (refused_)
-      session_.remark(fmt::format("left out the rest of the recording: {}", refused_->to_string()));
+      session_.leave_out_rest(*refused_);
     else if (wanted_ && session_.unfinished() > 0)
       session_.remark(
-          fmt::format("left out the last {} bytes of the recording, which are no whole sample", session_.unfinished()));
+          session_.unfinished() == 1
+              ? "left out the last byte of the recording, which is no whole sample"
+              : fmt::format("left out the last {} bytes of the recording, which are no whole sample",
+                            session_.unfinished()));
     return std::nullopt;
   }
 

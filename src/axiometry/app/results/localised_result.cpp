@@ -42,7 +42,10 @@ constexpr std::string_view in_test[] = {
     "claims.[].missing.[].message",
     "claims.[].remark",
     "claims.[].title",
+    "corrections.[].details.[].name",
+    "corrections.[].details.[].value",
     "corrections.[].title",
+    "drift.basis",
     "environment.gaps.[]",
     "environment.quantities.[].title",
     "environment.remarks.[]",
@@ -57,9 +60,11 @@ constexpr std::string_view in_test[] = {
     "uncertainty.gum_budget.sources.[].note",
     "uncertainty.gum_budget.sources.[].title",
     "uncertainty.inputs.[].origin_title",
+    "uncertainty.inputs.[].reason",
     "uncertainty.inputs.[].title",
     "uncertainty.inputs.[].use_title",
     "uncertainty.monte_carlo_run.contributions.[].title",
+    "uncertainty.monte_carlo_run.hypotheses.[].reason",
     "uncertainty.monte_carlo_run.hypotheses.[].title",
     "uncertainty.monte_carlo_run.inputs.[].note",
     "uncertainty.monte_carlo_run.inputs.[].title",
@@ -71,7 +76,8 @@ constexpr std::string_view in_lines[] = {"findings.[].message", "squareness.note
 constexpr std::string_view in_motions[] = {"angles.[].remarks.[]", "lines.[].remarks.[]", "remarks.[]",
                                            "straightness.remarks.[]"};
 
-constexpr std::string_view in_volumetric[] = {"findings.[].message", "remarks.[]"};
+constexpr std::string_view in_volumetric[] = {"findings.[].message", "gauge.means", "gauge.straightness",
+                                              "remarks.[]"};
 
 constexpr std::string_view in_volumetric_plan[] = {"findings.[].message", "reasons.[]"};
 

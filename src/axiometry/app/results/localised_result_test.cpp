@@ -4,7 +4,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "axiometry/app/evaluate/evaluate.h"
+#include "axiometry/app/results/result_json.h"
 #include "axiometry/store/kept/calibration_kinds.h"
+#include "tests/support/series.h"
 
 namespace axiometry::app {
 namespace {
@@ -34,16 +42,17 @@ void expect_no_sentences(std::string_view result, ResultKind kind) {
 
 TEST(LocalisedResult, OfATestHasItsSentencesInTheLanguage) {
   expect_sentences(R"({"claims": [{"title": "@", "remark": "@", "missing": [{"id": "x", "message": "@"}]}],
-    "corrections": [{"title": "@"}], "findings": [{"message": "@"}], "label": "@",
+    "corrections": [{"title": "@", "details": [{"name": "@", "value": "@"}]}], "label": "@",
+    "drift": {"basis": "@"}, "findings": [{"message": "@"}],
     "information": {"smaller_repeatability": {"remark": "@"}}, "tolerances": [{"withheld": "@"}, {"withheld": null}],
     "environment": {"gaps": ["@"], "quantities": [{"title": "@"}], "remarks": ["@", "@"]}})",
                    ResultKind::test);
-  expect_sentences(R"({"uncertainty": {"inputs": [{"title": "@", "origin_title": "@", "use_title": "@"}],
+  expect_sentences(R"({"uncertainty": {"inputs": [{"title": "@", "origin_title": "@", "use_title": "@", "reason": "@"}],
     "annex_a_budget": {"notes": ["@"], "contributors": [{"title": "@", "inputs": [{"note": "@"}]}]},
     "gum_budget": {"notes": ["@"], "sources": [{"title": "@", "note": "@"}]},
     "monte_carlo": {"A": {"refusal": "@"}, "R_up": {"refusal": "@"}},
     "monte_carlo_run": {"notes": ["@"], "inputs": [{"title": "@", "note": "@"}], "contributions": [{"title": "@"}],
-                        "hypotheses": [{"title": "@"}]}}})",
+                        "hypotheses": [{"title": "@", "reason": "@"}]}}})",
                    ResultKind::test);
 }
 
@@ -54,7 +63,9 @@ TEST(LocalisedResult, OfEveryOtherKindHasItsSentencesInTheLanguage) {
   expect_sentences(R"({"remarks": ["@"], "angles": [{"remarks": ["@"]}], "lines": [{"remarks": ["@"]}],
     "straightness": {"remarks": ["@"]}})",
                    ResultKind::motions);
-  expect_sentences(R"({"findings": [{"message": "@"}], "remarks": ["@"]})", ResultKind::volumetric);
+  expect_sentences(R"({"findings": [{"message": "@"}], "remarks": ["@"],
+    "gauge": {"means": "@", "straightness": "@"}})",
+                   ResultKind::volumetric);
   expect_sentences(R"({"findings": [{"message": "@"}], "reasons": ["@"]})", ResultKind::volumetric_plan);
   expect_sentences(R"({"before": {"findings": [{"message": "@"}]}, "after": {"findings": [{"message": "@"}]}})",
                    ResultKind::field_difference);
@@ -66,6 +77,48 @@ TEST(LocalisedResult, OfEveryOtherKindHasItsSentencesInTheLanguage) {
                    ResultKind::control);
   expect_sentences(R"({"findings": [{"message": "@"}]})", ResultKind::findings_beside_all);
   expect_sentences(R"([{"message": "@"}])", ResultKind::findings);
+}
+
+/// Texts of three words and more that stand alike in both, but distributions, symbols and what a user wrote.
+void add_untranslated(const json::Value& english, const json::Value& other, const std::string& place,
+                      std::vector<std::string>& found) {
+  if (english.is(json::Kind::text) && english.text() == other.text() && std::ranges::count(english.text(), ' ') > 1)
+    found.push_back(place + ": " + english.text());
+  if (english.is(json::Kind::array))
+    for (std::size_t k = 0; k < english.items().size(); ++k)
+      add_untranslated(english.items()[k], other.items()[k], place + "[].", found);
+  if (!english.is(json::Kind::object)) return;
+  for (const auto& [name, member] : english.members())
+    if (name != "metadata" && name != "source" && name != "distribution" && name != "symbol")
+      add_untranslated(member, *other.find(name), place + name + '.', found);
+}
+
+/// What a user wrote stands beside it, in the metadata alone.
+TEST(LocalisedResult, OfATestHasNoSentenceLeftInEnglish) {
+  axiometry::Test test = testing_support::table2::complete_test();
+  test.metadata.instrument.gain = 2;
+  EvaluateOptions options;
+  options.corrections = {.gain = true, .drift = true};
+  const std::string stated = "ctrap 1.9 3.0 0.2";
+  options.metadata = {{"uncertainty.distributions", "machine_temperature | " + stated}};
+  options.uncertainty.gum = options.uncertainty.monte_carlo = true;
+  options.uncertainty.trials.propagation.trials = 10'000;
+  const auto evaluated = evaluate_test(std::move(test), options);
+  ASSERT_TRUE(evaluated) << evaluated.error().to_string();
+  const json::Value result = to_json(*evaluated);
+  ASSERT_FALSE(result.find("uncertainty")->find("monte_carlo_run")->find("hypotheses")->items().empty());
+  std::vector<std::string> left;
+  add_untranslated(result, localised_result(result, ResultKind::test, german_reader), "", left);
+  EXPECT_EQ(left, std::vector<std::string>{"uncertainty.inputs.[].value.: " + stated});
+}
+
+TEST(LocalisedResult, HasNoSentenceOfTheGaugeInEnglish) {
+  for (const std::string_view text :
+       {"the mean of each of the 18 functions over its range is 0: constants are a place of the whole machine",
+        "the best straight line of the six straightness functions is level: their slopes are squareness, or turn the "
+        "whole machine"})
+    for (const language::Language language : {language::Language::german, language::Language::french})
+      EXPECT_TRUE(language::is_known(text, language)) << text;
 }
 
 /// Words of a user that read like the program's own, wherever a result has such.

@@ -24,8 +24,9 @@ struct SimulateRequest {
   std::size_t points = 100;               ///< of each station and tool
   volumetric::SimulatedFaults faults = {};
   std::uint64_t seed = 1;
-  std::size_t spans = 0;                                       ///< of curves in trials; 0: as identify chooses
-  volumetric::Reversal reversal = volumetric::Reversal::none;  ///< that is drawn, and looked for, in trials
+  std::size_t spans = 0;  ///< of curves in trials; 0: as identify chooses
+  /// Of errors that are drawn; in trials also what is looked for.
+  volumetric::Reversal reversal = volumetric::Reversal::none;
   RecordingNoise recording = {};
 };
 
@@ -52,17 +53,15 @@ struct SimulationInputs {
   std::vector<volumetric::Visit> visits;  ///< of a plan
   std::optional<volumetric::CalibrationPlan> plan;
 
-  std::vector<volumetric::Visit> visits_of(const SimulateRequest& request) const {
-    return visits.empty() ? volumetric::spread_visits(machine, request.points, {request.seed, 0}) : visits;
-  }
-  volumetric::TrueErrors errors_of(const SimulateRequest& request, std::uint64_t trial) const {
-    return has_errors ? errors : volumetric::drawn_errors(machine.travel, request.size, {request.seed, trial});
-  }
+  /// Those of the plan, else spread ones, which a machine with reversal goes to in any order.
+  std::vector<volumetric::Visit> visits_of(const SimulateRequest& request) const;
+  volumetric::TrueErrors errors_of(const SimulateRequest& request) const;
 };
 /// Fails as the readers do, on neither a machine nor a plan or both, on a machine without stations where none are
 /// given, and beyond 1 000 000 readings.
 Result<SimulationInputs> simulation_inputs(const SimulateRequest& request);
 
+/// Fails as simulation_inputs() does, and on reversal to be drawn beside errors of a file, which hold their own.
 Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request);
 
 /// The errors as they are and in the gauge of the identification, and all that went wrong.

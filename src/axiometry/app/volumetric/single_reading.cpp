@@ -158,6 +158,7 @@ Result<ReadSingle> read_motion(const SingleItem& item, ErrorMotion error, const 
   read.item.equipment = equipment_text(result.equipment);
   read.remarks = result.remarks;
   std::erase(read.remarks, no_instrument_remark);
+  std::erase(read.remarks, zero_instrument_remark);
   read.is_sense_stated = result.sense.has_value();
   std::vector<PositionMeans> positions;
   for (std::size_t i = 0; i < result.positions_mm.size(); ++i) {

@@ -133,7 +133,7 @@ Result<void> check_no_options_of_a_test(const CompensateRequest& how) {
 }
 
 /// Where the table and the line that was observed do not end together.
-void add_findings_of_ends(const std::vector<double>& nodes, const LineOfVolume& line,
+void add_findings_of_ends(const std::vector<double>& nodes, const LineOfVolume& line, bool rolls_over,
                           std::vector<NamedFinding>& findings) {
   constexpr double printed_mm = 1e-3, much_beyond = 0.05;  // as of a measured test (compensation/suspicions.cpp)
   const double first = line.positions_mm.front(), last = line.positions_mm.back();
@@ -143,7 +143,8 @@ void add_findings_of_ends(const std::vector<double>& nodes, const LineOfVolume& 
   const double beyond = std::max(0.0, nodes.front() - first) + std::max(0.0, last - nodes.back());
   if (beyond > printed_mm)
     findings.push_back({"volume-table-short", beyond > much_beyond * (last - first),
-                        ends + ": beyond its ends the control holds the last value"});
+                        ends + (rolls_over ? ": beyond its ends the control goes on to the value of the other end"
+                                           : ": beyond its ends the control holds the last value")});
   if (nodes.front() < first - printed_mm || nodes.back() > last + printed_mm)
     findings.push_back({"volume-table-ends-held", true,
                         ends + ": there it holds the value at the end of what was observed, which nobody measured"});
@@ -152,7 +153,7 @@ void add_findings_of_ends(const std::vector<double>& nodes, const LineOfVolume& 
 std::vector<NamedFinding> findings_of(const VolumeCompensation& made, const std::vector<double>& nodes,
                                       bool count_said) {
   std::vector<NamedFinding> findings;
-  if (nodes.size() > 1) add_findings_of_ends(nodes, made.line, findings);
+  if (nodes.size() > 1) add_findings_of_ends(nodes, made.line, made.control->limits.rolls_over, findings);
   if (!made.line.untold_reversals.empty())
     findings.push_back(
         {"volume-table-of-means", false,

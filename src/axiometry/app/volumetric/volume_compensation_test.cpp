@@ -351,6 +351,14 @@ TEST(VolumeCompensation, TellsWhereTheTableEndsBesideWhatWasObserved) {
   ASSERT_TRUE(short_one);
   EXPECT_TRUE(short_one->serious);
   EXPECT_THAT(short_one->message, HasSubstr("from 400 to 600 mm"));
+  auto over = asked_table("pmac", 0, 0);
+  over.how.grid = {.start = 400.0, .end = 600.0, .step = 50.0};
+  const auto rolled = compensate_volume(identified_model(), over);
+  ASSERT_TRUE(rolled) << rolled.error().to_string();
+  const auto beyond = std::ranges::find(rolled->findings, "volume-table-short", &NamedFinding::id);
+  ASSERT_NE(beyond, rolled->findings.end());
+  EXPECT_THAT(beyond->message, HasSubstr("goes on to the value of the other end"));
+  EXPECT_TRUE(language::is_known(beyond->message, language::Language::german)) << beyond->message;
   const auto held = finding({.start = -100.0, .end = 1000.0, .step = 50.0}, true, "volume-table-ends-held");
   ASSERT_TRUE(held);
   EXPECT_TRUE(held->serious);

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/app/temperatures/agreed_limits.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/model/surroundings.h"
 
 namespace axiometry::app {
 namespace {
@@ -24,9 +24,9 @@ Result<void> take_limit(JsonMembers& members, std::string_view name, double leas
   const Value* member = members.optional(name);
   if (member == nullptr) return {};
   AXIOMETRY_TRY(const double x, formats::number_in(*member, name));
-  if (x < least || x > most_agreed_C)
+  if (x < least || x > hottest_hall_C)
     return fail(fmt::format("found {} = {}, expected a number from {} to {}", name, format_exact(x),
-                            format_exact(least), format_exact(most_agreed_C)),
+                            format_exact(least), format_exact(hottest_hall_C)),
                 member->at());
   limit = x;
   return {};
@@ -99,8 +99,8 @@ Result<KeptTemperatures> kept_temperatures_from(const json::Value& value) {
   AXIOMETRY_TRY_VOID(take_line(members, "began", kept.began));
   AXIOMETRY_TRY_VOID(take_line(members, "ended", kept.ended));
   AXIOMETRY_TRY_VOID(take_roles(members, kept.roles));
-  AXIOMETRY_TRY_VOID(take_limit(members, "lowest_C", coldest_agreed_C, kept.lowest_C));
-  AXIOMETRY_TRY_VOID(take_limit(members, "highest_C", coldest_agreed_C, kept.highest_C));
+  AXIOMETRY_TRY_VOID(take_limit(members, "lowest_C", coldest_hall_C, kept.lowest_C));
+  AXIOMETRY_TRY_VOID(take_limit(members, "highest_C", coldest_hall_C, kept.highest_C));
   AXIOMETRY_TRY_VOID(take_limit(members, "rate_C_per_h", 0.0, kept.rate_C_per_h));
   AXIOMETRY_TRY_VOID(take_limit(members, "gradient_C", 0.0, kept.gradient_C));
   AXIOMETRY_TRY_VOID(members.finish());

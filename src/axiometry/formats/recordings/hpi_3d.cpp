@@ -54,7 +54,8 @@ class HpiReader final : public RecordingReader {
     if (skipped_ > 0) settle_skipped();
     if (const std::size_t rest = begun_.size(); rest > 0 && !options_.skip_damaged)
       return fail(
-          fmt::format("found {} bytes behind the last frame, expected whole frames of {} bytes", rest, frame_size));
+          fmt::format("found {} behind the last frame, expected whole frames of {} bytes", counted(rest, "byte"),
+                      frame_size));
     if (distances_ > 0) return {};
     if (counts_.velocities > 0)
       return fail("found velocities and no distance, expected an instrument that is set to distances");

@@ -144,6 +144,7 @@ TEST(Hpi3d, RefusesWhatIsNoStreamOfDistances) {
   EXPECT_THAT(read_samples("hpi-3d", hpi_distance(1) + std::string(9000, '\xAA'), skipping()).refusal,
               HasSubstr("found 4096 bytes without a frame"));
   EXPECT_THAT(shown(hpi_distance(1) + "\xAA\xB0"), HasSubstr("found 2 bytes behind the last frame"));
+  EXPECT_THAT(shown(hpi_distance(1) + "\xAA"), HasSubstr("found 1 byte behind the last frame"));
   RecordingOptions options;
   options.kind = AxisKind::rotary;
   EXPECT_FALSE(find_recording("hpi-3d")->open(options));

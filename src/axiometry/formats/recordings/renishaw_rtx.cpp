@@ -41,8 +41,8 @@ class RtxReader final : public RecordingReader {
     if (!header_ && !begun_.empty()) AXIOMETRY_TRY_VOID(begin(sink));
     if (!header_) return fail("found an .rtx recording that ends in its header, expected samples");
     if (interrupted_) return {};
-    if (taken_ < header_->samples) return cut_off(taken_);
     if (end_mark_taken_for_number()) return cut_off(taken_ - 1);
+    if (taken_ < header_->samples) return cut_off(taken_);
     const std::string_view rest = text::trim(begun_);
     if (rest.empty() || text::equal_ignoring_case(rest, "EOF::")) return {};
     return fail(fmt::format("found more behind the {} that the header says, expected EOF::",
@@ -78,7 +78,7 @@ class RtxReader final : public RecordingReader {
 
   /// The end mark with its line ends is as long as a number: where a number is missing it was taken for the last.
   bool end_mark_taken_for_number() const {
-    return text::equal_ignoring_case(text::trim(last_number_ + begun_), "EOF::");
+    return taken_ > 0 && text::equal_ignoring_case(text::trim(last_number_ + begun_), "EOF::");
   }
 
   Result<void> take_numbers(const SampleSink& sink) {

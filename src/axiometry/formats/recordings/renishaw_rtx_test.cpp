@@ -103,8 +103,16 @@ TEST(RenishawRtx, TakesNoEndMarkForTheNumberThatIsMissing) {
   for (const char* end : {"\r\nEOF::\r\n", "\r\nEOF::\r\n\r\n", "EOF::   \r\n", "\r\n\r\nEOF::"}) {
     const std::string file = replaced(rtx_file(three, 4.0), "\r\nEOF::\r\n", end);
     EXPECT_EQ(rtx_text(file), "0:0.5 0.25:-1.25 0.5:3") << end;
-    EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 4")),
-                HasSubstr("found 3 samples, expected 4 as the header says: the file is cut off"))
+    for (const char* announced : {"4", "5", "6"})
+      EXPECT_THAT(
+          rtx_text(replaced(file, "Sample no: 3", std::string("Sample no: ") + announced)),
+          HasSubstr(std::string("found 3 samples, expected ") + announced + " as the header says: the file is cut off"))
+          << end;
+  }
+  for (const char* end : {"\r\nEOF::\r\n", "EOF::\r\n", "EOF::", ""}) {
+    const std::string file = replaced(rtx_file({}, 4.0), "\r\nEOF::\r\n", end);
+    EXPECT_THAT(rtx_text(replaced(file, "Sample no: 0", "Sample no: 5")),
+                HasSubstr("found 0 samples, expected 5 as the header says: the file is cut off"))
         << end;
   }
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/counted.h"
+
 namespace axiometry::formats {
 namespace {
 
@@ -100,15 +102,15 @@ std::vector<std::string> StampJudge::remarks() const {
   std::vector<std::string> remarks;
   const bool times = kind_ == Kind::times;
   if (rejected_ > 0)
-    remarks.push_back(fmt::format("left out {} lines whose {} is out of order, the first is line {}", rejected_,
-                                  times ? "time" : "counter", first_rejected_));
+    remarks.push_back(fmt::format("left out {} whose {} is out of order, the first is line {}",
+                                  counted(rejected_, "line"), times ? "time" : "counter", first_rejected_));
   if (clocks_ > 0)
-    remarks.push_back(fmt::format("the {} of the samples was set back {} times, first in line {}; it was taken on",
-                                  times ? "clock" : "counter", clocks_, first_clock_));
+    remarks.push_back(fmt::format("the {} of the samples was set back {}, first in line {}; it was taken on",
+                                  times ? "clock" : "counter", counted(clocks_, "time"), first_clock_));
   if (leaps_ > 0)
     remarks.push_back(
-        fmt::format("the clock of the samples was set ahead {} times, first in line {}; it was taken as a gap", leaps_,
-                    first_leap_));
+        fmt::format("the clock of the samples was set ahead {}, first in line {}; it was taken as a gap",
+                    counted(leaps_, "time"), first_leap_));
   return remarks;
 }
 

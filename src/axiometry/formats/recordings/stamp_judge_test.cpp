@@ -47,14 +47,14 @@ TEST(StampJudge, TakesAClockThatWasSetAfterFiveLines) {
   StampJudge set(StampJudge::Kind::times);
   EXPECT_EQ(settled(set, {101, 102, 1, 2, 3, 4, 5, 6}), "101 102 112 113 114 115 116 117");  // 10 s passed
   EXPECT_EQ(set.rejected(), 0u);
-  EXPECT_EQ(set.remarks().front(), "the clock of the samples was set back 1 times, first in line 3; it was taken on");
+  EXPECT_EQ(set.remarks().front(), "the clock of the samples was set back 1 time, first in line 3; it was taken on");
   StampJudge ahead(StampJudge::Kind::times);
   EXPECT_EQ(settled(ahead, {1, 2, 1001, 1002, 1003}), "1 2 1001 1002 1003");
   EXPECT_TRUE(ahead.remarks().empty());  // 10 s passed
   StampJudge leap(StampJudge::Kind::times);
   EXPECT_EQ(settled(leap, {1, 2, 3602, 3603, 3604}), "1 2 3602 3603 3604");
   EXPECT_EQ(leap.remarks().front(),
-            "the clock of the samples was set ahead 1 times, first in line 3; it was taken as a gap");
+            "the clock of the samples was set ahead 1 time, first in line 3; it was taken as a gap");
   StampJudge counter(StampJudge::Kind::counts);
   EXPECT_EQ(settled(counter, {101, 102, 1, 2, 3, 4, 5}), "101 102 103 104 105 106 107");
 }

@@ -255,6 +255,13 @@ Result<void> check_table(std::string_view head) {
   return std::unexpected(found.error());
 }
 
+Result<void> check_unit_believed(std::string_view head) {
+  const auto found = guess(whole_lines(head));
+  if (!found || found->profile.reading_unit == nullptr || found->questions.size() != 1) return {};
+  const GuessDecision& question = found->questions.front();
+  return question.key == "reading_unit" ? fail(told(question), {found->first_line, 0}) : Result<void>();
+}
+
 extern const Format generic_delimited_format;
 const Format generic_delimited_format = {
     .id = "generic",

@@ -56,4 +56,8 @@ Result<Test> read_guessed(std::string_view bytes);
 /// it is no row of the rest. Passes where there is no table of five rows, which says nothing.
 Result<void> check_table(std::string_view head);
 
+/// Why a table whose columns are all known is not read: the unit that it states for its readings is one that its
+/// numbers speak against. Passes on all else, which says nothing.
+Result<void> check_unit_believed(std::string_view head);
+
 }  // namespace axiometry::formats

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,16 +44,39 @@ Result<double> member_number(const Value& value, std::string_view name, std::str
   return fail(fmt::format("found {} of {}, expected at most 1e6", name, number), member->at());
 }
 
-Result<TrueCurve> curve_from(const Value& value, ErrorMotion error, const TravelBox& travel) {
+/// Half of what the directions differ by, where the item tells them.
+Result<std::optional<double>> half_in(const Value& item, const std::string& name) {
+  const Value *up = item.find("up"), *down = item.find("down");
+  if (up == nullptr && down == nullptr) return std::nullopt;
+  AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(item, name));
+  AXIOMETRY_TRY(up, members.required("up"));
+  AXIOMETRY_TRY(down, members.required("down"));
+  AXIOMETRY_TRY(const double upward, member_number(*up, "value", name));
+  AXIOMETRY_TRY(const double downward, member_number(*down, "value", name));
+  return 0.5 * (upward - downward);
+}
+
+struct MeanAndHalf {
+  TrueCurve mean, half;
+};
+
+Result<MeanAndHalf> curve_from(const Value& value, ErrorMotion error, const TravelBox& travel) {
   const std::string name = volumetric::error_name(error);
   AXIOMETRY_TRY(const std::vector<Value>* items, items_in(value, name));
   if (items->empty())
     return fail(fmt::format("found no value of {}, expected a table of positions and values", name), value.at());
-  std::vector<TrueCurve::Node> nodes;
+  std::vector<TrueCurve::Node> nodes, halves;
   for (const Value& item : *items) {
     AXIOMETRY_TRY(const double position, member_number(item, "position", name));
     AXIOMETRY_TRY(const double number, member_number(item, "value", name));
+    AXIOMETRY_TRY(const std::optional<double> half, half_in(item, name));
+    const bool had_half = !halves.empty();
+    if (!nodes.empty() && half.has_value() != had_half)
+      return fail(
+          fmt::format("found values of {} with and without those of each direction, expected one or the other", name),
+          item.at());
     nodes.push_back({position, number});
+    if (half) halves.push_back({position, *half});
   }
   auto curve = TrueCurve::make(std::move(nodes));
   if (!curve) return fail(fmt::format("{}: {}", name, curve.error().message), value.at());
@@ -63,7 +87,11 @@ Result<TrueCurve> curve_from(const Value& value, ErrorMotion error, const Travel
     return fail(fmt::format("found {} from {} to {} mm, expected it over the travel of {} to {} mm", name,
                             format_exact(first), format_exact(last), format_exact(lowest), format_exact(highest)),
                 value.at());
-  return curve;
+  MeanAndHalf curves{*std::move(curve), {}};
+  if (!halves.empty()) {
+    AXIOMETRY_TRY(curves.half, TrueCurve::make(std::move(halves)));
+  }
+  return curves;
 }
 
 /// Of a truth, or within the model of a result; null where a file says nothing of its machine.
@@ -99,12 +127,17 @@ Value true_errors_value(const TrueErrors& errors) {
   Value value = Value::object();
   for (std::size_t a = 0; a < axis_count; ++a)
     for (std::size_t m = 0; m < motion_count; ++m) {
-      if (errors.curves[a][m].nodes().empty()) continue;
+      const TrueCurve &curve = errors.curves[a][m], &half = errors.halves[a][m];
+      if (curve.nodes().empty()) continue;
       Value& nodes = value.add(volumetric::error_name({a, m}), Value::array());
-      for (const TrueCurve::Node& node : errors.curves[a][m].nodes()) {
+      for (const TrueCurve::Node& node : curve.nodes()) {
         Value& item = nodes.push(Value::object());
         item.add("position", node.position_mm);
         item.add("value", node.value);
+        if (half.nodes().empty()) continue;
+        const double differs = half.at(node.position_mm);
+        item.add("up", Value::object()).add("value", node.value + differs);
+        item.add("down", Value::object()).add("value", node.value - differs);
       }
     }
   for (std::size_t k = 0; k < volumetric::squareness_names.size(); ++k)
@@ -122,7 +155,9 @@ Result<TrueErrors> read_true_errors(std::string_view bytes, const MachineModel& 
   TrueErrors errors;
   for (const auto& [name, value] : list->members()) {
     if (const auto error = volumetric::error_motion_named(name)) {
-      AXIOMETRY_TRY(errors.curves[error->axis][error->motion], curve_from(value, *error, machine.travel));
+      AXIOMETRY_TRY(MeanAndHalf curves, curve_from(value, *error, machine.travel));
+      errors.curves[error->axis][error->motion] = std::move(curves.mean);
+      errors.halves[error->axis][error->motion] = std::move(curves.half);
       continue;
     }
     const auto which = std::ranges::find(volumetric::squareness_names, name);

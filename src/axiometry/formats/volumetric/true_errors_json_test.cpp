@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/formats/volumetric/true_errors_json.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,6 +30,36 @@ TEST(TrueErrorsJson, AreReadBackAsTheyAreWritten) {
   const auto read = read_true_errors(json::dump(file), small_machine);
   ASSERT_TRUE(read) << read.error().to_string();
   EXPECT_EQ(json::dump(true_errors_value(*read)), json::dump(true_errors_value(drawn)));
+}
+
+TEST(TrueErrorsJson, HoldWhatEachDirectionIs) {
+  volumetric::TrueErrors drawn = volumetric::drawn_errors(small_travel, {}, {.seed = 4});
+  drawn = volumetric::with_drawn_reversal(drawn, small_travel, volumetric::Reversal::curves, {}, {.seed = 4});
+  json::Value file = json::Value::object();
+  file.add("errors", true_errors_value(drawn));
+  const auto read = read_true_errors(json::dump(file), small_machine);
+  ASSERT_TRUE(read) << read.error().to_string();
+  for (const double approach : {-1.0, 0.0, 1.0}) {
+    const volumetric::Approaches approaches = {approach, -approach, approach};
+    const volumetric::ErrorValues is = read->at({333, 222, -111}, approaches);
+    const volumetric::ErrorValues was = drawn.at({333, 222, -111}, approaches);
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t m = 0; m < 6; ++m) EXPECT_NEAR(is.motions[a][m], was.motions[a][m], 1e-12);
+  }
+}
+
+TEST(TrueErrorsJson, RefuseOneDirectionAlone) {
+  const auto with = [](std::string_view second) {
+    return refusal_of_errors(
+        fmt::format(R"({{"errors": {{"EXX": [
+                       {{"position": 0, "value": 1, "up": {{"value": 2}}, "down": {{"value": 0}}}},
+                       {{"position": 1000, "value": 3{}}}]}}}})",
+                    second));
+  };
+  EXPECT_EQ(with(R"(, "up": {"value": 4}, "down": {"value": 2})"), "none");
+  EXPECT_THAT(with(""), HasSubstr("found values of EXX with and without those of each direction"));
+  EXPECT_THAT(with(R"(, "up": {"value": 4})"), HasSubstr("down"));
+  EXPECT_THAT(with(R"(, "up": {"value": null}, "down": {"value": 2})"), HasSubstr("null"));
 }
 
 TEST(TrueErrorsJson, AreNothingWhereTheFileHasNone) {

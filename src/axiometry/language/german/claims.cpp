@@ -130,6 +130,10 @@ constexpr Phrase claims_rows[] = {
      "them",
      "Stützstellen der Kompensation sind nicht angegeben, sodass niemand sagen kann, ob Zielpositionen "
      "auf ihnen liegen"},
+    {"temperatures at the start and the end of the test are in the log alone, expected them stated too where nobody "
+     "says that differential expansion was corrected: its size is judged by them",
+     "Temperaturen am Anfang und am Ende der Prüfung stehen allein in der Temperaturaufzeichnung; erwartet: auch "
+     "angegeben, wo niemand sagt, dass die Differenzdehnung korrigiert wurde: Ihre Größe wird danach beurteilt"},
     {"temperatures at the start and the end of the test are not stated",
      "Temperaturen am Anfang und am Ende der Prüfung sind nicht angegeben"},
     {"the date of the test is given as {0=}, expected a day from 1950 to now",

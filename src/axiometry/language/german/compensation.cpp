@@ -328,10 +328,22 @@ constexpr Phrase compensation_rows[] = {
     {"the sign is turned against what was inferred of {0}: only a re-test tells whether this is the one of the control",
      "das Vorzeichen ist gegen das gedreht, was für {0} erschlossen wurde: Erst eine Nachprüfung sagt, ob es das der "
      "Steuerung ist"},
+    {"the table goes from {0#} to {1#}, the targets from {2#} to {3#}: beyond its ends the control begins the turn "
+     "anew, and what is foretold there counts on the last value",
+     "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Jenseits ihrer Enden beginnt die Steuerung die "
+     "Umdrehung von neuem, und was dort vorhergesagt ist, rechnet mit dem letzten Wert"},
     {"the table goes from {0#} to {1#}, the targets from {2#} to {3#}: beyond its ends the control holds the last "
      "value",
      "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Jenseits ihrer Enden hält die Steuerung den "
      "letzten Wert"},
+    {"the table goes from {0#} to {1#}, the targets from {2#} to {3#}: over the targets beyond its ends the file holds "
+     "the last value",
+     "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Über den Zielen jenseits ihrer Enden hält die "
+     "Datei den letzten Wert"},
+    {"the table goes from {0#} to {1#}, the targets from {2#} to {3#}: over the targets beyond its ends the file holds "
+     "the last value, or goes on to that of the other end where the turn closes",
+     "die Tabelle reicht von {0} bis {1}, die Ziele von {2} bis {3}: Über den Zielen jenseits ihrer Enden hält die "
+     "Datei den letzten Wert oder geht, wo sich die Umdrehung schließt, zu dem des anderen Endes über"},
     {"the table goes from {0#} to {1#}, where {2#} to {3#} were measured: beyond them it holds the value of the last "
      "target, which nobody measured",
      "die Tabelle reicht von {0} bis {1}, gemessen wurde von {2} bis {3}: Jenseits davon hält sie den Wert der "

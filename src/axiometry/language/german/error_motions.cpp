@@ -148,18 +148,18 @@ constexpr Phrase error_motions_rows[] = {
      "U für etwa 95\u00a0%, aus beiden Geraden, deren Tabellen sagen, was ihre enthält, und dem optischen Winkel."},
     {"U for about 95 %, from both lines, whose tables say what theirs holds.",
      "U für etwa 95\u00a0%, aus beiden Geraden; deren Tabellen sagen, was ihre enthält."},
+    {"U for about 95 %, from runs and instrument; of a range without the bias noise gives it.",
+     "U für etwa 95\u00a0%, aus Durchläufen und Messgerät; einer Spannweite ohne ihren Versatz durch "
+     "Rauschen."},
     {"U for about 95 %, from the instrument alone.", "U für etwa 95\u00a0%, allein aus dem Messgerät."},
+    {"U for about 95 %, from the runs alone; of a range without the bias that noise gives it.",
+     "U für etwa 95\u00a0%, aus den Durchläufen allein; einer Spannweite ohne ihren Versatz durch "
+     "Rauschen."},
     {"U for about 95 %, of a line from its residuals alone; a range has none.",
      "U für etwa 95\u00a0%, einer Geraden allein aus ihren Residuen; eine Spannweite hat keine."},
     {"U for about 95 %, of a line from its residuals and the instrument, of a range from the instrument alone.",
      "U für etwa 95\u00a0%, einer Geraden aus ihren Residuen und dem Messgerät, einer Spannweite allein aus dem "
      "Messgerät."},
-    {"U of a line for about 95 %, from runs and instrument; of a range without the bias noise gives it.",
-     "U einer Geraden für etwa 95\u00a0%, aus Durchläufen und Messgerät; einer Spannweite ohne ihren Versatz durch "
-     "Rauschen."},
-    {"U of a line for about 95 %, from the runs alone; of a range without the bias that noise gives it.",
-     "U einer Geraden für etwa 95\u00a0%, aus den Durchläufen allein; einer Spannweite ohne ihren Versatz durch "
-     "Rauschen."},
     {"U of a slope and of a range is from the same figure of each run, as a mean of independent runs, or from the "
      "noise within the runs where that is larger; the instrument’s part holds for every correlation between positions "
      "and falls neither with positions nor with runs.",
@@ -216,6 +216,12 @@ constexpr Phrase error_motions_rows[] = {
     {"the runs agree to the last digit: they tell nothing of how far they are from the truth",
      "die Durchläufe stimmen bis zur letzten Ziffer überein: Sie sagen nichts darüber, wie weit sie von der Wahrheit "
      "entfernt sind"},
+    {"the uncertainty of the instrument is stated as 0, which no instrument has: it counts as not stated, and U does "
+     "not hold it",
+     "die Unsicherheit des Messgeräts ist mit 0 angegeben, was kein Messgerät hat: Sie gilt als nicht angegeben, und U "
+     "enthält sie nicht"},
+    {"the uncertainty of the optical square is stated as 0, which no square has: U does not hold it",
+     "die Unsicherheit des optischen Winkels ist mit 0 angegeben, was kein Winkel hat: U enthält sie nicht"},
     {"{0#} less its line", "{0} ohne seine Gerade"},
 };
 

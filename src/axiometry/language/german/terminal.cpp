@@ -44,6 +44,7 @@ constexpr Phrase terminal_rows[] = {
     {"Takes about {0}.", "Dauert etwa {0}."},
     {"Test of Annex C; no result for acceptance.", "Prüfung nach Anhang C; kein Ergebnis für die Abnahme."},
     {"The axis cannot follow it for {0=}.", "Die Achse kann ihm für {0} nicht folgen."},
+    {"Try 'axiometry --help' or 'axiometry VERB --help'.", "Hilfe: 'axiometry --help' oder 'axiometry VERB --help'."},
     {"accept", "annehmen"},
     {"any travel", "jeder Weg"},
     {"bias", "Verzerr."},

@@ -6,9 +6,14 @@ namespace axiometry::language {
 namespace {
 
 constexpr Phrase verb_refusals_rows[] = {
+    {"'axiometry volumetric export' writes tables", "'axiometry volumetric export' schreibt Tabellen"},
+    {"--points-out writes its points as a table", "--points-out schreibt seine Punkte als Tabelle"},
+    {"--sheet writes tables and documents of it", "--sheet schreibt Tabellen und Dokumente davon"},
+    {"A subcommand is required", "ein Verb ist anzugeben"},
     {"break_threshold_mm: found {0#}, expected a length above 0 mm",
      "break_threshold_mm: {0}; erwartet: eine Länge über 0 mm"},
     {"cannot connect: {0}", "keine Verbindung: {0}"},
+    {"cannot open: {0}", "kann nicht geöffnet werden: {0}"},
     {"closed by the other side", "von der Gegenseite geschlossen"},
     {"found a byte that is not UTF-8, expected plain text", "ein Byte, das nicht UTF-8 ist; erwartet: reiner Text"},
     {"found a file of this name, expected none: raw data are never overwritten (--resume goes on with it)",
@@ -142,6 +147,8 @@ constexpr Phrase verb_refusals_rows[] = {
     {"found the output {0=}, expected a file ending in .json or .csv, or --to with one of {1=}",
      "Ausgabe {0}; erwartet: eine Datei mit der Endung .json oder .csv, oder --to mit einem von {1}"},
     {"found the output {0=}, expected a file ending in {1=}", "Ausgabe {0}; erwartet: eine Datei mit der Endung {1}"},
+    {"found the output {0=}, expected a file ending in {1=}; {2}",
+     "Ausgabe {0}; erwartet: eine Datei mit der Endung {1}; {2}"},
     {"found the plan itself, expected another file for the program",
      "der Plan selbst; erwartet: eine andere Datei für das Programm"},
     {"found the recording {0=}, expected a file ending in .csv, .txt, .npy or .umd",
@@ -228,6 +235,7 @@ constexpr Phrase verb_refusals_rows[] = {
     {"machine_sigma_um: found {0#}, expected 0 to 1000000", "machine_sigma_um: {0}; erwartet: 0 bis 1000000"},
     {"obstacles: found {0#} of them, expected at most {1#}", "obstacles: {0} Stück; erwartet: höchstens {1}"},
     {"parts: found {0#} of them, expected at most {1#}", "parts: {0} Stück; erwartet: höchstens {1}"},
+    {"perhaps {0=}", "vielleicht {0}"},
     {"periods_mm: found {0#} of them, expected one of X, Y and Z each",
      "periods_mm: {0} Stück; erwartet: je eine für X, Y und Z"},
     {"periods_mm: found {0#}, expected periods above 0", "periods_mm: {0}; erwartet: Perioden über 0"},
@@ -237,6 +245,7 @@ constexpr Phrase verb_refusals_rows[] = {
     {"the capture has ended", "die Erfassung ist beendet"},
     {"the times of the readings are not kept in {0=}; json keeps them",
      "{0} bewahrt die Zeiten der Messwerte nicht; json bewahrt sie"},
+    {"{0=} is required", "{0} ist anzugeben"},
 };
 
 }  // namespace

@@ -104,6 +104,8 @@ constexpr Phrase volume_files_rows[] = {
     {"found the error {0=} after {1=}, expected one in a file", "Abweichung {0} nach {1}; erwartet: eine je Datei"},
     {"found the error {0=} in the file, expected {1=} as given",
      "Abweichung {0} in der Datei; erwartet: {1}, wie angegeben"},
+    {"found the error {0=} in the file, expected {1=} by the senses of both lines",
+     "Abweichung {0} in der Datei; erwartet: {1} nach den Richtungen beider Geraden"},
     {"found the kind {0=}, expected straightness, angles or squareness",
      "Art {0}; erwartet: straightness, angles oder squareness"},
     {"found the line {0=} of {1=} read from {2#} to {3#} mm, expected it over the range that the errors of {4=} have "

@@ -243,6 +243,10 @@ constexpr Phrase volume_report_rows[] = {
     {"set aside, at the edge where beyond it", "ausgesondert, außerhalb liegende am Rand"},
     {"straight lines between nodes, spans: {0#}", "Geraden zwischen Knoten, Abschnitte: {0}"},
     {"straightness", "Geradheit"},
+    {"the best straight line of the six straightness functions is level: their slopes are squareness, or turn the "
+     "whole machine",
+     "die beste Gerade der sechs Geradheitsfunktionen liegt eben: Ihre Steigungen sind Rechtwinkligkeit oder "
+     "drehen die ganze Maschine"},
     {"the comparison holds the uncertainty of the errors and the scatter of the test, but not what all readings of the "
      "test have in common, as its temperature or wavelength: that would appear as a slope",
      "der Vergleich enthält die Unsicherheit der Abweichungen und die Streuung der Prüfung, aber nicht, was alle "
@@ -256,6 +260,8 @@ constexpr Phrase volume_report_rows[] = {
      "die Datei der Tabelle hat keine Kommentare: Sie sagt nicht selbst, dass das Ergebnis, aus dem sie gemacht ist, "
      "nicht verwendet werden sollte"},
     {"the machine's zero", "der Nullpunkt der Maschine"},
+    {"the mean of each of the 18 functions over its range is 0: constants are a place of the whole machine",
+     "der Mittelwert jeder der 18 Funktionen über ihren Bereich ist 0: Konstanten sind ein Ort der ganzen Maschine"},
     {"the measured test agrees with the prediction but for what its directions differ by: χ² = {0#} with ν = {1#}; the "
      "largest difference is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung stimmt bis auf den Unterschied ihrer Richtungen mit der Vorhersage überein: χ² = {0} mit ν "
@@ -268,6 +274,10 @@ constexpr Phrase volume_report_rows[] = {
      "difference is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung weicht stärker als zufällig von der Vorhersage ab: χ² = {0} mit ν = {1}; die größte "
      "Differenz ist {2} µm bei {3} mm, das {4}-fache ihrer Standardunsicherheit"},
+    {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: beyond its ends the control goes "
+     "on to the value of the other end",
+     "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Jenseits ihrer Enden geht die "
+     "Steuerung zum Wert des anderen Endes über"},
     {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: beyond its ends the control holds "
      "the last value",
      "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Jenseits ihrer Enden hält die "

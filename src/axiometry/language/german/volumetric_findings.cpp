@@ -84,6 +84,14 @@ constexpr Phrase volumetric_findings_rows[] = {
      "in mm, or their unit in the head",
      "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn die Längen als Zoll gelesen werden, erwartet "
      "alle Zahlen in mm oder ihre Einheit im Kopf"},
+    {"found lengths of station {0=} with tool {1=} that fit when the lengths are read as m, expected all numbers "
+     "in mm, or their unit in the head",
+     "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn die Längen als m gelesen werden, erwartet "
+     "alle Zahlen in mm oder ihre Einheit im Kopf"},
+    {"found lengths of station {0=} with tool {1=} that fit when the lengths are read as µm, expected all numbers "
+     "in mm, or their unit in the head",
+     "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn die Längen als µm gelesen werden, erwartet "
+     "alle Zahlen in mm oder ihre Einheit im Kopf"},
     {"found lengths of station {0=} with tool {1=} that fit when the positions and tools are read as inches, expected "
      "all numbers in mm, or their unit in the head",
      "Längen von Station {0} mit Werkzeug {1} gefunden, die passen, wenn Positionen und Werkzeuge als Zoll gelesen "
@@ -141,6 +149,11 @@ constexpr Phrase volumetric_findings_rows[] = {
      "ist nichts gesagt: Er würde in den Steigungen von EXX, EYY und EZZ erscheinen, deren Unsicherheiten ihn nicht "
      "enthalten (scale_u_um_per_m in der Datei der Maschine)"},
     {"nothing tells in which direction axes had come to rest at {0#} length before their first move at a station "
+     "with a tool, or where {1=} did not move at all: it counts as of the mean of both",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug, oder wo {1} sich gar nicht bewegte, zur Ruhe gekommen waren: sie zählt als eine des Mittels beider "
+     "Richtungen"},
+    {"nothing tells in which direction axes had come to rest at {0#} length before their first move at a station "
      "with a tool: it counts as of the mean of both",
      "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
      "Werkzeug zur Ruhe gekommen waren: sie zählt als eine des Mittels beider Richtungen"},
@@ -148,6 +161,11 @@ constexpr Phrase volumetric_findings_rows[] = {
      "with a tool: it is left out",
      "nichts sagt, in welcher Richtung Achsen bei {0} Länge vor ihrer ersten Bewegung an einer Station mit einem "
      "Werkzeug zur Ruhe gekommen waren: sie ist ausgelassen"},
+    {"nothing tells in which direction axes had come to rest at {0#} lengths before their first move at a station "
+     "with a tool, or where {1=} did not move at all: they count as of the mean of both",
+     "nichts sagt, in welcher Richtung Achsen bei {0} Längen vor ihrer ersten Bewegung an einer Station mit einem "
+     "Werkzeug, oder wo {1} sich gar nicht bewegte, zur Ruhe gekommen waren: sie zählen als solche des Mittels beider "
+     "Richtungen"},
     {"nothing tells in which direction axes had come to rest at {0#} lengths before their first move at a station "
      "with a tool: they are left out",
      "nichts sagt, in welcher Richtung Achsen bei {0} Längen vor ihrer ersten Bewegung an einer Station mit einem "
@@ -304,6 +322,22 @@ constexpr Phrase volumetric_findings_rows[] = {
      "{0} Station lässt eine falsche kaum erkennen; vier oder mehr sind üblich"},
     {"{0#} stations leave little to see a wrong one by; four or more are usual",
      "{0} Stationen lassen eine falsche kaum erkennen; vier oder mehr sind üblich"},
+    {"{0} came to rest at {1#} moving down only: what it does there moving up, and so the mean of both directions, "
+     "is what its curves make of readings elsewhere",
+     "{0} kam bei {1} nur abwärts zur Ruhe: Was die Achse dort aufwärts macht, und damit das Mittel beider "
+     "Richtungen, ist das, was ihre Kurven aus Messungen an anderen Orten machen"},
+    {"{0} came to rest at {1#} moving up only: what it does there moving down, and so the mean of both directions, "
+     "is what its curves make of readings elsewhere",
+     "{0} kam bei {1} nur aufwärts zur Ruhe: Was die Achse dort abwärts macht, und damit das Mittel beider "
+     "Richtungen, ist das, was ihre Kurven aus Messungen an anderen Orten machen"},
+    {"{0} came to rest from {1#} to {2#} moving down only: what it does there moving up, and so the mean of both "
+     "directions, is what its curves make of readings elsewhere",
+     "{0} kam von {1} bis {2} nur abwärts zur Ruhe: Was die Achse dort aufwärts macht, und damit das Mittel beider "
+     "Richtungen, ist das, was ihre Kurven aus Messungen an anderen Orten machen"},
+    {"{0} came to rest from {1#} to {2#} moving up only: what it does there moving down, and so the mean of both "
+     "directions, is what its curves make of readings elsewhere",
+     "{0} kam von {1} bis {2} nur aufwärts zur Ruhe: Was die Achse dort abwärts macht, und damit das Mittel beider "
+     "Richtungen, ist das, was ihre Kurven aus Messungen an anderen Orten machen"},
     {"{0} ran the other way", "{0} andersherum lief"},
     {"{0} was read at {1#} places only: its curves go through what was read there, nothing shows what they are "
      "between, "

@@ -92,7 +92,7 @@ Bar bar_of(const Judgement& judgement) {
   const double limit = judgement.tolerance.limit.in_native();
   Bar bar{judgement, judgement.magnitude->in_native() / limit, {}, {}, {}};
   if (judgement.uncertainty) {
-    const bool is_signed = judgement.tolerance.parameter->key == "B_mean";
+    const bool is_signed = iso230_2::may_be_below_0(judgement.tolerance.parameter->key);
     const uncertainty::Interval& stated = judgement.uncertainty->interval;
     const uncertainty::Interval shown =
         is_signed ? folded(stated) : uncertainty::Interval{std::max(stated.lower, 0.0), stated.upper};

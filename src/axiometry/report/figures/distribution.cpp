@@ -84,7 +84,7 @@ Panel panel_of(const iso230_2::ParameterInfo& parameter, const ParameterDistribu
     if (judgement.tolerance.parameter != &parameter) continue;
     const double limit = judgement.tolerance.limit.in_native();
     panel.limits.push_back(limit);
-    if (parameter.key == "B_mean") panel.limits.push_back(-limit);
+    if (iso230_2::may_be_below_0(parameter.key)) panel.limits.push_back(-limit);
   }
   return panel;
 }

@@ -85,6 +85,10 @@ inline constexpr ParameterInfo parameters[] = {
     {"B_mean", "B̄", "Mean reversal error", "3.17", false, &AxisParameters::B_mean},
 };
 
+/// Ranges, largest values and scatters are no less than 0; the mean reversal error alone may be. Of figures of other
+/// rules, which have these keys, likewise.
+constexpr bool may_be_below_0(std::string_view key) { return key == "B_mean"; }
+
 /// By key or symbol; nullptr when there is none.
 const ParameterInfo* find_parameter(std::string_view name);
 

@@ -105,5 +105,11 @@ TEST(Parameters, AreTheTwelveOfTheStandardByUniqueKeys) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_NE(parameters[a].key, parameters[b].key);
 }
 
+TEST(Parameters, AreBelowZeroWhereTheyMayBeAlone) {
+  const AxisParameters found = evaluate(make_series({0, 1}, {{-3, -9}, {-4, -8}}, {{-1, -2}, {-2, -3}})).parameters;
+  for (const ParameterInfo& parameter : parameters)
+    EXPECT_EQ((found.*parameter.member)->in_native() < 0.0, may_be_below_0(parameter.key)) << parameter.key;
+}
+
 }  // namespace
 }  // namespace axiometry::iso230_2

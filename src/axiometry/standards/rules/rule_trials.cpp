@@ -41,11 +41,10 @@ bool draws_moments_alone(const Test& test, const iso230_2::MonteCarloOptions& op
          options.type_a != iso230_2::TypeA::resampled;
 }
 
-/// Ranges, largest values and scatters are no less than 0.
-bool has_a_sign(const RuleFigure& figure) { return figure.key == "B_mean"; }
-
 /// Moved back the distribution of a hypothesis may lie below 0.
-double lower_end(const RuleFigure& figure, double low) { return has_a_sign(figure) ? low : std::max(low, 0.0); }
+double lower_end(const RuleFigure& figure, double low) {
+  return iso230_2::may_be_below_0(figure.key) ? low : std::max(low, 0.0);
+}
 
 void take_interval(ComparedFigure& figure, const std::optional<iso230_2::ParameterDistribution>& found,
                    bool has_no_readings) {

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
+#include "axiometry/volumetric/identify/one_sided_places.h"
 #include "axiometry/volumetric/identify/residual_causes.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
@@ -180,7 +182,25 @@ void add_copies(const Identifier& done, std::vector<VolumetricFinding>& findings
                                   copies == 1 ? " is a copy" : "s are copies", copies == 1 ? "s" : "")});
 }
 
-void add_unknown_directions(const Identifier& done, std::vector<VolumetricFinding>& findings) {
+/// Axes that do not move at all at some station with a tool, "X, Z".
+std::string axes_at_rest(const Identifier& done, const VolumetricLengths& lengths) {
+  std::array<bool, axis_count> rests{};
+  const std::vector<Approaches>& approaches = done.approaches();
+  for (std::size_t i = 0; i < approaches.size(); ++i) {
+    const VolumetricReading& reading = lengths.readings[i];
+    if (i + 1 < approaches.size() && lengths.readings[i + 1].station == reading.station &&
+        lengths.readings[i + 1].tool == reading.tool)
+      continue;
+    for (std::size_t a = 0; a < axis_count; ++a) rests[a] = rests[a] || approaches[i][a] == 0.0;
+  }
+  std::string names;
+  for (std::size_t a = 0; a < axis_count; ++a)
+    if (rests[a]) names += fmt::format("{}{}", names.empty() ? "" : ", ", "XYZ"[a]);
+  return names;
+}
+
+void add_unknown_directions(const Identifier& done, const VolumetricLengths& lengths,
+                            std::vector<VolumetricFinding>& findings) {
   std::size_t left_out = 0, meant = 0;
   for (std::size_t i = 0; i < done.approaches().size(); ++i)
     if (!done.is_copy(i) && has_unknown_direction(done.approaches()[i]))
@@ -191,12 +211,14 @@ void add_unknown_directions(const Identifier& done, std::vector<VolumetricFindin
          fmt::format("nothing tells in which direction axes had come to rest at {} length{} before their "
                      "first move at a station with a tool: {} left out",
                      left_out, left_out == 1 ? "" : "s", left_out == 1 ? "it is" : "they are")});
-  if (meant > 0)
-    findings.push_back(
-        {"volumetric-unknown-directions", false,
-         fmt::format("nothing tells in which direction axes had come to rest at {} length{} before their "
-                     "first move at a station with a tool: {} as of the mean of both",
-                     meant, meant == 1 ? "" : "s", meant == 1 ? "it counts" : "they count")});
+  if (meant == 0) return;
+  const std::string at_rest = axes_at_rest(done, lengths);
+  findings.push_back({"volumetric-unknown-directions", false,
+                      fmt::format("nothing tells in which direction axes had come to rest at {} length{} before their "
+                                  "first move at a station with a tool{}: {} as of the mean of both",
+                                  meant, meant == 1 ? "" : "s",
+                                  at_rest.empty() ? "" : fmt::format(", or where {} did not move at all", at_rest),
+                                  meant == 1 ? "it counts" : "they count")});
 }
 
 std::string smoothness_text(const Smoothness& asked, double found, std::string_view of, std::string_view unit) {
@@ -301,7 +323,8 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_domain(done, machine, findings);
   add_places(done, lengths, findings);
   add_copies(done, findings);
-  add_unknown_directions(done, findings);
+  add_unknown_directions(done, lengths, findings);
+  add_one_sided_places(done, lengths, findings);
   add_smoothness(done, result, findings);
   add_scale(machine, findings);
   std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });

@@ -221,7 +221,7 @@ TEST(Identify, GivesAllNumbersOfCoarseCurvesWhereThreeToolsTellThem) {
   }
 }
 
-TEST(Identify, SaysWhereNumbersAreInches) {
+TEST(Identify, SaysWhereNumbersAreInOtherUnits) {
   TrueMachine machine("XFYZ", 5);
   const VolumetricLengths lengths = measured(machine, four_stations());
   VolumetricLengths in_inches = lengths;
@@ -229,6 +229,14 @@ TEST(Identify, SaysWhereNumbersAreInches) {
   const auto refused = identify(machine.model, in_inches, with_spans(4));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("fit when the lengths are read as inches"));
+
+  for (const auto& [factor, unit] : {std::pair(1e-3, "m,"), {1e3, "µm,"}}) {
+    VolumetricLengths other = lengths;
+    for (VolumetricReading& reading : other.readings) reading.length_mm *= factor;
+    const auto mistaken = identify(machine.model, other, with_spans(4));
+    ASSERT_FALSE(mistaken) << unit;
+    EXPECT_THAT(mistaken.error().message, HasSubstr("fit when the lengths are read as " + std::string(unit)));
+  }
 
   MachineModel small = machine.model;
   small.travel = {1.0 / 25.4 * small.travel.lowest_mm, 1.0 / 25.4 * small.travel.highest_mm};
@@ -255,6 +263,17 @@ TEST(Identify, SaysThatTwoStationsAreTooFew) {
   EXPECT_GT(result->rank.null_directions, 0u);
   ASSERT_NE(finding(*result, "volumetric-unseen-errors"), nullptr);
   EXPECT_THAT(finding(*result, "volumetric-unseen-errors")->message, HasSubstr("three stations are the least"));
+}
+
+/// What two stations tell as weakly as this takes some ninety steps.
+TEST(Identify, FollowsWhatIsToldWeaklyToItsEnd) {
+  TrueMachine machine("FXYZ", 7);
+  machine.model.repeatability = Length::um(0.3);
+  const std::vector<NamedStation> two = {{"A", {-200.0, -150.0, -800.0}}, {"B", {1200.0, -130.0, -750.0}}};
+  const auto result = identify(machine.model, measured(machine, two, {.points = 150}), with_spans(5));
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_NE(finding(*result, "volumetric-unseen-errors"), nullptr);
+  EXPECT_NEAR(result->chi_squared_per_dof(), 1.0, 0.15);
 }
 
 TEST(Identify, FindsABreakOfTheBeamThatNobodyTold) {

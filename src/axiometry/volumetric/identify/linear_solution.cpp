@@ -18,6 +18,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double null_most = 1e-8;
+/// What rounding makes of the eigenvalue 0 of a matrix with a unit diagonal and some hundred rows.
+constexpr double rounded_zero = 1e-15;
+/// A direction that would make the uncertainty of a number larger by less than 0.5 % (√(1 + 0.1²)) tells nothing
+/// against the number, and leaving it out moves the number by a tenth of that uncertainty. Rounding stays far below: it
+/// gives an eigenvector a share ε/λ of another one with the eigenvalue λ, ε being rounded_zero, which over √ε is √(ε/λ)
+/// of the 1/√λ that the other is uncertain by, at most 3e-4 where λ is above null_most.
+constexpr double harmless_share = 0.1;
 
 /// Under the gauge, columns scaled to a unit diagonal. Coefficients last: then the inverse of their block of the factor
 /// is all that their covariance needs.
@@ -107,6 +114,21 @@ double largest_eigenvalue(Index n, const Apply& apply) {
     }
     v = next / beside[k];
   }
+}
+
+/// Of a direction as long as one standard deviation, whole curves, means and halves of reversal each, and squareness:
+/// those of which it makes no number more uncertain than harmless_share says become 0.
+void keep_what_takes_part(const Coefficients& coefficients, std::span<const double> covariance,
+                          std::vector<double>& direction) {
+  const std::size_t n = coefficients.raw(), errors = axis_count * motion_count + 3;
+  std::vector<bool> takes_part(2 * errors, false);
+  const auto curve_of = [&](std::size_t k) {
+    return coefficients.error_of(k) + (k >= coefficients.half(0) ? errors : 0u);
+  };
+  for (std::size_t k = 0; k < n; ++k)
+    if (std::abs(direction[k]) > harmless_share * std::sqrt(covariance[k * n + k])) takes_part[curve_of(k)] = true;
+  for (std::size_t k = 0; k < n; ++k)
+    if (!takes_part[curve_of(k)]) direction[k] = 0.0;
 }
 
 }  // namespace
@@ -261,10 +283,13 @@ NullDirections LinearSolution::null_basis() const {
 std::vector<std::vector<double>> LinearSolution::unseen() const {
   const Factors& f = *factors_;
   std::vector<std::vector<double>> directions;
+  if (f.directions.cols() == 0) return directions;
+  const std::vector<double> covariance = coefficient_covariance();
   for (Index k = 0; k < f.directions.cols(); ++k) {
     const VectorXd direction = f.directions.col(k);
     std::vector<double> raw = f.raw_of(direction);
     raw.resize(f.coefficients.raw());
+    keep_what_takes_part(f.coefficients, covariance, raw);
     double squares = 0.0;
     for (const double x : raw) squares += x * x;
     if (squares < 1e-20 * direction.squaredNorm()) continue;
@@ -288,7 +313,8 @@ NullDirections null_directions(const Coefficients& coefficients, NormalEquations
   const VectorXd& values = solver.eigenvalues();  // rising
   NullDirections nulls;
   for (Index k = 0; k < values.size() && values[k] < null_most; ++k) {
-    const VectorXd direction = s.scale.cwiseProduct(solver.eigenvectors().col(k));
+    const double deviation = 1.0 / std::sqrt(std::max(values[k], rounded_zero));
+    const VectorXd direction = deviation * s.scale.cwiseProduct(solver.eigenvectors().col(k));
     nulls.emplace_back(direction.begin(), direction.end());
   }
   return nulls;

@@ -11,7 +11,8 @@
 /// The normal equations under the gauge, factored once: steps, covariance, rank. Internal to identify().
 namespace axiometry::volumetric::detail {
 
-/// Directions of the columns that stay under the gauge of which the lengths say nothing, one each.
+/// Directions of the columns that stay under the gauge of which the lengths say nothing, each as long as one standard
+/// deviation.
 using NullDirections = std::vector<std::vector<double>>;
 
 class LinearSolution {
@@ -44,7 +45,8 @@ class LinearSolution {
   /// As they were given.
   NullDirections null_basis() const;
 
-  /// The null directions as raw coefficients, of length 1; those of stations alone are left out.
+  /// The null directions as raw coefficients, of length 1, with 0 for errors that take no part in them, which are as
+  /// certain with them as without; those of stations alone are left out.
   std::vector<std::vector<double>> unseen() const;
   /// Errors that a null direction changes, in the order of error_names(), rising.
   std::vector<std::size_t> unseen_errors() const;

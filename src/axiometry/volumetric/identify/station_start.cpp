@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -83,17 +84,24 @@ double least_misfit_mm(std::span<const LocationPoint> points, std::span<const Ve
   return least;
 }
 
-/// Whether lengths, or else positions, are inches, of which the other is read as mm.
-std::optional<std::string_view> in_inches(std::vector<LocationPoint> points, double misfit) {
-  constexpr double inch_mm = 25.4, clearly = 0.01;
+/// What the lengths fit when it is read in another unit.
+struct MistakenUnit {
+  double lengths_factor = 1.0;  ///< by which lengths would have to be larger beside the positions
+  std::string_view what, unit;
+};
+constexpr std::array mistaken_units = {MistakenUnit{25.4, "lengths", "inches"},
+                                       MistakenUnit{1.0 / 25.4, "positions and tools", "inches"},
+                                       MistakenUnit{1e3, "lengths", "m"}, MistakenUnit{1e-3, "lengths", "µm"}};
+
+/// Whether lengths, or else positions, are in another unit than the mm as which they are read.
+std::optional<MistakenUnit> mistaken_unit(const std::vector<LocationPoint>& points, double misfit) {
+  constexpr double clearly = 0.01;
   if (misfit < no_machine_errs_mm) return std::nullopt;
-  const auto fits = [&](double factor) {
+  for (const MistakenUnit& unit : mistaken_units) {
     std::vector<LocationPoint> other = points;
-    for (LocationPoint& p : other) p.length_difference_mm *= factor;
-    return least_misfit_mm(other, places(other)) < std::min(clearly * misfit, usual_misfit_mm);
-  };
-  if (fits(inch_mm)) return "lengths";
-  if (fits(1.0 / inch_mm)) return "positions and tools";
+    for (LocationPoint& p : other) p.length_difference_mm *= unit.lengths_factor;
+    if (least_misfit_mm(other, places(other)) < std::min(clearly * misfit, usual_misfit_mm)) return unit;
+  }
   return std::nullopt;
 }
 
@@ -218,11 +226,11 @@ Result<Start> start_of(const std::vector<Sight>& sights, std::size_t stretches, 
                     "stands",
                     points.size(), of_station(), readings_least));
   const std::vector<Vector3> found = places(points);
-  if (const auto what = in_inches(points, least_misfit_mm(points, found)))
+  if (const auto mistaken = mistaken_unit(points, least_misfit_mm(points, found)))
     return fail(
-        fmt::format("found lengths {} that fit when the {} are read as inches, expected all numbers in mm, or their "
+        fmt::format("found lengths {} that fit when the {} are read as {}, expected all numbers in mm, or their "
                     "unit in the head",
-                    of_station(), *what));
+                    of_station(), mistaken->what, mistaken->unit));
   if (found.empty() && fit_reversed(points))
     return fail(fmt::format(
         "found lengths {} that fit with the other sign, expected lengths that grow with the distance", of_station()));

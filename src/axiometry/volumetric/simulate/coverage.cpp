@@ -91,7 +91,7 @@ Result<CoverageTrial> try_once(const MachineModel& machine, const CoverageOption
                                 : with_drawn_reversal(drawn_errors(machine.travel, options.size, draw), machine.travel,
                                                       options.identify.reversal, options.size, draw);
   std::vector<Visit> visits = options.visits.empty() ? spread_visits(machine, options.points, draw) : options.visits;
-  if (options.visits.empty() && options.identify.reversal != Reversal::none)
+  if (options.visits.empty() && (errors.has_reversal() || options.identify.reversal != Reversal::none))
     visits = in_any_order(std::move(visits), draw);
   AXIOMETRY_TRY(const SimulatedLengths simulated, simulate_lengths(machine, errors, visits, options.faults, draw));
   IdentifyOptions identify_options = options.identify;

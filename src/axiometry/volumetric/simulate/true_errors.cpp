@@ -116,6 +116,12 @@ ErrorValues TrueErrors::at(Vector3 axes_mm, Approaches approaches) const {
   return values;
 }
 
+bool TrueErrors::has_reversal() const {
+  return std::ranges::any_of(halves, [](const auto& of_axis) {
+    return std::ranges::any_of(of_axis, [](const TrueCurve& half) { return !half.nodes().empty(); });
+  });
+}
+
 TrueErrors drawn_errors(const TravelBox& travel, DrawnSize size, Draw draw) {
   TrueErrors errors;
   for (std::size_t a = 0; a < axis_count; ++a)

@@ -49,6 +49,7 @@ struct TrueErrors {
   std::array<std::array<TrueCurve, motion_count>, axis_count> halves = {};
 
   ErrorValues at(Vector3 axes_mm, Approaches approaches = {}) const;
+  bool has_reversal() const;
 };
 
 /// How large errors are that are drawn.

@@ -36,5 +36,5 @@ function Name({ row, with_machine }: { row: CalibrationRow; with_machine: boolea
 }
 
 function MachineLink({ row: { machine } }: { row: CalibrationRow }) {
-  return machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : <>{absent}</>;
+  return machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : <>{t('unstated')}</>;
 }

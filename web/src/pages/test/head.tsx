@@ -3,6 +3,7 @@ import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { query, send } from '../../api/client';
 import type { Claim, Test } from '../../api/types';
+import { test_date } from '../../components/test_date';
 import { Mark, VerdictMark } from '../../components/verdict';
 import { Withdrawn } from '../../components/withdrawn';
 import { texts } from '../../i18n/texts';
@@ -44,7 +45,7 @@ function Fact({ label, children }: { label: string; children: ComponentChildren 
   return <div><dt>{label}</dt><dd>{children}</dd></div>;
 }
 
-const measured_on = (test: Test): string => test.result.metadata.test?.date ?? '–';
+const measured_on = (test: Test): string => test_date(test.result.metadata.test?.date);
 
 function Facts({ state }: { state: TestState }) {
   const test = state.test.value;

@@ -144,9 +144,11 @@ TEST_F(CaptureTornTest, EveryByteOfAnEndMayBeMissing) {
     ASSERT_EQ(cut.error, "");
     expect_among(cut, sound, std::to_string(missing));
     const bool whole = bytes[size - 1] == '\n';
-    EXPECT_EQ(std::ranges::any_of(cut.remarks, [](const auto& r) { return r.contains("which are no whole sample"); }),
+    EXPECT_EQ(std::ranges::any_of(cut.remarks, [](const auto& r) { return r.contains(" no whole sample"); }),
               !whole);
   }
+  folder_.written("run.raw", bytes.substr(0, bytes.find('\n', bytes.size() / 2) + 2));
+  EXPECT_THAT(played(options).remarks, Contains("left out the last byte of the recording, which is no whole sample"));
 }
 
 TEST_F(CaptureTornTest, SamplesThatOnlyTheirArrivalPlacesAreUsedWhereItIsKnown) {
@@ -196,7 +198,7 @@ TEST_F(CaptureTornTest, AWrongDigitInATimeCostsItsLine) {
     EXPECT_EQ(harmed.error, "");
     EXPECT_EQ(harmed.readings.size(), 6u);
     EXPECT_THAT(harmed.remarks,
-                Contains(HasSubstr("left out 1 lines whose time is out of order, the first is line 797")));
+                Contains(HasSubstr("left out 1 line whose time is out of order, the first is line 797")));
   }
 }
 
@@ -210,7 +212,7 @@ TEST_F(CaptureTornTest, AClockThatIsSetCostsNothing) {
     EXPECT_EQ(set.error, "");
     EXPECT_GE(set.readings.size(), 5u) << shift_s;
     EXPECT_THAT(set.remarks,
-                Contains(HasSubstr(shift_s < 0.0 ? "set back 1 times, first in line 701" : "set ahead 1 times")));
+                Contains(HasSubstr(shift_s < 0.0 ? "set back 1 time, first in line 701" : "set ahead 1 time")));
   }
 }
 
@@ -223,6 +225,20 @@ TEST_F(CaptureTornTest, BehindARefusedStretchTheRestIsLeftOutAndTold) {
   EXPECT_GE(replay.readings.size(), 3u);
   EXPECT_THAT(replay.remarks,
               Contains(HasSubstr("left out the rest of the recording: line 1000:1: found \"?\", expected")));
+}
+
+TEST_F(CaptureTornTest, WhereTheBeginningIsNoTestItIsSaidWhyTheRestWasLeftOut) {
+  auto lines = lines_of("time-position");
+  for (std::size_t k = 10; k < lines.size(); ++k) lines[k].text = "?\n";
+  write_raw(lines);
+  CaptureOptions options = options_of("time-position", true);
+  options.plan = folder_.written("plan.json", formats::write_plan(short_plan(2)));
+  auto source = Source::open(raw_);
+  ASSERT_TRUE(source);
+  const auto test = read_recording(*source, options);
+  ASSERT_FALSE(test);
+  EXPECT_THAT(test.error().message,
+              HasSubstr("; left out the rest of the recording: line 110:1: found \"?\", expected"));
 }
 
 TEST_F(CaptureTornTest, BehindARefusedStretchTheNextConnectionIsPlayedAndAllOfItHashed) {

@@ -205,7 +205,7 @@ Result<void> propagate_hypotheses(MonteCarlo& result, const Subject& subject, st
       continue;
     }
     result.stable = result.stable && d.summary.stable;
-    if (parameter.member != &AxisParameters::B_mean) d.low = std::max(d.low, 0.0);  // moved back it may lie below
+    if (!may_be_below_0(parameter.key)) d.low = std::max(d.low, 0.0);  // moved back it may lie below
     result.distributions[index_of(&parameter)] = std::move(d);
   }
   if (!constant.empty()) result.notes.push_back(no_claim_note(constant));

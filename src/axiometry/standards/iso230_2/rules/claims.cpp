@@ -100,8 +100,12 @@ void add_temperatures(Against& against, const Case& c, const Assessment& assessm
   // stated.
   const bool settled = assessment.temperatures_recorded && (!c.linear() || m.nde.applied == true);
   if (!stated && !settled)
-    against.push_back(rules::missing("temperatures-not-stated", "4.1",
-                                     "temperatures at the start and the end of the test are not stated"));
+    against.push_back(rules::missing(
+        "temperatures-not-stated", "4.1",
+        assessment.temperatures_recorded
+            ? "temperatures at the start and the end of the test are in the log alone, expected them stated too where "
+              "nobody says that differential expansion was corrected: its size is judged by them"
+            : "temperatures at the start and the end of the test are not stated"));
   if (!c.linear()) return;
   add_missing(against, rules::temperature_without_correction(c));
   if (!m.nde.applied && !stated)

@@ -208,6 +208,16 @@ TEST(Claims, OfTheTestTakeTemperaturesFromALogToo) {
   EXPECT_EQ(asked(true), 0);
   test.metadata.nde.applied = false;
   EXPECT_EQ(asked(true), 1) << "nothing here holds the log's 26 °C against an axis that was not corrected";
+  for (const bool recorded : {false, true}) {
+    Assessment assessment = assess(test);
+    assessment.temperatures_recorded = recorded;
+    const Claims all = claims_of(test, assessment);
+    const std::vector<Finding>& against = claim(all, ClaimKind::tested).against;
+    const auto found = std::ranges::find(against, "temperatures-not-stated", &Finding::id);
+    ASSERT_NE(found, against.end());
+    EXPECT_EQ(found->message.contains("are in the log alone"), recorded);
+    EXPECT_EQ(found->message.contains("are not stated"), !recorded);
+  }
 }
 
 TEST(Claims, OfTheTestAreContradictedByWhatTheStandardForbids) {
