@@ -143,7 +143,7 @@ void add_findings_of_ends(const std::vector<double>& nodes, const LineOfVolume& 
   const double beyond = std::max(0.0, nodes.front() - first) + std::max(0.0, last - nodes.back());
   if (beyond > printed_mm)
     findings.push_back({"volume-table-short", beyond > much_beyond * (last - first),
-                        ends + (rolls_over ? ": beyond its ends the control goes on to the value of the other end"
+                        ends + (rolls_over ? ": over all of that the file holds the last value beyond its ends"
                                            : ": beyond its ends the control holds the last value")});
   if (nodes.front() < first - printed_mm || nodes.back() > last + printed_mm)
     findings.push_back({"volume-table-ends-held", true,

@@ -357,8 +357,11 @@ TEST(VolumeCompensation, TellsWhereTheTableEndsBesideWhatWasObserved) {
   ASSERT_TRUE(rolled) << rolled.error().to_string();
   const auto beyond = std::ranges::find(rolled->findings, "volume-table-short", &NamedFinding::id);
   ASSERT_NE(beyond, rolled->findings.end());
-  EXPECT_THAT(beyond->message, HasSubstr("goes on to the value of the other end"));
+  EXPECT_THAT(beyond->message, HasSubstr("over all of that the file holds the last value"));
   EXPECT_TRUE(language::is_known(beyond->message, language::Language::german)) << beyond->message;
+  EXPECT_LE(rolled->applied.positions().front(), rolled->line.positions_mm.front());
+  EXPECT_EQ(rolled->applied.at(rolled->line.positions_mm.front(), Direction::up),
+            rolled->applied.at(400.0, Direction::up));
   const auto held = finding({.start = -100.0, .end = 1000.0, .step = 50.0}, true, "volume-table-ends-held");
   ASSERT_TRUE(held);
   EXPECT_TRUE(held->serious);

@@ -274,14 +274,14 @@ constexpr Phrase volume_report_rows[] = {
      "difference is {2#} µm at {3#} mm, {4#} of its standard uncertainties",
      "die gemessene Prüfung weicht stärker als zufällig von der Vorhersage ab: χ² = {0} mit ν = {1}; die größte "
      "Differenz ist {2} µm bei {3} mm, das {4}-fache ihrer Standardunsicherheit"},
-    {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: beyond its ends the control goes "
-     "on to the value of the other end",
-     "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Jenseits ihrer Enden geht die "
-     "Steuerung zum Wert des anderen Endes über"},
     {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: beyond its ends the control holds "
      "the last value",
      "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Jenseits ihrer Enden hält die "
      "Steuerung den letzten Wert"},
+    {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: over all of that the file holds the "
+     "last value beyond its ends",
+     "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Über all das hält die Datei jenseits "
+     "ihrer Enden den letzten Wert"},
     {"the table goes from {0#} to {1#} mm, what was observed from {2#} to {3#} mm: there it holds the value at the end "
      "of what was observed, which nobody measured",
      "die Tabelle reicht von {0} bis {1} mm, das Beobachtete von {2} bis {3} mm: Dort hält sie den Wert vom Ende des "
