@@ -134,6 +134,13 @@ std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vec
 
 Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
   if (2 * result.readings.size() >= std::max<std::size_t>(result.standstills, 1)) return {};
+  if (result.standstills == 0)
+    return fail(fmt::format(
+        "found no standstill that is long enough and not at a turning point, expected one at each of the {} approaches "
+        "of the plan, targets {} to {} {}: shorter and less quiet ones are taken with --shortest-rest and "
+        "--rest-threshold",
+        result.approaches, format_exact(plan.targets.front().in_native()),
+        format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind)));
   std::string seen;
   std::size_t named = 0;
   for (const CaptureEvent& event : result.events)

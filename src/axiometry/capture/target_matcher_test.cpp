@@ -227,6 +227,16 @@ TEST(TargetMatcher, RefusesARecordingThatDoesNotFitThePlan) {
   EXPECT_TRUE(test.error().message.starts_with("found 0 of ")) << test.error().message;
 }
 
+TEST(TargetMatcher, SaysThatNothingRestedInsteadOfBlamingThePlan) {
+  MadeUpRun run;
+  const auto samples = run.record();
+  const CaptureResult result = capture_all(run.plan, std::vector<Sample>(samples.begin(), samples.begin() + 40));
+  ASSERT_EQ(result.standstills, 0u);
+  const auto test = captured_test(run.plan, result);
+  ASSERT_FALSE(test);
+  EXPECT_TRUE(test.error().message.starts_with("found no standstill that is long enough")) << test.error().message;
+}
+
 TEST(TargetMatcher, RefusesARecordingOfTargetsThatAreOnlyNearThoseOfThePlan) {
   MadeUpRun run;
   const auto samples = run.record();

@@ -106,6 +106,17 @@ constexpr Phrase capture_rows[] = {
      "(--rest-window, --rest-threshold)",
      "kein Stillstand in der Aufzeichnung; erwartet: dass der Reflektor an jedem Halt sechzehn Abtastwerte und länger "
      "ruht (--rest-window, --rest-threshold)"},
+    {"found no standstill that is long enough and not at a turning point, expected one at each of the {0#} approaches "
+     "of the plan, targets {1#} to {2#}: shorter and less quiet ones are taken with --shortest-rest and "
+     "--rest-threshold",
+     "kein Stillstand, der lang genug und nicht an einem Umkehrpunkt ist; erwartet: einer an jeder der {0} Anfahrten "
+     "des Plans, Zielpositionen {1} bis {2}: Kürzere und weniger ruhige nehmen --shortest-rest und --rest-threshold"},
+    {"found no standstill that is long enough and not at a turning point, expected one at each of the {0#} approaches "
+     "of the plan, targets {1#} to {2#}: shorter and less quiet ones are taken with --shortest-rest and "
+     "--rest-threshold; {3}",
+     "kein Stillstand, der lang genug und nicht an einem Umkehrpunkt ist; erwartet: einer an jeder der {0} Anfahrten "
+     "des Plans, Zielpositionen {1} bis {2}: Kürzere und weniger ruhige nehmen --shortest-rest und --rest-threshold; "
+     "{3}"},
     {"found no {0#} standstills in {1#} that fit the first approaches of the plan, expected them to set the zero",
      "keine {0} Stillstände unter {1}, die zu den ersten Anfahrten des Plans passen; erwartet: solche, um Null zu "
      "setzen"},
