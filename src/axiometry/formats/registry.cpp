@@ -22,7 +22,7 @@ std::string_view first_line(std::string_view text) {
 /// Fails where no format is sure and all that keeps a guess from being made is a unit that the numbers speak against.
 Result<const Format*> best_for(std::string_view text) {
   constexpr int score_of_a_guess = 10;
-  const Format* const guessing = find_format("generic");
+  const Format* const guessing = find_format(any_table_format);
   const Format* best = nullptr;
   int best_score = 0;
   for (const Format* format : format_table()) {

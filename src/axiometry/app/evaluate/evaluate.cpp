@@ -31,12 +31,10 @@ namespace {
 
 constexpr std::size_t single_test_limit = std::size_t{2} << 30;  // logs of controls have gigabytes
 
-constexpr std::string_view generic_format = "generic";
-
 Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced) {
   if (forced.empty()) {
     auto recognised = formats::recognise(head);
-    if (recognised && (*recognised)->id != generic_format) return recognised;
+    if (recognised && (*recognised)->id != formats::any_table_format) return recognised;
     const auto recording = formats::recognise_recording(head);
     if (recording && formats::sensors_of_log(head))
       return fail(
@@ -65,10 +63,10 @@ struct Forced {
 Result<const formats::Format*> format_of(Source& source, const Forced& forced) {
   AXIOMETRY_TRY(const std::string_view head, source.head());
   const bool by_profile = !forced.profile.empty();
-  if (by_profile && !forced.format.empty() && forced.format != generic_format)
+  if (by_profile && !forced.format.empty() && forced.format != formats::any_table_format)
     return fail(fmt::format("found the format \"{}\" beside an import profile, expected \"{}\" or none", forced.format,
-                            generic_format));
-  return format_of_id(head, by_profile ? std::string(generic_format) : forced.format);
+                            formats::any_table_format));
+  return format_of_id(head, by_profile ? std::string(formats::any_table_format) : forced.format);
 }
 
 bool holds_many(const formats::Format& format, std::string_view head) {

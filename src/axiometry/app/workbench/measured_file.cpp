@@ -63,13 +63,11 @@ Result<void> check_size(const Test& test, std::size_t count, std::size_t memory)
   return {};
 }
 
-constexpr std::string_view any_table = "generic";
-
 /// The format that fits the beginning. Fails on what people take for a test and is none.
 Result<const formats::Format*> format_of_test(std::string_view bytes) {
   const std::string_view head = bytes.substr(0, read_budget::head_bytes);
   const auto format = formats::recognise(head);
-  if (format && (*format)->id != any_table) return format;
+  if (format && (*format)->id != formats::any_table_format) return format;
   if (const auto recording = formats::recognise_recording(head))
     return fail(
         fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
@@ -141,7 +139,7 @@ Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& n
   const auto take_table = [&](Test test) {
     test.provenance.file = name;
     test.provenance.sha256 = file.sha256;
-    test.provenance.format = any_table;
+    test.provenance.format = formats::any_table_format;
     return take(std::move(test), {});
   };
   const auto read = [&]() -> Result<void> {
@@ -151,7 +149,7 @@ Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& n
       return take_table(std::move(test));
     }
     AXIOMETRY_TRY(const formats::Format* format, format_of_test(bytes));
-    if (format->id == any_table) {
+    if (format->id == formats::any_table_format) {
       AXIOMETRY_TRY(file.guess, formats::guess(bytes));
       AXIOMETRY_TRY(Test test, formats::read_guessed(*file.guess, bytes));
       return take_table(std::move(test));

@@ -248,7 +248,8 @@ Result<Preview> Workbench::preview(const Upload& upload, const std::stop_token& 
     return ids_with(archive, preview.sha256);
   }));
   const auto file = state_->read(sent, upload.name, upload.profile);
-  if (!file || (*file)->format == "generic") preview.table = asked_table(upload, file ? file->get() : nullptr);
+  if (!file || (*file)->format == formats::any_table_format)
+    preview.table = asked_table(upload, file ? file->get() : nullptr);
   if (!file) {
     preview.refused = file.error();
     preview.format = recognised_format(upload.bytes);

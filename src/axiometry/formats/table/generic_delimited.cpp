@@ -264,7 +264,7 @@ Result<void> check_unit_believed(std::string_view head) {
 
 extern const Format generic_delimited_format;
 const Format generic_delimited_format = {
-    .id = "generic",
+    .id = any_table_format,
     .title = "Any table of numbers, by a guess",
     .extensions = ".txt .csv .dat",
     .manual = manual,

@@ -14,6 +14,9 @@
 /// Both are pure; nothing is read that a profile or a guess does not account for.
 namespace axiometry::formats {
 
+/// The id of the format that reads any table.
+inline constexpr std::string_view any_table_format = "generic";
+
 /// One thing that a guess has decided, or could not decide.
 struct GuessDecision {
   std::string key;          ///< member of the profile: "direction", "columns[1].role"
