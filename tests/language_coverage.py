@@ -22,7 +22,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = [
     "capture/capture_result.cpp", "capture/stop_lengths.cpp", "app/recordings/length_capture.cpp", "app/recordings/stop_notes.cpp", "capture/target_matcher.cpp",
     "capture/values/still_values.cpp", "capture/values/value_listener.cpp", "app/recordings/motion_listener.cpp", "app/live/disk/stop_marks.cpp",
-    "app/volumetric/assemble_singles.cpp", "app/volumetric/gathered_lengths.cpp", "app/volumetric/part_lengths.cpp", "app/volumetric/part_stops.cpp", "app/volumetric/planned_points.cpp", "standards/readings/artefact.cpp",
+    "app/volumetric/singles/assemble_singles.cpp", "app/volumetric/gathered_lengths.cpp", "app/volumetric/part_lengths.cpp", "app/volumetric/part_stops.cpp", "app/volumetric/planned_points.cpp", "standards/readings/artefact.cpp",
     "standards/iso230_2/assessment/assessment.cpp", "standards/iso230_2/rules/findings.cpp", "standards/iso230_2/uncertainty/gum.cpp",
     "standards/iso230_2/inputs/inputs_items.cpp", "standards/iso230_2/periodic/findings.cpp",
     "standards/rules/comparison.cpp", "standards/rules/comparison.h", "standards/rules/export_lists.cpp", "standards/rules/gb_t_38614_2020.cpp",
@@ -42,7 +42,7 @@ SOURCES = [
     "report/documents/lines_document.cpp", "report/documents/lines_sections.cpp", "report/documents/multilateration_document.cpp",
     "report/documents/tracking_sheet.cpp", "report/documents/periodic_document.cpp", "report/documents/periodic_values.cpp",
     "report/figures/layout/layout.cpp", "report/figures/layout/layout_of.cpp", "report/figures/residuals.cpp",
-    "report/figures/lines_overview.cpp", "report/figures/length_difference.cpp", "report/figures/periodic.cpp",
+    "report/figures/tracking/lines_overview.cpp", "report/figures/tracking/length_difference.cpp", "report/figures/periodic.cpp",
     "report/method_values.cpp", "report/conformity_text.cpp", "report/correction_text.cpp", "report/documents/plan_sheet.cpp",
     "app/compensate/measured_state.cpp", "app/workbench/compensations/compensations.cpp", "app/workbench/compensations/compensation_standing.cpp", "app/workbench/kept_records.cpp", "compensation/fit.cpp", "compensation/grid.cpp", "compensation/suspicions.cpp",
     "model/axis_correction.cpp", "nc/axis_table.cpp", "nc/table_text.cpp", "nc/compensations/fanuc_reading.cpp",

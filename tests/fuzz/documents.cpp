@@ -7,7 +7,7 @@
 #include "axiometry/app/tracking/evaluate_options.h"
 #include "axiometry/app/tracking/tracking_request.h"
 #include "axiometry/app/volumetric/identify_options.h"
-#include "axiometry/app/volumetric/volume_compensation_request.h"
+#include "axiometry/app/volumetric/tables/volume_compensation_request.h"
 #include "axiometry/app/workbench/calibrations/calibration_json.h"
 #include "axiometry/app/workbench/compensations/compensation_json.h"
 #include "axiometry/app/workbench/test_state.h"

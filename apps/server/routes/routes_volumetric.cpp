@@ -14,7 +14,7 @@
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/volumetric/field_difference.h"
 #include "axiometry/app/volumetric/identify_options.h"
-#include "axiometry/app/volumetric/volume_compensation_request.h"
+#include "axiometry/app/volumetric/tables/volume_compensation_request.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/text.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axiometry/numeric/curve_axes.h"
-#include "axiometry/numeric/matern_filter.h"
+#include "axiometry/numeric/kernels/matern_filter.h"
 
 namespace axiometry::numeric {
 

@@ -4,7 +4,7 @@
 // Draws of curve_posterior.h in the axes of a curve, for one target; compiled once for each (vector_target.h). Lanes
 // are places: the axes differ from draw to draw.
 #include "axiometry/numeric/curve_kernel_types.h"
-#include "axiometry/numeric/lanes.h"
+#include "axiometry/numeric/kernels/lanes.h"
 
 namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET {
 namespace {

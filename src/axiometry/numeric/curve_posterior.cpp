@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/chebyshev.h"
 #include "axiometry/numeric/curve_frame.h"
 #include "axiometry/numeric/curve_kernel_types.h"
-#include "axiometry/numeric/kernel_table.h"
+#include "axiometry/numeric/kernels/kernel_table.h"
+#include "axiometry/numeric/series/chebyshev.h"
 
 namespace axiometry::numeric {
 

@@ -13,7 +13,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/numeric/fourier.h"
+#include "axiometry/numeric/series/fourier.h"
 
 namespace axiometry::numeric {
 namespace {

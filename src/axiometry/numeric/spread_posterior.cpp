@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "axiometry/numeric/affine_rows.h"
+#include "axiometry/numeric/kernels/affine_rows.h"
 
 namespace axiometry::numeric {
 namespace {

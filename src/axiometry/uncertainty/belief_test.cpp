@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::uncertainty {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::uncertainty {
 namespace {

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::uncertainty {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::uncertainty {
 namespace {

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/kernel_table.h"
+#include "axiometry/numeric/kernels/kernel_table.h"
 #include "axiometry/uncertainty/summary_kernel_types.h"
 
 namespace axiometry::uncertainty {

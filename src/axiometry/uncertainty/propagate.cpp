@@ -8,7 +8,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 #include "axiometry/uncertainty/derivatives.h"
 
 namespace axiometry::uncertainty {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::uncertainty {
 namespace {

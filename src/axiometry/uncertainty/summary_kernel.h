@@ -3,7 +3,7 @@
 
 // Moments and counts of a row of values for one target; compiled once for each (numeric/vector_target.h). The row is
 // read once: numbers of cells are made a group at a time, and counted while they are in the nearest cache.
-#include "axiometry/numeric/lanes.h"
+#include "axiometry/numeric/kernels/lanes.h"
 #include "axiometry/uncertainty/summary_kernel_types.h"
 
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the number of a cell is the lower half of its word");

@@ -9,8 +9,8 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/files/output.h"
-#include "axiometry/app/volumetric/assemble_singles.h"
 #include "axiometry/app/volumetric/identify_options.h"
+#include "axiometry/app/volumetric/singles/assemble_singles.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"

@@ -8,7 +8,7 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/app/volumetric/volume_compensation.h"
+#include "axiometry/app/volumetric/tables/volume_compensation.h"
 #include "axiometry/base/text.h"
 #include "axiometry/nc/axis_table.h"
 #include "cli/failure.h"

@@ -7,7 +7,7 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/app/volumetric/export_tables.h"
+#include "axiometry/app/volumetric/tables/export_tables.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"

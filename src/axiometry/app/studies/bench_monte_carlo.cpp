@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/affine_rows.h"
+#include "axiometry/numeric/kernels/affine_rows.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/numeric/rows.h"
 #include "axiometry/standards/iso230_2/batch.h"

@@ -9,7 +9,7 @@
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/formats/text/json_members.h"
-#include "axiometry/report/figures/length_difference.h"
+#include "axiometry/report/figures/tracking/length_difference.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::app {

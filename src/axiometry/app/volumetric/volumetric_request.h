@@ -6,11 +6,11 @@
 
 #include "axiometry/app/files/given_file.h"
 #include "axiometry/app/files/reader.h"
-#include "axiometry/app/volumetric/export_tables.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
 #include "axiometry/app/volumetric/plan_volume.h"
 #include "axiometry/app/volumetric/predict_line.h"
 #include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/app/volumetric/tables/export_tables.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
 

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/fourier.h"
 #include "axiometry/numeric/median.h"
+#include "axiometry/numeric/series/fourier.h"
 
 namespace axiometry::capture {
 namespace {

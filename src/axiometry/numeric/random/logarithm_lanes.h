@@ -2,7 +2,7 @@
 #pragma once
 
 // What random numbers are made of beside their bits, for kernels only (lanes.h): logarithm, sine and cosine.
-#include "axiometry/numeric/lanes.h"
+#include "axiometry/numeric/kernels/lanes.h"
 #include "axiometry/numeric/random/normal_polynomials.h"
 
 namespace axiometry::numeric::AXIOMETRY_VECTOR_TARGET {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "axiometry/numeric/kernel_table.h"
+#include "axiometry/numeric/kernels/kernel_table.h"
 #include "axiometry/numeric/random/philox.h"
 
 namespace axiometry::numeric {

@@ -4,7 +4,7 @@
 // The random numbers of random.h for one target; compiled once for each (vector_target.h). The lanes of the
 // generator are cut into parts as wide as a register; a part is independent of the others, so its state stays in
 // registers while all groups are made.
-#include "axiometry/numeric/lanes.h"
+#include "axiometry/numeric/kernels/lanes.h"
 #include "axiometry/numeric/random/logarithm_lanes.h"
 #include "axiometry/numeric/random/random_kernel_types.h"
 

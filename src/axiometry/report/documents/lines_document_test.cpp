@@ -9,7 +9,7 @@
 #include "axiometry/report/documents/compose.h"
 #include "axiometry/report/drawing/svg.h"
 #include "axiometry/report/figures/figure_rules_test_support.h"
-#include "axiometry/report/figures/lines_overview.h"
+#include "axiometry/report/figures/tracking/lines_overview.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/report/writer.h"
 #include "tests/support/document_parts.h"

@@ -9,7 +9,7 @@
 
 #include "axiometry/model/aligned.h"
 #include "axiometry/report/claim_text.h"
-#include "axiometry/report/figures/lines_overview.h"
+#include "axiometry/report/figures/tracking/lines_overview.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/standards/test_standard.h"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/report/documents/volumetric_sections.h"
-#include "axiometry/report/figures/predicted_line.h"
+#include "axiometry/report/figures/tracking/predicted_line.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/translated.h"

@@ -7,7 +7,7 @@
 #include "axiometry/report/documents/volumetric_sections.h"
 #include "axiometry/report/figures/error_motions.h"
 #include "axiometry/report/figures/residuals.h"
-#include "axiometry/report/figures/volumetric_residuals.h"
+#include "axiometry/report/figures/tracking/volumetric_residuals.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"

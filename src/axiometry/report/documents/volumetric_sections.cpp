@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "axiometry/report/figures/field_slices.h"
+#include "axiometry/report/figures/tracking/field_slices.h"
 #include "axiometry/report/sections/sections.h"
 
 namespace axiometry::report {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "axiometry/report/figures/figure_rules_test_support.h"
-#include "axiometry/report/figures/volumetric_residuals.h"
+#include "axiometry/report/figures/tracking/volumetric_residuals.h"
 #include "axiometry/volumetric/known_machine_test_support.h"
 
 namespace axiometry::report {

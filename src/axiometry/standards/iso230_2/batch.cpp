@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/kernel_table.h"
+#include "axiometry/numeric/kernels/kernel_table.h"
 
 namespace axiometry::iso230_2 {
 

@@ -3,7 +3,7 @@
 
 // Clause 3 of many trials for one target; compiled once for each (numeric/vector_target.h). Operation by operation
 // what evaluate() does, but that the largest R_i is found from the largest s_i: × 4 is exact and keeps the order.
-#include "axiometry/numeric/lanes.h"
+#include "axiometry/numeric/kernels/lanes.h"
 #include "axiometry/standards/iso230_2/batch_kernel_types.h"
 
 namespace axiometry::iso230_2::AXIOMETRY_VECTOR_TARGET {

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry {
 namespace {

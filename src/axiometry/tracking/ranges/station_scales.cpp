@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/base/number_text.h"
-#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/tracking/ranges/multilateration_findings.h"
 

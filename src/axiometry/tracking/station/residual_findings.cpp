@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::tracking {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "axiometry/base/number_text.h"
-#include "axiometry/numeric/chi_square.h"
 #include "axiometry/numeric/dense/dense.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/tracking/station/chi_squared.h"
 #include "axiometry/tracking/station/station_checks.h"
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/volumetric/field/field_rows.h"
 
 namespace axiometry::volumetric {

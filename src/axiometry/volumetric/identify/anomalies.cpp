@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/numeric/chi_square.h"
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/chi_square.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::volumetric::detail {
 namespace {

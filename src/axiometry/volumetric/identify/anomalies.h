@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/volumetric/identify/least_squares.h"
+#include "axiometry/volumetric/identify/equations/least_squares.h"
 
 /// What residuals show that no machine does. Internal to identify().
 namespace axiometry::volumetric::detail {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/volumetric/identify/normal_equations.h"
+#include "axiometry/volumetric/identify/equations/normal_equations.h"
 
 /// Before which reading the beam was broken, once it is known that it was. Internal to identify().
 namespace axiometry::volumetric::detail {

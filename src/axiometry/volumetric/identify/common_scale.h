@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/volumetric/identify/linear_solution.h"
+#include "axiometry/volumetric/identify/equations/linear_solution.h"
 
 /// An error that all lengths have in common, as of the wavelength in air. Internal to volumetric/.
 namespace axiometry::volumetric::detail {

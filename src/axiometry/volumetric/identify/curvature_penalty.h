@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axiometry/volumetric/curves/coefficients.h"
-#include "axiometry/volumetric/identify/normal_equations.h"
+#include "axiometry/volumetric/identify/equations/normal_equations.h"
 
 /// How far curves bend, as a sum of squares beside χ². Internal to identify().
 ///

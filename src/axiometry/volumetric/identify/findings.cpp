@@ -9,7 +9,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 #include "axiometry/volumetric/identify/one_sided_places.h"
 #include "axiometry/volumetric/identify/residual_causes.h"

@@ -6,9 +6,9 @@
 
 #include "axiometry/numeric/side_by_side.h"
 #include "axiometry/volumetric/identify/common_scale.h"
+#include "axiometry/volumetric/identify/equations/shape_rank.h"
 #include "axiometry/volumetric/identify/findings.h"
 #include "axiometry/volumetric/identify/identifier.h"
-#include "axiometry/volumetric/identify/shape_rank.h"
 #include "axiometry/volumetric/identify/smoothing.h"
 
 namespace axiometry::volumetric {

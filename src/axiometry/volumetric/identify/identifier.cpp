@@ -14,9 +14,9 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/volumetric/field/point_spread.h"
+#include "axiometry/volumetric/identify/equations/thinned_problem.h"
 #include "axiometry/volumetric/identify/smoothing.h"
 #include "axiometry/volumetric/identify/station_start.h"
-#include "axiometry/volumetric/identify/thinned_problem.h"
 
 namespace axiometry::volumetric::detail {
 namespace {

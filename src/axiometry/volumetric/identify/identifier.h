@@ -11,8 +11,8 @@
 #include "axiometry/volumetric/identify/break_places.h"
 #include "axiometry/volumetric/identify/curvature_penalty.h"
 #include "axiometry/volumetric/identify/curve_choice.h"
+#include "axiometry/volumetric/identify/equations/least_squares.h"
 #include "axiometry/volumetric/identify/identification.h"
-#include "axiometry/volumetric/identify/least_squares.h"
 
 /// The order of things in identify(). Internal.
 namespace axiometry::volumetric::detail {

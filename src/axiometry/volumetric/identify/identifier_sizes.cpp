@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "axiometry/volumetric/identify/equations/thinned_problem.h"
 #include "axiometry/volumetric/identify/identifier.h"
-#include "axiometry/volumetric/identify/thinned_problem.h"
 
 /// How finely curves may bend: the part of Identifier that chooses it.
 namespace axiometry::volumetric::detail {

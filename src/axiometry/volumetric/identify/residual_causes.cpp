@@ -12,7 +12,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/volumetric/identify/thinned_problem.h"
+#include "axiometry/volumetric/identify/equations/thinned_problem.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 
 namespace axiometry::volumetric::detail {
 namespace {

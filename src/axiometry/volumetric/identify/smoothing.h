@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "axiometry/volumetric/identify/curvature_penalty.h"
+#include "axiometry/volumetric/identify/equations/least_squares.h"
 #include "axiometry/volumetric/identify/identification.h"
-#include "axiometry/volumetric/identify/least_squares.h"
 
 /// Smooth curves: how smooth, and what that does. Internal to identify().
 namespace axiometry::volumetric::detail {

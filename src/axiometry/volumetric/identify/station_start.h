@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/base/result.h"
-#include "axiometry/volumetric/identify/normal_equations.h"
+#include "axiometry/volumetric/identify/equations/normal_equations.h"
 
 /// Where the stations stand about, from the lengths to a machine without errors. Internal to identify().
 namespace axiometry::volumetric::detail {

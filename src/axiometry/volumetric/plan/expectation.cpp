@@ -12,8 +12,8 @@
 #include "axiometry/volumetric/field/point_spread.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 #include "axiometry/volumetric/identify/common_scale.h"
-#include "axiometry/volumetric/identify/linear_solution.h"
-#include "axiometry/volumetric/identify/shape_rank.h"
+#include "axiometry/volumetric/identify/equations/linear_solution.h"
+#include "axiometry/volumetric/identify/equations/shape_rank.h"
 
 namespace axiometry::volumetric {
 namespace {

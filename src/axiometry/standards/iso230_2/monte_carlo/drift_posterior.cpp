@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/affine_rows.h"
-#include "axiometry/numeric/principal_axes.h"
+#include "axiometry/numeric/dense/principal_axes.h"
+#include "axiometry/numeric/kernels/affine_rows.h"
 
 namespace axiometry::iso230_2 {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/principal_axes.h"
+#include "axiometry/numeric/dense/principal_axes.h"
 
 namespace axiometry {
 namespace {

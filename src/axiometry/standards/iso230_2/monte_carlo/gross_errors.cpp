@@ -10,10 +10,10 @@
 #include <numbers>
 
 #include "axiometry/base/rounded_text.h"
-#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/distributions/chi_square.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 #include "axiometry/numeric/leave_one_out.h"
 #include "axiometry/numeric/median.h"
-#include "axiometry/numeric/special_functions.h"
 
 namespace axiometry::iso230_2 {
 namespace {

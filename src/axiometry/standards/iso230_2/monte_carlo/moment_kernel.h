@@ -3,7 +3,7 @@
 
 // The moments of moment_kernel_types.h for one target; compiled once for each (numeric/vector_target.h). Operation by
 // operation in the order that is written here.
-#include "axiometry/numeric/lanes.h"
+#include "axiometry/numeric/kernels/lanes.h"
 #include "axiometry/numeric/random/logarithm_lanes.h"
 #include "axiometry/standards/iso230_2/monte_carlo/moment_kernel_types.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/standards/iso230_2/monte_carlo/moment_kernel_types.h"

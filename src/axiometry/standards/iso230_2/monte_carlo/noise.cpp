@@ -9,7 +9,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/rounded_text.h"
-#include "axiometry/numeric/chi_square.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/standards/iso230_2/monte_carlo/environment_modes.h"
 #include "axiometry/standards/iso230_2/monte_carlo/environment_recording.h"
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"

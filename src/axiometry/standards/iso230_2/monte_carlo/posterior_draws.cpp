@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/kernel_table.h"
+#include "axiometry/numeric/kernels/kernel_table.h"
 #include "axiometry/standards/iso230_2/monte_carlo/cell_kernel_types.h"
 #include "axiometry/standards/iso230_2/monte_carlo/moment_kernel_types.h"
 #include "axiometry/standards/iso230_2/monte_carlo/posterior.h"

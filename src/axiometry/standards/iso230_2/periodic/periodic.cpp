@@ -9,9 +9,9 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/model/plan.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 #include "axiometry/numeric/harmonic_fit.h"
 #include "axiometry/numeric/moments.h"
-#include "axiometry/numeric/special_functions.h"
 #include "axiometry/standards/iso230_2/periodic/enlarged_uncertainties.h"
 #include "axiometry/standards/iso230_2/periodic/findings.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "axiometry/numeric/special_functions.h"
+#include "axiometry/numeric/distributions/special_functions.h"
 
 namespace axiometry::iso230_2::scatter {
 namespace {

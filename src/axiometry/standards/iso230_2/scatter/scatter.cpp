@@ -15,7 +15,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/additive_table.h"
-#include "axiometry/numeric/f_distribution.h"
+#include "axiometry/numeric/distributions/f_distribution.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/standards/iso230_2/scatter/outliers.h"
 

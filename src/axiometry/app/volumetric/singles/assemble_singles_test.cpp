@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/app/volumetric/singles/assemble_singles.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "axiometry/app/volumetric/result_model.h"
+#include "tests/support/temporary_folder.h"
+
+namespace axiometry::app {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* assembled_machine =
+    R"({"chain": "FXYZ", "travel_mm": {"X": [0, 900], "Y": [0, 500], "Z": [-400, 0]}, "tools_mm": {"T": [0, 0, -150]},
+        "functional_point_mm": {"X": [0, 0, 0], "Y": [0, 0, 0]}})";
+constexpr const char* U_lacks = "EXX: no uncertainty of the instrument is stated: U does not hold it";
+
+/// EXX of two runs whose reversal is 10 µm; without a reading downwards between others unless `whole`.
+std::string positioning(bool whole) {
+  std::string text = "# axis.name: X\ntarget_mm,run,direction,deviation_um\n";
+  for (const char* run : {"1", "2"})
+    for (const char* target : {"0", "300", "600", "900"})
+      for (const bool up : {true, false})
+        if (whole || up || std::string_view(target) != "600")
+          text += std::string(target) + "," + run + (up ? ",up," : ",down,") + (up ? "0.1" : "-9.9") + "\n";
+  return text;
+}
+
+AssembleRequest request_in(const testing_support::TemporaryFolder& folder, const std::string& exx) {
+  AssembleRequest request;
+  request.machine = folder.written("machine.json", assembled_machine);
+  request.items = {{.name = "EXX", .file = folder.written("exx.csv", exx)}};
+  request.stands[0] = SingleStand{{0, 0, 0}, "T"};
+  return request;
+}
+
+TEST(AssembleSingles, RefuseATargetApproachedFromOneSideAmongOthersFromBoth) {
+  const testing_support::TemporaryFolder folder;
+  EXPECT_TRUE(assemble_singles(request_in(folder, positioning(true))));
+  const auto assembled = assemble_singles(request_in(folder, positioning(false)));
+  ASSERT_FALSE(assembled);
+  EXPECT_THAT(assembled.error().message,
+              HasSubstr("found 600 mm approached from one side alone, expected both as at the other targets"));
+}
+
+TEST(AssembleSingles, SayWhereNoUncertaintyOfTheInstrumentIsStated) {
+  const testing_support::TemporaryFolder folder;
+  AssembleRequest request = request_in(folder, positioning(true));
+  const auto without = assemble_singles(request);
+  ASSERT_TRUE(without) << without.error().message;
+  EXPECT_THAT(without->remarks, Contains(U_lacks));
+  request.items[0].instrument = error_motions::InstrumentUncertainty{0.4, 0.5};
+  const auto with = assemble_singles(request);
+  ASSERT_TRUE(with) << with.error().message;
+  EXPECT_THAT(with->remarks, Not(Contains(U_lacks)));
+}
+
+/// The mean of both directions hides it, in the errors and in all that is made of them.
+TEST(AssembleSingles, TellTheReversalThatTheirMeansLose) {
+  const testing_support::TemporaryFolder folder;
+  AssembleRequest request = request_in(folder, positioning(true));
+  request.reversal = volumetric::Reversal::none;
+  const auto assembled = assemble_singles(request);
+  ASSERT_TRUE(assembled) << assembled.error().message;
+  EXPECT_THAT(assembled->remarks, Contains(HasSubstr("displacements differ by direction, by up to 10.00 µm of EXX")));
+  const auto kept = kept_model(folder.written("result.json", json::dump(present(*assembled, {}).json, 0)));
+  ASSERT_TRUE(kept) << kept.error().message;
+  std::vector<std::string> told;
+  for (const NamedFinding& note : kept->against) {
+    EXPECT_EQ(note.id, "volumetric-singles-remark");
+    EXPECT_FALSE(note.serious);
+    told.push_back(note.message);
+  }
+  EXPECT_THAT(told, Contains(std::string("of the errors measured singly, from which this was made: ") + U_lacks));
+  EXPECT_THAT(told, Contains(HasSubstr("10.00 µm of EXX")));
+}
+
+TEST(AssembleSingles, WriteTheInstrumentAndThePlacesIntoTheJson) {
+  const testing_support::TemporaryFolder folder;
+  AssembleRequest request = request_in(folder, positioning(true));
+  request.items[0].instrument = error_motions::InstrumentUncertainty{0.4, 0.5};
+  const auto assembled = assemble_singles(request);
+  ASSERT_TRUE(assembled) << assembled.error().message;
+  const std::string text = json::dump(present(*assembled, {}).json, 0);
+  EXPECT_THAT(text, HasSubstr(R"("instrument":{"U_constant":0.4,"U_per_m":0.5})"));
+  EXPECT_THAT(text, HasSubstr(R"("at":{"X":{"axes_mm":[0,0,0],"tool":"T","approaches":{}}})"));
+  request.stands[0]->approaches = {0.0, -1.0, 1.0};
+  const auto stated = assemble_singles(request);
+  ASSERT_TRUE(stated) << stated.error().message;
+  EXPECT_THAT(json::dump(present(*stated, {}).json, 0), HasSubstr(R"("approaches":{"Y":"down","Z":"up"})"));
+}
+
+TEST(AssembleSingles, AreToldWhereTheAxesStoodAndInWhichDirectionTheyCameToRest) {
+  const auto plain = parse_stand("Y=500,0,-200.5@T1");
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_EQ(plain->first, 1u);
+  EXPECT_EQ(plain->second.axes_mm.z, -200.5);
+  EXPECT_EQ(plain->second.tool, "T1");
+  EXPECT_EQ(plain->second.approaches, volumetric::Approaches{});
+  const auto directed = parse_stand("X=0,300:up,-200:down");
+  ASSERT_TRUE(directed) << directed.error().message;
+  EXPECT_EQ(directed->second.approaches, (volumetric::Approaches{0.0, 1.0, -1.0}));
+  EXPECT_EQ(directed->second.tool, "");
+  for (const char* wrong : {"", "X=", "W=0,1,2", "X=0,300", "X=0,300,a", "X=0:up,300,-200", "X=0,300:left,-200",
+                            "X=0,300:,-200", "X=0,300:up:up,-200"})
+    EXPECT_FALSE(parse_stand(wrong)) << wrong;
+}
+
+}  // namespace
+}  // namespace axiometry::app

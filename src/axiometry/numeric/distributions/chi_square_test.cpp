@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/numeric/distributions/chi_square.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace axiometry::numeric {
+namespace {
+
+TEST(ChiSquare, OfTwoDegreesOfFreedomIsAnExponentialDistribution) {
+  for (double x : {1e-12, 0.01, 1.0, 3.9, 4.1, 30.0})
+    EXPECT_NEAR(chi_square_probability(x, 2.0), -std::expm1(-x / 2), 1e-12 * -std::expm1(-x / 2)) << x;
+}
+
+TEST(ChiSquare, OfOneDegreeOfFreedomIsTheSquareOfANormalNumber) {
+  for (double z : {0.01, 0.5, 1.0, 1.9599639845400545, 4.0})
+    EXPECT_NEAR(chi_square_probability(z * z, 1.0), std::erf(z / std::sqrt(2.0)), 1e-13) << z;
+}
+
+TEST(ChiSquare, HoldsItsQuantiles) {
+  EXPECT_NEAR(chi_square_quantile(0.95, 10.0), 18.307038053275146, 1e-10);  // tables
+  EXPECT_NEAR(chi_square_quantile(0.01, 80.0), 53.540077226, 1e-7);         // tables
+  for (double nu : {0.7, 1.0, 4.0, 80.0, 900.0})
+    for (double p : {1e-12, 1e-4, 0.5, 0.999})
+      EXPECT_NEAR(chi_square_probability(chi_square_quantile(p, nu), nu), p, 1e-10 * p) << nu << " " << p;
+}
+
+}  // namespace
+}  // namespace axiometry::numeric

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/equations/unknowns.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace axiometry::volumetric::detail {
+
+Unknowns unknowns_of(const Coefficients& coefficients, std::span<const VolumetricReading> readings,
+                     std::span<const std::size_t> breaks, bool drift) {
+  Unknowns unknowns;
+  unknowns.coefficients = coefficients.raw();
+  unknowns.drift = drift;
+  std::map<std::tuple<std::size_t, std::size_t>, std::size_t> stations;
+  std::map<std::tuple<std::size_t, std::size_t>, std::size_t> stretches;  // of virtual station and segment, the newest
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const VolumetricReading& reading = readings[i];
+    const auto [station, is_new_station] = stations.try_emplace({reading.station, reading.tool}, stations.size());
+    if (is_new_station) unknowns.stations.push_back({reading.station, reading.tool});
+    const auto [stretch, is_new] = stretches.try_emplace({station->second, reading.segment}, unknowns.stretches.size());
+    if (!is_new && std::ranges::binary_search(breaks, i)) stretch->second = unknowns.stretches.size();
+    if (stretch->second == unknowns.stretches.size()) unknowns.stretches.push_back({station->second, reading.segment});
+    Stretch& own = unknowns.stretches[stretch->second];
+    unknowns.along_stretch.push_back(static_cast<double>(own.readings++));
+    unknowns.stretch_of.push_back(stretch->second);
+  }
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const double last = static_cast<double>(unknowns.stretches[unknowns.stretch_of[i]].readings) - 1.0;
+    unknowns.along_stretch[i] = last > 0.0 ? unknowns.along_stretch[i] / last - 0.5 : 0.0;
+  }
+  std::size_t column = unknowns.coefficients;
+  for (VirtualStation& station : unknowns.stations) {
+    station.column = column;
+    column += 3;
+  }
+  for (Stretch& stretch : unknowns.stretches) {
+    stretch.column = column;
+    column += drift ? 2 : 1;
+  }
+  unknowns.columns = column;
+  return unknowns;
+}
+
+}  // namespace axiometry::volumetric::detail
