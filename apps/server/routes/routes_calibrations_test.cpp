@@ -367,7 +367,7 @@ TEST_F(CalibrationRoutes, refuse_motions_that_are_none) {
   EXPECT_THAT(refused({{"readings", eyx}, {"readings-2", exy}}, "straightness"), HasSubstr("expected 1"));
   EXPECT_THAT(refused({{"lengths", eyx}}, "straightness"), HasSubstr("found no file readings"));
   EXPECT_THAT(refused({{"readings", eyx}, {"readings-3", exy}}, "squareness"), HasSubstr("found no file readings-2"));
-  EXPECT_THAT(refused({{"readings", eyx}}, "angles"), HasSubstr("found readings in µm"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "angles"), HasSubstr("found readings of a length, expected an angle"));
   EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"offset_mm": [0, 0, 1]})"), HasSubstr("no use for"));
   EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"square_error_arcsec": 1})"), HasSubstr("no use for"));
   EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"reference": "none"})"), HasSubstr("no use for"));

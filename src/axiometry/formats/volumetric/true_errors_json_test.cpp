@@ -59,7 +59,7 @@ TEST(TrueErrorsJson, RefuseOneDirectionAlone) {
   EXPECT_EQ(with(R"(, "up": {"value": 4}, "down": {"value": 2})"), "none");
   EXPECT_THAT(with(""), HasSubstr("found values of EXX with and without those of each direction"));
   EXPECT_THAT(with(R"(, "up": {"value": 4})"), HasSubstr("down"));
-  EXPECT_THAT(with(R"(, "up": {"value": null}, "down": {"value": 2})"), HasSubstr("null"));
+  EXPECT_THAT(with(R"(, "up": {"value": null}, "down": {"value": 2})"), HasSubstr("found no member \"value\" in EXX"));
 }
 
 TEST(TrueErrorsJson, AreNothingWhereTheFileHasNone) {
