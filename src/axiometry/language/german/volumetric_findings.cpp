@@ -294,6 +294,12 @@ constexpr Phrase volumetric_findings_rows[] = {
      "als mm gelesen"},
     {"these stations, tools and points will not tell {0=}; {1}",
      "diese Stationen, Werkzeuge und Punkte bestimmen {0} nicht; {1}"},
+    {"what both directions of an axis differ by changes along it: with curves in place of constants χ² falls from "
+     "{0#} to {1#} for {2#} more unknowns, as chance has it once in a thousand cases at most; what is stated of each "
+     "direction is too certain, and reversal is to be asked for as curves",
+     "worin sich beide Richtungen einer Achse unterscheiden, ändert sich längs der Achse: mit Kurven statt "
+     "Konstanten fällt χ² von {0} auf {1} bei {2} Unbekannten mehr, was der Zufall höchstens einmal in tausend "
+     "Fällen bewirkt; was von jeder Richtung angegeben wird, ist zu sicher, und Umkehr ist als Kurven zu verlangen"},
     {"what residuals have too much goes with the direction in which axes came to rest: {0=} differs most, by {1#} "
      "between both directions of {2=}; where reversal is asked for (constant), errors hold it",
      "was die Residuen zu viel haben, hängt an der Richtung, in der Achsen zur Ruhe kamen: {0} unterscheidet sich "

@@ -317,6 +317,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
   add_residual_causes(done, machine, lengths, findings);
+  add_varying_reversal(done, lengths, findings);
   add_set_aside(lengths, result, findings);
   add_breaks(done, lengths, result, findings);
   add_drift(result, findings);

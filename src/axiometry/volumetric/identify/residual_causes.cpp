@@ -12,6 +12,7 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/dense/dense.h"
+#include "axiometry/numeric/distributions/f_distribution.h"
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
@@ -24,6 +25,7 @@ constexpr double share_least = 0.8;           // of what χ² has too much
 constexpr double strain_serious_ratio = 4.0;  // χ²/ν, as of all scatter
 constexpr std::size_t strain_readings_least = 20;
 constexpr std::size_t strained_stretches_most = 60;
+constexpr double chance_most = 1e-3;  // of a constant reversal that looks as if it changed along an axis
 constexpr double usual_lever_m = 0.3;  // by which rotations are held against displacements
 
 using Order = std::array<std::size_t, axis_count>;
@@ -120,19 +122,28 @@ Difference largest_difference(const Coefficients& coefficients, const State& sta
   return largest;
 }
 
-std::optional<VolumetricFinding> untold_reversal(const Identifier& done, const VolumetricLengths& lengths,
-                                                 std::span<const std::size_t> kept, const FitQuality& own) {
-  const Coefficients& same = done.coefficients();
-  if (same.reversal() != Reversal::none) return std::nullopt;
-  const Coefficients both({same.basis(0), same.basis(1), same.basis(2)}, Reversal::constant);
+Coefficients with_reversal(const Coefficients& c, Reversal reversal) {
+  return Coefficients({c.basis(0), c.basis(1), c.basis(2)}, reversal);
+}
+
+std::optional<TriedFit> fitted_with(const Coefficients& coefficients, const Identifier& done,
+                                    const VolumetricLengths& lengths, std::span<const std::size_t> kept) {
   std::vector<std::size_t> breaks;
   for (const BreakPlace& place : done.breaks()) breaks.push_back(place.before);
-  const Unknowns unknowns = unknowns_of(both, lengths.readings, breaks, done.drift());
+  const Unknowns unknowns = unknowns_of(coefficients, lengths.readings, breaks, done.drift());
   const std::vector<Approaches> approaches = directions_of_rest(lengths.readings);
   const Problem whole = done.problem();
-  const ThinnedProblem few(
-      {whole.machine, both, unknowns, whole.readings, whole.tools_mm, approaches, whole.weights, whole.threads}, kept);
-  const auto tried = fitted_to(few.problem(), done.fit().state);
+  const ThinnedProblem few({whole.machine, coefficients, unknowns, whole.readings, whole.tools_mm, approaches,
+                            whole.weights, whole.threads},
+                           kept);
+  return fitted_to(few.problem(), done.fit().state);
+}
+
+std::optional<VolumetricFinding> untold_reversal(const Identifier& done, const VolumetricLengths& lengths,
+                                                 std::span<const std::size_t> kept, const FitQuality& own) {
+  if (done.coefficients().reversal() != Reversal::none) return std::nullopt;
+  const Coefficients both = with_reversal(done.coefficients(), Reversal::constant);
+  const auto tried = fitted_with(both, done, lengths, kept);
   if (!tried || !explains(tried->quality, own)) return std::nullopt;
   const Difference most = largest_difference(both, tried->fit.state);
   return VolumetricFinding{
@@ -249,6 +260,28 @@ bool is_told_otherwise(const std::vector<VolumetricFinding>& findings) {
 }
 
 }  // namespace
+
+/// By the F test of both fits, of which one holds the other: it needs no σ.
+void add_varying_reversal(const Identifier& done, const VolumetricLengths& lengths,
+                          std::vector<VolumetricFinding>& findings) {
+  if (done.coefficients().reversal() != Reversal::constant || is_told_otherwise(findings)) return;
+  const std::vector<std::size_t> kept = readings_to_try(done);
+  const auto own = fitted_with(done.coefficients(), done, lengths, kept);
+  const Coefficients curves = with_reversal(done.coefficients(), Reversal::curves);
+  const auto tried = fitted_with(curves, done, lengths, kept);
+  if (!own || !tried) return;
+  const double gain = own->quality.chi_squared - tried->quality.chi_squared;
+  const double more = own->quality.degrees_of_freedom - tried->quality.degrees_of_freedom;
+  if (!(gain > 0.0 && more >= 1.0 && tried->quality.chi_squared > 0.0)) return;
+  const double f = gain / more / tried->quality.ratio();
+  if (numeric::f_tail(f, {more, tried->quality.degrees_of_freedom}) > chance_most) return;
+  findings.push_back(
+      {"volumetric-reversal-varies", false,
+       fmt::format("what both directions of an axis differ by changes along it: with curves in place of constants χ² "
+                   "falls from {:.0f} to {:.0f} for {:.0f} more unknowns, as chance has it once in a thousand cases at "
+                   "most; what is stated of each direction is too certain, and reversal is to be asked for as curves",
+                   own->quality.chi_squared, tried->quality.chi_squared, more)});
+}
 
 void add_residual_causes(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
                          std::vector<VolumetricFinding>& findings) {

@@ -80,6 +80,31 @@ TEST(ResidualCauses, NamesAReversalThatNobodyAskedFor) {
   EXPECT_EQ(causes_told(identified(machine, lengths, {.reversal = Reversal::constant})), 0u);
 }
 
+/// Along Y both directions differ by ±`varies_um` at its ends beside a constant, of a travel of 600 mm.
+VolumetricLengths with_reversal_along_y(TrueMachine& machine, double constant_um, double varies_um) {
+  VolumetricLengths lengths = measured(machine, four_stations(), {.points = 120});
+  for (std::size_t i = 1; i < lengths.readings.size(); ++i) {
+    VolumetricReading& reading = lengths.readings[i];
+    const double way = reading.axes_mm.y - lengths.readings[i - 1].axes_mm.y;
+    const double half_um = 0.5 * (constant_um + varies_um * (reading.axes_mm.y / 300.0 - 1.0));
+    reading.length_mm += 1e-3 * (way > 0.0 ? half_um : -half_um) * beam(machine, reading).y;
+  }
+  return lengths;
+}
+
+TEST(ResidualCauses, NamesAReversalThatChangesAlongItsAxis) {
+  for (const unsigned seed : {31u, 32u, 33u}) {
+    TrueMachine machine = machine_with_repeatability("XFYZ", seed);
+    const auto found = [&](double varies_um, Reversal reversal) {
+      return told(identified(machine, with_reversal_along_y(machine, 2.0, varies_um), {.reversal = reversal}),
+                  "volumetric-reversal-varies");
+    };
+    EXPECT_EQ(found(0.0, Reversal::constant), "") << seed;
+    EXPECT_THAT(found(1.0, Reversal::constant), HasSubstr("what both directions of an axis differ by changes")) << seed;
+    EXPECT_EQ(found(1.0, Reversal::curves), "") << seed;
+  }
+}
+
 TEST(ResidualCauses, SaysThatLengthsOfAWarmerMachineAreAmongThem) {
   TrueMachine machine = machine_with_repeatability("YFXZ", 23);
   VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});
