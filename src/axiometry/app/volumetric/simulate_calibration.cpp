@@ -153,11 +153,12 @@ volumetric::TrueErrors SimulationInputs::errors_of(const SimulateRequest& reques
                                          request.reversal, request.size, draw);
 }
 
-std::vector<volumetric::Visit> SimulationInputs::visits_of(const SimulateRequest& request) const {
+std::vector<volumetric::Visit> SimulationInputs::visits_of(const SimulateRequest& request,
+                                                           const volumetric::TrueErrors& with_errors) const {
   if (!visits.empty()) return visits;
   const volumetric::Draw draw{request.seed, 0};
   std::vector<volumetric::Visit> spread = volumetric::spread_visits(machine, request.points, draw);
-  return errors_of(request).has_reversal() ? volumetric::in_any_order(std::move(spread), draw) : spread;
+  return with_errors.has_reversal() ? volumetric::in_any_order(std::move(spread), draw) : spread;
 }
 
 Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request) {
@@ -167,7 +168,8 @@ Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request
   volumetric::TrueErrors errors = inputs.errors_of(request);
   const volumetric::Draw draw{request.seed, 0};
   AXIOMETRY_TRY(volumetric::SimulatedLengths simulated,
-                volumetric::simulate_lengths(inputs.machine, errors, inputs.visits_of(request), request.faults, draw));
+                volumetric::simulate_lengths(inputs.machine, errors, inputs.visits_of(request, errors), request.faults,
+                                             draw));
   return SimulatedCalibration{request, std::move(inputs.machine), std::move(errors), std::move(simulated),
                               std::move(inputs.plan)};
 }
