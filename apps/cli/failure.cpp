@@ -29,10 +29,16 @@ std::string told_fault(std::string_view text) {
   return report::printable(std::string(text.substr(0, begin)) + in_language_of_faults(text.substr(begin)));
 }
 
-int failed(const Error& error, ExitCode code) {
+void tell(const Error& error) {
   Error told = error;
   told.message = in_language_of_faults(error.message);
   fmt::print(stderr, "axiometry: {}\n", report::printable(told.to_string()));
+}
+
+void tell(std::string_view sentence) { fmt::print(stderr, "axiometry: {}\n", told_fault(sentence)); }
+
+int failed(const Error& error, ExitCode code) {
+  tell(error);
   return code;
 }
 

@@ -17,7 +17,13 @@ void tell_faults_in(language::Language language);
 /// "--out: found …".
 std::string told_fault(std::string_view text);
 
-/// Says on the standard error what is wrong; returns `code`. The name of a file and the place in it stay.
+/// Says it on the standard error, in that language. The name of a file and the place in it stay.
+void tell(const Error& error);
+
+/// Says on the standard error a sentence that is no error: told_fault().
+void tell(std::string_view sentence);
+
+/// tell(); returns `code`.
 int failed(const Error& error, ExitCode code = exit_bad_input);
 
 }  // namespace axiometry::cli

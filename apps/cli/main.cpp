@@ -168,8 +168,7 @@ int run(int argc, char** argv) {
     }
   }
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    fmt::print(stderr, "axiometry: (standard output): cannot write\n");
-    return exit_bad_input;
+    return failed({"cannot write", "(standard output)", {}});
   }
   return exit_code;
 }

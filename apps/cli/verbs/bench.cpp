@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include "cli/failure.h"
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/files/given_text.h"
@@ -41,10 +42,7 @@ void add_whole_number(const Verb& verb, const std::string& name, Number& target,
 }
 
 int print_result(const Result<json::Value>& result) {
-  if (!result) {
-    fmt::print(stderr, "axiometry: {}\n", result.error().to_string());
-    return exit_bad_input;
-  }
+  if (!result) return failed(result.error());
   fmt::print("{}\n", json::dump(*result));
   return exit_done;
 }

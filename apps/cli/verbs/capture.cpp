@@ -76,7 +76,7 @@ class Display {
 
   void notice(const std::string& text) {
     clear();
-    fmt::print(stderr, "axiometry: {}\n", report::printable(text));
+    tell(text);
   }
 
   void now(const app::CaptureSession& session) {
@@ -185,10 +185,9 @@ void tell_of_standard_input(const CaptureArguments& arguments) {
   const app::CaptureRun& run = arguments.run;
   if (run.from != "-" || !run.raw.empty() || arguments.quiet || run.out == "-") return;
   if (!app::standard_input_is_a_stream()) return;
-  fmt::print(
-      stderr,
-      "axiometry: what comes from the standard input is not kept as it came: --raw FILE keeps it, and --out FILE "
-      "does, as FILE.raw\n");
+  tell(
+      "what comes from the standard input is not kept as it came: --raw FILE keeps it, and --out FILE does, as "
+      "FILE.raw");
 }
 
 int capture(const CaptureArguments& arguments) {

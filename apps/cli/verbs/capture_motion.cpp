@@ -53,7 +53,7 @@ class MotionDisplay {
 
   void notice(const std::string& text) {
     clear();
-    fmt::print(stderr, "axiometry: {}\n", report::printable(text));
+    tell(text);
   }
 
   void now(const app::CaptureSession& session) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <vector>
+#include "cli/failure.h"
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/cases/check.h"
@@ -43,7 +44,7 @@ int check(const std::vector<std::string>& names, bool figures) {
     if (!report) {
       Error error = report.error();
       if (error.file.empty()) error.file = name;
-      fmt::print(stderr, "axiometry: {}\n", error.to_string());
+      tell(error);
       bad = true;
       continue;
     }

@@ -85,8 +85,7 @@ int show_guess(const ConvertArguments& arguments) {
 int run_conversion(const ConvertArguments& arguments) {
   const auto left_behind = app::convert(arguments.convert);
   if (!left_behind) return failed(left_behind.error());
-  for (const std::string& sentence : *left_behind)
-    fmt::print(stderr, "axiometry: {}: {}\n", report::printable(arguments.convert.input), report::printable(sentence));
+  for (const std::string& sentence : *left_behind) tell({sentence, arguments.convert.input, {}});
   return exit_done;
 }
 

@@ -11,7 +11,6 @@
 
 #include "axiometry/app/evaluate/evaluate_many.h"
 #include "axiometry/app/results/second_opinion.h"
-#include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/shown_number.h"
 #include "cli/text/progress.h"
 #include "cli/text/summary.h"
@@ -79,7 +78,7 @@ class Run {
     if (input.from_folder && arguments_.evaluate.profile.empty()) {
       auto known = app::is_test_file(input.name);
       if (known && !*known) {
-        fmt::print(stderr, "axiometry: {}: passed over, no known format\n", report::printable(input.name));
+        tell({"passed over, no known format", input.name, {}});
         return true;
       }
     }
@@ -148,8 +147,7 @@ class Run {
     if (stdout_is_free_) fmt::print("{}", line(evaluated, arguments_.report, terminal_));
     ++count_;
     auto added = outputs_->add(evaluated, text);
-    for (const std::string& note : outputs_->numbered())
-      fmt::print(stderr, "axiometry: {}\n", report::printable(note));
+    for (const std::string& note : outputs_->numbered()) tell(note);
     if (added) return {};
     output_failed_ = exit_bad_input;
     return std::unexpected(at_outputs(added.error()));
@@ -165,9 +163,8 @@ class Run {
   /// mistake.
   void tell_of_unit(AxisKind kind) const {
     if (report::is_unit_of(kind, arguments_.report.unit)) return;
-    fmt::print(stderr,
-               "axiometry: --unit: found the unit of another kind of axis, the figures of a {} axis are in {}\n",
-               axis_kind_name(kind), deviation_unit(kind));
+    tell(fmt::format("--unit: found the unit of another kind of axis, the figures of a {} axis are in {}",
+                     axis_kind_name(kind), deviation_unit(kind)));
   }
 
   int finish() {
@@ -183,8 +180,7 @@ class Run {
       if (!committed) return gave_up(committed.error(), exit_bad_input);
     }
     if (outputs_ && !whole && !(arguments_.outputs.json.empty() && arguments_.outputs.reports.empty()))
-      fmt::print(stderr,
-                 "axiometry: the combined outputs were not written; --keep-going writes them with the errors named\n");
+      tell("the combined outputs were not written; --keep-going writes them with the errors named");
     if (exit_code_ == exit_done && count_ == 0 && !single_)
       return gave_up({"found no measured test, expected at least one", "", {}}, exit_bad_input);
     return exit_code_ != exit_done ? exit_code_ : exceeded_ ? exit_exceeded : undecided_ ? exit_undecided : exit_done;

@@ -14,7 +14,6 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "axiometry/report/drawing/utf8.h"
 #include "axiometry/store/kept/test_records.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
@@ -46,21 +45,21 @@ Result<std::string> token_of(const std::string& file) {
   return token;
 }
 
-void say(const std::string& text) { fmt::print(stderr, "axiometry: {}\n", report::printable(text)); }
-
 /// Of a file with a secret, where its mode lets in some of those to whom it should be shut.
 void tell_of_others(const std::string& file, unsigned shut_to) {
   struct stat status {};
   if (file.empty() || ::stat(file.c_str(), &status) != 0 || (status.st_mode & shut_to) == 0) return;
-  say(fmt::format("{}: found a file that others may read or write (mode {:o}), expected one for its owner only (600)",
-                  file, static_cast<unsigned>(status.st_mode & 0777U)));
+  tell({fmt::format("found a file that others may read or write (mode {:o}), expected one for its owner only (600)",
+                    static_cast<unsigned>(status.st_mode & 0777U)),
+        file,
+        {}});
 }
 
 int exit_code_of(const server::ServeEnd& end) { return end.signal == SIGINT ? exit_interrupted : exit_done; }
 
 /// Threads that still work cannot be ended otherwise; what they were doing is whole in the store or not in it.
 [[noreturn]] void cut_off(const server::ServeEnd& end) {
-  say("ended while requests were still being answered; what they had not yet kept is not in the store");
+  tell("ended while requests were still being answered; what they had not yet kept is not in the store");
   std::fflush(nullptr);
   std::_Exit(exit_code_of(end));
 }
@@ -81,9 +80,9 @@ int serve(ServeArguments& arguments) {
           [&](const std::string& url) {
             fmt::print("Axiometry workbench: {}\n", url);
             std::fflush(stdout);
-            if (!arguments.quiet) say(fmt::format("store {}; Ctrl-C ends", arguments.options.store));
+            if (!arguments.quiet) tell(fmt::format("store {}; Ctrl-C ends", arguments.options.store));
           },
-      .notice = say,
+      .notice = [](const std::string& text) { tell(text); },
   };
   const auto end = server::serve(arguments.options, observer, cut_off);
   return end ? exit_code_of(*end) : failed(end.error());
