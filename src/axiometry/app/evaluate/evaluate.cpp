@@ -11,6 +11,7 @@
 #include "axiometry/app/evaluate/drift_recording.h"
 #include "axiometry/app/evaluate/evaluate_many.h"
 #include "axiometry/app/evaluate/known_file.h"
+#include "axiometry/app/evaluate/recognised.h"
 #include "axiometry/app/evaluate/stated_surroundings.h"
 #include "axiometry/app/evaluate/test_and_log.h"
 #include "axiometry/app/files/whole_file.h"
@@ -31,20 +32,18 @@ namespace {
 
 constexpr std::size_t single_test_limit = std::size_t{2} << 30;  // logs of controls have gigabytes
 
+/// `forced`: its id; empty where it is to be recognised.
 Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced) {
   if (forced.empty()) {
-    auto recognised = formats::recognise(head);
-    if (recognised && (*recognised)->id != formats::any_table_format) return recognised;
-    const auto recording = formats::recognise_recording(head);
-    if (recording && formats::sensors_of_log(head))
+    Recognised found = recognised(head);
+    if (found.recording == nullptr) return std::move(found.format);
+    if (formats::sensors_of_log(head))
       return fail(
           fmt::format("found a log of temperatures, or another recording ({}), expected a measured test; 'axiometry "
                       "temperatures' and --temperatures take a log, --plan a recording of positions",
-                      (*recording)->title));
-    if (recording)
-      return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
-                              (*recording)->title));
-    return recognised;
+                      found.recording->title));
+    return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
+                            found.recording->title));
   }
   AXIOMETRY_TRY_VOID(formats::check_no_other_error(head));
   const formats::Format* format = formats::find_format(forced);
@@ -97,9 +96,9 @@ Result<Test> read_single(Source& source, const formats::Format& format, const st
   return test;
 }
 
-/// The hash of a file, by a pass of its own; empty of what cannot be read twice.
-Result<std::string> hash_of(const Source& source) {
-  AXIOMETRY_TRY(auto digest, source.whole_sha256());
+/// The hash of a file of which nothing was read; empty of what cannot be read twice.
+Result<std::string> hash_of(Source& source) {
+  AXIOMETRY_TRY(auto digest, source.sha256_ahead());
   return std::move(digest).value_or("");
 }
 

@@ -53,8 +53,10 @@ Source::Source(Source&& other) noexcept
       in_memory_(other.in_memory_),
       size_(other.size_),
       head_(std::move(other.head_)),
-      head_consumed_(other.head_consumed_),
-      head_read_(other.head_read_) {}
+      ahead_(std::move(other.ahead_)),
+      beginning_consumed_(other.beginning_consumed_),
+      head_read_(other.head_read_),
+      all_ahead_(other.all_ahead_) {}
 
 Result<std::size_t> Source::read_file(std::span<char> buffer) {
   if (in_memory_) {
@@ -85,12 +87,14 @@ Result<std::string_view> Source::head() {
 }
 
 Result<std::size_t> Source::read(std::span<char> buffer) {
-  if (head_consumed_ < head_.size()) {
-    const std::size_t count = std::min(buffer.size(), head_.size() - head_consumed_);
-    std::copy_n(head_.data() + head_consumed_, count, buffer.data());
-    head_consumed_ += count;
+  for (const std::string* const part : {&head_, &ahead_}) {
+    const std::size_t before = part == &head_ ? 0 : head_.size();
+    if (beginning_consumed_ >= before + part->size()) continue;
+    const std::size_t count = part->copy(buffer.data(), buffer.size(), beginning_consumed_ - before);
+    beginning_consumed_ += count;
     return count;
   }
+  if (all_ahead_) return 0;
   return read_file(buffer);
 }
 
@@ -126,6 +130,24 @@ Result<std::optional<std::string>> Source::whole_sha256() const {
     if (got == 0) break;
     hash.update(std::string_view(block.data(), got));
   }
+  return std::optional(hash.finish());
+}
+
+Result<std::optional<std::string>> Source::sha256_ahead() {
+  constexpr std::uint64_t most_ahead = std::uint64_t{16} << 20;
+  AXIOMETRY_CONTRACT(beginning_consumed_ == 0);
+  if (!size_ || in_memory_ || *size_ > most_ahead) return whole_sha256();
+  AXIOMETRY_TRY_VOID(head());
+  std::vector<char> block(block_size);
+  while (true) {
+    AXIOMETRY_TRY(const std::size_t got, read_file(block));
+    if (got == 0) break;
+    ahead_.append(block.data(), got);
+  }
+  all_ahead_ = true;
+  Sha256 hash;
+  hash.update(head_);
+  hash.update(ahead_);
   return std::optional(hash.finish());
 }
 

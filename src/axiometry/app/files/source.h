@@ -50,6 +50,10 @@ class Source final : public formats::ByteReader {
   /// Hash of the whole file by a pass of its own; nothing for what cannot be read twice (a pipe).
   Result<std::optional<std::string>> whole_sha256() const;
 
+  /// The same, before anything but the head is read. A file of at most 16 MiB is in memory from then on, so that it is
+  /// read once and what follows is what was hashed.
+  Result<std::optional<std::string>> sha256_ahead();
+
  private:
   Source(std::string name, int descriptor, std::optional<std::uint64_t> size)
       : name_(std::move(name)), descriptor_(descriptor), size_(size) {}
@@ -64,8 +68,10 @@ class Source final : public formats::ByteReader {
   bool in_memory_ = false;
   std::optional<std::uint64_t> size_;  // of a regular file and of bytes
   std::string head_;
-  std::size_t head_consumed_ = 0;
+  std::string ahead_;                   // what follows the head, where it was read ahead
+  std::size_t beginning_consumed_ = 0;  // of both
   bool head_read_ = false;
+  bool all_ahead_ = false;
 };
 
 }  // namespace axiometry::app

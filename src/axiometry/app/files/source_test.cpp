@@ -24,6 +24,20 @@ TEST_F(SourceTest, LooksAtTheHeadWithoutConsumingIt) {
   EXPECT_EQ(**source->whole_sha256(), sha256(bytes));
 }
 
+TEST_F(SourceTest, ReadsOnceWhatItHashesAhead) {
+  std::string bytes;
+  while (bytes.size() < 200'000) bytes += std::to_string(bytes.size()) + "\n";
+  for (const std::string& written : {std::string(), std::string("short"), bytes}) {
+    auto source = Source::open(file(written));
+    ASSERT_TRUE(source);
+    EXPECT_EQ(**source->sha256_ahead(), sha256(written));
+    file("something else by now");
+    EXPECT_EQ(*source->head(), std::string_view(written).substr(0, 65536));
+    EXPECT_EQ(*source->read_all(1 << 20), written);
+  }
+  EXPECT_EQ(**Source::of_bytes("sent", bytes).sha256_ahead(), sha256(bytes));
+}
+
 TEST_F(SourceTest, RefusesMoreThanTheLimitWithoutReadingIt) {
   auto source = Source::open(file(std::string(3 << 20, 'x')));
   ASSERT_TRUE(source);

@@ -64,18 +64,16 @@ Result<void> check_size(const Test& test, std::size_t count, std::size_t memory)
 }
 
 /// The format that fits the beginning. Fails on what people take for a test and is none.
-Result<const formats::Format*> format_of_test(std::string_view bytes) {
-  const std::string_view head = bytes.substr(0, read_budget::head_bytes);
-  const auto format = formats::recognise(head);
-  if (format && (*format)->id != formats::any_table_format) return format;
-  if (const auto recording = formats::recognise_recording(head))
+Result<const formats::Format*> format_of_test(std::string_view bytes, const Recognised& found) {
+  if (found.recording != nullptr)
     return fail(
         fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
                     "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after",
-                    (*recording)->title));
-  if (!format && text::trim(head).starts_with('{') && formats::read_plan(bytes))
+                    found.recording->title));
+  if (!found.format && text::trim(bytes.substr(0, read_budget::head_bytes)).starts_with('{') &&
+      formats::read_plan(bytes))
     return fail("found a plan, expected a measured test; plans are kept on the page of plans");
-  return format;
+  return found.format;
 }
 
 /// Of the columns of readings, each its own or that of all.
@@ -148,7 +146,8 @@ Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& n
       AXIOMETRY_TRY(Test test, read_by_profile(bytes, *profile));
       return take_table(std::move(test));
     }
-    AXIOMETRY_TRY(const formats::Format* format, format_of_test(bytes));
+    AXIOMETRY_TRY(const formats::Format* format,
+                  format_of_test(bytes, sent.recognised ? *sent.recognised : recognised(bytes)));
     if (format->id == formats::any_table_format) {
       AXIOMETRY_TRY(file.guess, formats::guess(bytes));
       AXIOMETRY_TRY(Test test, formats::read_guessed(*file.guess, bytes));
@@ -161,11 +160,6 @@ Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& n
   if (file.tests.empty()) return in_measured_file({"found no measured test, expected at least one", {}, {}}, name);
   file.format = file.tests.front().test.provenance.format;
   return file;
-}
-
-std::string recognised_format(std::string_view bytes) {
-  const auto format = formats::recognise(bytes.substr(0, read_budget::head_bytes));
-  return format ? std::string((*format)->id) : "";
 }
 
 std::optional<formats::Guess> guess_measured(std::string_view bytes) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/app/evaluate/recognised.h"
 #include "axiometry/base/result.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/table/generic_delimited.h"
@@ -19,6 +20,7 @@ namespace axiometry::app {
 struct HashedBytes {
   std::string_view bytes;
   std::string sha256;
+  std::optional<Recognised> recognised{};  ///< where it was looked at before
 
   static HashedBytes of(std::string_view bytes) { return {bytes, axiometry::sha256(bytes)}; }
 };
@@ -47,9 +49,6 @@ struct MeasuredFile {
 /// the one test that the table holds by it, and a remark that says so.
 Result<MeasuredFile> read_measured(const HashedBytes& sent, const std::string& name,
                                    const std::optional<formats::ImportProfile>& profile = {});
-
-/// The id of the format that a file seems to have by its beginning; empty where it is none of ours.
-std::string recognised_format(std::string_view bytes);
 
 /// What a person may be asked about a file that is no recording: the guess about the table in it. Nothing where there
 /// is no table.

@@ -242,7 +242,8 @@ Result<Preview> Workbench::preview(const Upload& upload, const std::stop_token& 
   Preview preview;
   AXIOMETRY_TRY(preview.file_name, given_file_name(upload.name));
   preview.size = upload.bytes.size();
-  const HashedBytes sent = HashedBytes::of(upload.bytes);
+  HashedBytes sent = HashedBytes::of(upload.bytes);
+  sent.recognised = recognised(upload.bytes);
   preview.sha256 = sent.sha256;
   AXIOMETRY_TRY(preview.same_content, state_->store.read([&](const store::Transaction& archive) {
     return ids_with(archive, preview.sha256);
@@ -252,7 +253,7 @@ Result<Preview> Workbench::preview(const Upload& upload, const std::stop_token& 
     preview.table = asked_table(upload, file ? file->get() : nullptr);
   if (!file) {
     preview.refused = file.error();
-    preview.format = recognised_format(upload.bytes);
+    if (const auto& format = sent.recognised->format) preview.format = (*format)->id;
     return preview;
   }
   preview.format = (*file)->format;
