@@ -59,9 +59,28 @@ std::optional<double> seconds_of(std::string_view text) {
   return parse_number(with_point);
 }
 
-}  // namespace
+/// "Z", "+01:00", "-0530", "+01" or nothing, in minutes east of Greenwich.
+std::int64_t zone_minutes(Scanner& s) {
+  if (s.take("Zz") || s.rest.empty()) return 0;
+  const bool west = s.rest.front() == '-';
+  s.demand("+-");
+  const std::int64_t hours = s.number(2);
+  s.take(":");
+  const std::int64_t minutes = s.rest.empty() ? 0 : s.number(2);
+  s.good = s.good && hours <= 23 && minutes <= 59;
+  return (west ? -1 : 1) * (hours * 60 + minutes);
+}
 
-std::optional<std::int64_t> parse_time_stamp(std::string_view text) {
+/// A time stamp as it was written.
+struct WrittenStamp {
+  unsigned year = 0;
+  std::int64_t seconds = 0;   ///< whole ones since 1970-01-01 00:00 UTC
+  std::int64_t fraction = 0;  ///< of a second, in ns
+  bool dashes = false;        ///< between the numbers of its date
+  bool seconds_told = false;  ///< by its clock
+};
+
+std::optional<WrittenStamp> written_stamp(std::string_view text) {
   using namespace std::chrono;
   Scanner s{text};
   const unsigned y = s.number(4);
@@ -70,26 +89,36 @@ std::optional<std::int64_t> parse_time_stamp(std::string_view text) {
   s.demand("-/");
   const unsigned d = s.number(2);
   s.demand("T t");
+  while (s.take(" ")) continue;
   const unsigned hour = s.number(2);
   s.demand(":");
   const unsigned minute = s.number(2);
-  const unsigned second = s.take(":") ? s.number(2) : 0;
+  const bool seconds_told = s.take(":");
+  const unsigned second = seconds_told ? s.number(2) : 0;
   const std::int64_t fraction = s.take(".,") ? fraction_ns(s) : 0;
-  std::int64_t offset_minutes = 0;
-  if (!s.take("Zz") && !s.rest.empty()) {
-    const bool west = s.rest.front() == '-';
-    s.demand("+-");
-    offset_minutes = s.number(2) * 60;
-    s.take(":");
-    offset_minutes += s.number(2);
-    if (west) offset_minutes = -offset_minutes;
-  }
+  const std::int64_t zone = zone_minutes(s);
   const year_month_day date(year(static_cast<int>(y)), month(m), day(d));
-  if (!s.good || !s.rest.empty() || !date.ok() || y < 1900 || y > 2200 || hour > 23 || minute > 59 || second > 60)
-    return std::nullopt;
+  if (!s.good || !s.rest.empty() || !date.ok() || hour > 23 || minute > 59 || second > 60) return std::nullopt;
   const std::int64_t days = sys_days(date).time_since_epoch().count();
-  const std::int64_t seconds = ((days * 24 + hour) * 60 + minute - offset_minutes) * 60 + second;
-  return seconds * 1'000'000'000 + fraction;
+  return WrittenStamp{.year = y,
+                      .seconds = ((days * 24 + hour) * 60 + minute - zone) * 60 + second,
+                      .fraction = fraction,
+                      .dashes = text[4] == '-' && text[7] == '-',
+                      .seconds_told = seconds_told};
+}
+
+}  // namespace
+
+std::optional<std::int64_t> parse_time_stamp(std::string_view text) {
+  const auto stamp = written_stamp(text);
+  if (!stamp || stamp->year < 1900 || stamp->year > 2200) return std::nullopt;
+  return stamp->seconds * 1'000'000'000 + stamp->fraction;
+}
+
+std::optional<double> time_stamp_s(std::string_view text) {
+  const auto stamp = written_stamp(text::trim(text));
+  if (!stamp || !stamp->dashes || !stamp->seconds_told) return std::nullopt;
+  return static_cast<double>(stamp->seconds) + static_cast<double>(stamp->fraction) / 1e9;
 }
 
 std::optional<double> time_of_day_s(std::string_view cell) {

@@ -10,9 +10,13 @@
 namespace axiometry {
 
 /// Nanoseconds since 1970-01-01 00:00 UTC of "2026-11-21T12:34:56.789Z", "2026-11-21 12:34:56,789",
-/// "2026-11-21T12:34:56+02:00"; without a zone UTC is assumed, since only differences count. Nothing for other text and
-/// for days that do not exist. Digits beyond the ninth of a second are cut off. Years 1900 to 2200.
+/// "2026-11-21T12:34:56+02:00", "…+02"; without a zone UTC is assumed, since only differences count. Nothing for other
+/// text and for days that do not exist. Digits beyond the ninth of a second are cut off. Years 1900 to 2200.
 std::optional<std::int64_t> parse_time_stamp(std::string_view text);
+
+/// Seconds since 1970-01-01 of such a text, within 1 µs: of one whose date has dashes and whose clock tells seconds, in
+/// any year of four digits. Blanks around it do not count.
+std::optional<double> time_stamp_s(std::string_view text);
 
 /// A moment as somebody wrote it. Two of them can be compared when both tell their zone or neither does.
 struct Moment {

@@ -23,8 +23,6 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr std::size_t positions_max = 10'000;  // as many as a plan has targets at most
-
 /// Members of a request that are flags under another name, with the kind they must have.
 struct Member {
   std::string_view name;
@@ -124,10 +122,10 @@ class RequestReader {
     if (positions == nullptr) return {};
     flags_.insert("--targets");
     if (given("targets") != nullptr) return fail("found positions and targets, expected one of them", positions->at());
-    if (positions->items().size() > positions_max)
-      return fail(
-          fmt::format("positions: found {} of them, expected at most {}", positions->items().size(), positions_max),
-          positions->at());
+    if (positions->items().size() > iso230_2::targets_most)
+      return fail(fmt::format("positions: found {} of them, expected at most {}", positions->items().size(),
+                              iso230_2::targets_most),
+                  positions->at());
     if (positions->items().empty()) return fail("positions: found an empty list, expected positions", positions->at());
     for (const Value& x : positions->items()) {
       if (!x.is(Kind::number))

@@ -17,7 +17,6 @@
 namespace axiometry::app {
 namespace {
 
-constexpr std::size_t most_positions = 10'000;  // as many as a plan has targets at most
 constexpr std::size_t most_approaches = 100'000;
 
 /// The numbers between the colons; nothing when one is none.
@@ -33,9 +32,9 @@ std::optional<std::vector<double>> colon_numbers(std::string_view text) {
 
 /// Before they are built.
 Result<void> check_count(double count, std::string_view text) {
-  if (count <= static_cast<double>(most_positions)) return {};
+  if (count <= static_cast<double>(iso230_2::targets_most)) return {};
   return fail(fmt::format("found {}, {:.10g} positions in all, expected at most {}", text::quoted(text), count,
-                          most_positions));
+                          iso230_2::targets_most));
 }
 
 Result<void> append_range(std::vector<double>& positions, const std::vector<double>& range, std::string_view text) {

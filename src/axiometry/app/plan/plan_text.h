@@ -18,7 +18,8 @@ Result<iso230_2::Stretch> parse_stretch(std::string_view text);
 Result<iso230_2::Stretch> parse_area(std::string_view text, AxisKind kind);
 
 /// "0, 12.5, 40" or "0:500:50" (from, to, every; its end is one of them where the steps lead there) or both mixed, in
-/// any order. Fails on steps that are not positive and on more than a million positions.
+/// any order. Fails on steps that are not positive and on more than 10 000 positions, of which no plan has
+/// more.
 Result<std::vector<double>> parse_positions(std::string_view text);
 
 /// "1+ 2+ 2- 1+": numbers of targets, from 1, with the direction of the approach (+ is ↑); separated by blanks, commas

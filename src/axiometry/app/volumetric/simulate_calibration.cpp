@@ -146,31 +146,22 @@ Result<SimulationInputs> simulation_inputs(const SimulateRequest& request) {
   return inputs;
 }
 
-volumetric::TrueErrors SimulationInputs::errors_of(const SimulateRequest& request) const {
-  if (has_errors) return errors;
-  const volumetric::Draw draw{request.seed, 0};
-  return volumetric::with_drawn_reversal(volumetric::drawn_errors(machine.travel, request.size, draw), machine.travel,
-                                         request.reversal, request.size, draw);
-}
-
-std::vector<volumetric::Visit> SimulationInputs::visits_of(const SimulateRequest& request,
-                                                           const volumetric::TrueErrors& with_errors) const {
-  if (!visits.empty()) return visits;
-  const volumetric::Draw draw{request.seed, 0};
-  std::vector<volumetric::Visit> spread = volumetric::spread_visits(machine, request.points, draw);
-  return with_errors.has_reversal() ? volumetric::in_any_order(std::move(spread), draw) : spread;
-}
-
 Result<SimulatedCalibration> simulate_calibration(const SimulateRequest& request) {
   AXIOMETRY_TRY(SimulationInputs inputs, simulation_inputs(request));
   if (inputs.has_errors && request.reversal != volumetric::Reversal::none)
     return fail("found errors of a file and reversal to be drawn, expected the reversal that the file holds");
-  volumetric::TrueErrors errors = inputs.errors_of(request);
   const volumetric::Draw draw{request.seed, 0};
+  volumetric::SimulatedCourse course =
+      volumetric::simulated_course(inputs.machine,
+                                   {.errors = inputs.has_errors ? &inputs.errors : nullptr,
+                                    .size = request.size,
+                                    .reversal = request.reversal,
+                                    .visits = inputs.visits,
+                                    .points = request.points},
+                                   draw);
   AXIOMETRY_TRY(volumetric::SimulatedLengths simulated,
-                volumetric::simulate_lengths(inputs.machine, errors, inputs.visits_of(request, errors), request.faults,
-                                             draw));
-  return SimulatedCalibration{request, std::move(inputs.machine), std::move(errors), std::move(simulated),
+                volumetric::simulate_lengths(inputs.machine, course.errors, course.visits, request.faults, draw));
+  return SimulatedCalibration{request, std::move(inputs.machine), std::move(course.errors), std::move(simulated),
                               std::move(inputs.plan)};
 }
 

@@ -52,11 +52,6 @@ struct SimulationInputs {
   volumetric::TrueErrors errors;
   std::vector<volumetric::Visit> visits;  ///< of a plan
   std::optional<volumetric::CalibrationPlan> plan;
-
-  volumetric::TrueErrors errors_of(const SimulateRequest& request) const;
-  /// Those of the plan, else spread ones, which a machine whose errors have reversal goes to in any order.
-  std::vector<volumetric::Visit> visits_of(const SimulateRequest& request,
-                                           const volumetric::TrueErrors& with_errors) const;
 };
 /// Fails as the readers do, on neither a machine nor a plan or both, on a machine without stations where none are
 /// given, and beyond 1 000 000 readings.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "axiometry/base/moment.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/devices/camonitor_codes.h"
@@ -16,7 +17,6 @@
 #include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_source.h"
-#include "axiometry/formats/text/time_stamp.h"
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {

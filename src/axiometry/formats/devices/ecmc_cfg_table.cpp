@@ -10,12 +10,12 @@
 #include <set>
 #include <span>
 
+#include "axiometry/base/moment.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/text_lines.h"
 #include "axiometry/formats/text/text_source.h"
-#include "axiometry/formats/text/time_stamp.h"
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "axiometry/base/moment.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/text_source.h"
-#include "axiometry/formats/text/time_stamp.h"
 
 namespace axiometry::formats::generic {
 namespace {

@@ -8,7 +8,6 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/numeric/distributions/chi_square.h"
-#include "axiometry/tracking/station/chi_squared.h"
 #include "axiometry/tracking/station/station_checks.h"
 
 namespace axiometry::tracking {
@@ -100,7 +99,8 @@ void add_misreading_findings(std::span<const LocationPoint> points, const Statio
     if (!minima.empty()) h.minimum = minima.front();
   }
   std::erase_if(all, [&](const Hypothesis& h) {
-    return !h.minimum.converged || chi_squared_tail(h.minimum.chi_squared, fit.degrees_of_freedom - 1) < least_chance;
+    return !h.minimum.converged ||
+           numeric::chi_square_tail(h.minimum.chi_squared, fit.degrees_of_freedom - 1) < least_chance;
   });
   if (all.empty()) return;
   std::ranges::stable_sort(

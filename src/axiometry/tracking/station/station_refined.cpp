@@ -4,7 +4,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/tracking/station/chi_squared.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/tracking/station/station_fit.h"
 
 namespace axiometry::tracking {
@@ -286,7 +286,7 @@ RefinedSolution describe(std::span<const LocationPoint> points, const StationOpt
   solution.weakest_u_mm = std::sqrt(std::max(axes.eigenvalues()[2], 0.0));
 
   fit.degrees_of_freedom = points.size() - 4;
-  fit.chance = chi_squared_tail(fit.chi_squared, fit.degrees_of_freedom);
+  fit.chance = numeric::chi_square_tail(fit.chi_squared, fit.degrees_of_freedom);
   if (fit.degrees_of_freedom > 0)
     fit.inflation = std::max(1.0, fit.chi_squared / static_cast<double>(fit.degrees_of_freedom));
   for (std::size_t i = 0; i < 3; ++i)

@@ -86,19 +86,20 @@ void try_faults(const Identification& found, const SimulatedLengths& simulated, 
 
 Result<CoverageTrial> try_once(const MachineModel& machine, const CoverageOptions& options, std::uint64_t number) {
   const Draw draw{options.seed, number};
-  const TrueErrors errors = options.errors
-                                ? *options.errors
-                                : with_drawn_reversal(drawn_errors(machine.travel, options.size, draw), machine.travel,
-                                                      options.identify.reversal, options.size, draw);
-  std::vector<Visit> visits = options.visits.empty() ? spread_visits(machine, options.points, draw) : options.visits;
-  if (options.visits.empty() && (errors.has_reversal() || options.identify.reversal != Reversal::none))
-    visits = in_any_order(std::move(visits), draw);
-  AXIOMETRY_TRY(const SimulatedLengths simulated, simulate_lengths(machine, errors, visits, options.faults, draw));
+  const SimulatedCourse course = simulated_course(machine,
+                                                  {.errors = options.errors ? &*options.errors : nullptr,
+                                                   .size = options.size,
+                                                   .reversal = options.identify.reversal,
+                                                   .visits = options.visits,
+                                                   .points = options.points},
+                                                  draw);
+  AXIOMETRY_TRY(const SimulatedLengths simulated,
+                simulate_lengths(machine, course.errors, course.visits, options.faults, draw));
   IdentifyOptions identify_options = options.identify;
   identify_options.threads = 1;
   AXIOMETRY_TRY(const Identification found, identify(machine, simulated.lengths, identify_options));
   CoverageTrial trial;
-  const TrueErrors truth = in_gauge(errors, machine);
+  const TrueErrors truth = in_gauge(course.errors, machine);
   try_curves(found.model, truth, trial);
   try_field(found.model, truth, draw, trial);
   try_faults(found, simulated, trial);

@@ -96,6 +96,19 @@ std::vector<Visit> in_any_order(std::vector<Visit> visits, Draw draw) {
   return visits;
 }
 
+SimulatedCourse simulated_course(const MachineModel& machine, const SimulationChoices& choices, Draw draw) {
+  SimulatedCourse course{.errors = choices.errors != nullptr
+                                       ? *choices.errors
+                                       : with_drawn_reversal(drawn_errors(machine.travel, choices.size, draw),
+                                                             machine.travel, choices.reversal, choices.size, draw),
+                         .visits = {choices.visits.begin(), choices.visits.end()}};
+  if (!course.visits.empty()) return course;
+  course.visits = spread_visits(machine, choices.points, draw);
+  if (course.errors.has_reversal() || choices.reversal != Reversal::none)
+    course.visits = in_any_order(std::move(course.visits), draw);
+  return course;
+}
+
 Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const TrueErrors& errors,
                                           const std::vector<Visit>& all, const SimulatedFaults& faults, Draw draw) {
   AXIOMETRY_TRY_VOID(check(machine, all, faults));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,22 @@ std::vector<Visit> spread_visits(const MachineModel& machine, std::size_t points
 /// constant share of each travel, modulo 1: every place is come to from one direction alone, and nothing tells
 /// reversal from the common curve.
 std::vector<Visit> in_any_order(std::vector<Visit> visits, Draw draw);
+
+/// What is stated of a simulation; the rest is drawn.
+struct SimulationChoices {
+  const TrueErrors* errors = nullptr;  ///< else drawn of this size, with this reversal
+  DrawnSize size = {};
+  Reversal reversal = Reversal::none;
+  std::span<const Visit> visits = {};  ///< else spread ones; in any order where there is reversal
+  std::size_t points = 100;            ///< of each station and tool, where they are spread
+};
+
+/// What a simulated machine does, but for faults and noise.
+struct SimulatedCourse {
+  TrueErrors errors;
+  std::vector<Visit> visits;
+};
+SimulatedCourse simulated_course(const MachineModel& machine, const SimulationChoices& choices, Draw draw);
 
 /// What goes wrong; 0 does not.
 struct SimulatedFaults {

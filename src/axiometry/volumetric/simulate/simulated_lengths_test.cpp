@@ -220,5 +220,24 @@ TEST(Visits, InAnyOrderAreTheSameOfEachStationAndTool) {
   EXPECT_GT(moved, visits.size() / 2);
 }
 
+TEST(Courses, AreDrawnWhereNothingIsGivenAndInAnyOrderWhereThereIsReversal) {
+  const MachineModel machine = simulated_machine();
+  const auto places = [](const std::vector<Visit>& visits) {
+    std::vector<double> x;
+    for (const Visit& visit : visits) x.push_back(visit.axes_mm.x);
+    return x;
+  };
+  const auto spread = places(spread_visits(machine, 20, {3, 0}));
+  const SimulatedCourse plain = simulated_course(machine, {.points = 20}, {3, 0});
+  EXPECT_FALSE(plain.errors.has_reversal());
+  EXPECT_EQ(places(plain.visits), spread);
+  const SimulatedCourse both_ways = simulated_course(machine, {.reversal = Reversal::constant, .points = 20}, {3, 0});
+  EXPECT_TRUE(both_ways.errors.has_reversal());
+  EXPECT_EQ(places(both_ways.visits), places(in_any_order(spread_visits(machine, 20, {3, 0}), {3, 0})));
+  EXPECT_EQ(places(simulated_course(machine, {.errors = &both_ways.errors, .points = 20}, {3, 0}).visits),
+            places(both_ways.visits));
+  EXPECT_EQ(simulated_course(machine, {.visits = {plain.visits.data(), 3}}, {3, 0}).visits.size(), 3u);
+}
+
 }  // namespace
 }  // namespace axiometry::volumetric

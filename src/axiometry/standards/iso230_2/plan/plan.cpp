@@ -15,7 +15,6 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr std::size_t most_targets = 10'000;
 constexpr double most = 1e6;            // mm or °: no axis is longer
 constexpr double overrun_least = 1.0;   // mm or °
 constexpr double overrun_usual = 10.0;  // up to which 1 % of the travel is enough
@@ -71,8 +70,8 @@ Result<void> check_numbers(const PlanRequest& request) {
   AXIOMETRY_TRY_VOID(check_positive("the expected period", native(request.axis.expected_period)));
   for (double x : request.axis.compensation_points)
     if (!std::isfinite(x)) return fail("found a sampling point that is not finite, expected positions");
-  if (request.count && (*request.count < 2 || *request.count > most_targets))
-    return fail(fmt::format("found {}, expected 2 to {}", counted(*request.count, "target"), most_targets));
+  if (request.count && (*request.count < 2 || *request.count > targets_most))
+    return fail(fmt::format("found {}, expected 2 to {}", counted(*request.count, "target"), targets_most));
   return {};
 }
 
@@ -224,9 +223,9 @@ std::size_t last_run(const std::vector<Approach>& sequence) {
 }
 
 Result<void> check_count(const Frame& frame, const Stretch& stretch, double count) {
-  if (count <= static_cast<double>(most_targets)) return {};
+  if (count <= static_cast<double>(targets_most)) return {};
   return fail(fmt::format("found {:.4g} targets over {}, expected at most {}", count, frame.text(stretch.length()),
-                          most_targets));
+                          targets_most));
 }
 
 TargetGrid without_random_part(TargetGrid grid) {
@@ -376,8 +375,8 @@ Result<Plan> make_plan(const PlanRequest& request) {
     return fail(
         fmt::format("found {} as number of runs beside a sequence of {}, expected the sequence alone, which says it",
                     *request.runs, plan.runs));
-  if (plan.targets.size() > most_targets)
-    return fail(fmt::format("found {} targets, expected at most {}", plan.targets.size(), most_targets));
+  if (plan.targets.size() > targets_most)
+    return fail(fmt::format("found {} targets, expected at most {}", plan.targets.size(), targets_most));
   AXIOMETRY_TRY_VOID(check_sound(plan));
   const double measured = plan.targets.back().in_native() - plan.targets.front().in_native();
   if (!measures_positions(plan)) {

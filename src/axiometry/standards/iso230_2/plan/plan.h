@@ -50,6 +50,9 @@ struct PeriodicTest {
   std::optional<Position> at;  ///< middle of the targets; of the axis travel when absent
 };
 
+/// How many targets a plan has at most.
+inline constexpr std::size_t targets_most = 10'000;
+
 /// What the user wants. What is absent is chosen as make_plan() says.
 struct PlanRequest {
   Axis axis;                           ///< travel_begin and travel_end must be given
