@@ -13,7 +13,7 @@
 #include "axiometry/formats/recordings/time_text.h"
 
 namespace axiometry::formats {
-namespace camonitor {
+namespace camonitor_stream {
 namespace {
 
 /// Name, time stamp and value of one line, or nothing.
@@ -31,9 +31,9 @@ std::optional<Change> change_of(std::string_view line) {
   return Change{words[0], *stamp, words[3]};
 }
 
-class CamonitorReader final : public LineReader {
+class CamonitorStreamReader final : public LineReader {
  public:
-  explicit CamonitorReader(const RecordingOptions& options)
+  explicit CamonitorStreamReader(const RecordingOptions& options)
       : LineReader(options, StampJudge::Kind::times), axis_(options.axis) {}
 
  private:
@@ -71,7 +71,7 @@ class CamonitorReader final : public LineReader {
 
 Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
   AXIOMETRY_TRY_VOID(check_times_and_positions(options));
-  return std::make_unique<CamonitorReader>(options);
+  return std::make_unique<CamonitorStreamReader>(options);
 }
 
 int recognise(std::string_view head) {
@@ -98,17 +98,17 @@ IOC:Axis1-PosAct 2026-11-21 12:00:00.200000 -4.9999
 )";
 
 }  // namespace
-}  // namespace camonitor
+}  // namespace camonitor_stream
 
-extern const Recording camonitor_recording;
-const Recording camonitor_recording = {
+extern const Recording camonitor_stream_recording;
+const Recording camonitor_stream_recording = {
     .id = "camonitor-stream",
     .title = "camonitor log (EPICS)",
     .extensions = ".log .txt",
-    .manual = camonitor::manual,
+    .manual = camonitor_stream::manual,
     .of_any_quantity = true,
-    .recognise = camonitor::recognise,
-    .open = camonitor::open,
+    .recognise = camonitor_stream::recognise,
+    .open = camonitor_stream::open,
 };
 
 }  // namespace axiometry::formats
