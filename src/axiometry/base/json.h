@@ -55,7 +55,7 @@ class Value {
   explicit Value(Items items) : content_(std::move(items)) {}
   explicit Value(Members members) : content_(std::move(members)) {}
 
-  std::variant<std::monostate, bool, double, std::string, Items, Members> content_;  // in the order of Kind
+  std::variant<std::monostate, bool, double, std::string, Items, Members> content_;  // types in the order of Kind
   TextPosition at_;
 };
 

@@ -20,10 +20,10 @@ std::optional<double> time_stamp_s(std::string_view text);
 
 /// A moment as somebody wrote it. Two of them can be compared when both tell their zone or neither does.
 struct Moment {
-  std::int64_t ns = 0;  ///< since 1970-01-01 00:00, in UTC where the zone is told, else on the clock of the place
+  std::int64_t ns = 0;  ///< nanoseconds since 1970-01-01 00:00, UTC where the zone is told, else local
   bool zoned = false;
 
-  double seconds_since(const Moment& other) const;  ///< of any two, however far apart
+  double seconds_since(const Moment& other) const;  ///< seconds between any two moments, however far apart
 };
 
 /// "2026-03-02T09:00", with seconds or a zone where told, or "02.03.2026 09:00". Nothing for other text.

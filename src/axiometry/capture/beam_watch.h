@@ -25,9 +25,9 @@ class BeamWatch {
   explicit BeamWatch(Limit limit) : limit_(limit) {}
 
   struct Sink {
-    std::function<void(std::span<const Sample>)> samples;  ///< in their order
-    std::function<void(double time_s)> broken;             ///< before the samples behind the break
-    std::function<void(double time_s)> missing;            ///< of the first sample behind those that are missing
+    std::function<void(std::span<const Sample>)> samples;  ///< called with samples in their order
+    std::function<void(double time_s)> broken;             ///< called at a break, before the samples behind it
+    std::function<void(double time_s)> missing;            ///< called with the time of the first sample behind a gap
   };
   void push(std::span<const Sample> samples, const Sink& sink);
   /// Samples are missing here, or the recording ends.
@@ -39,8 +39,8 @@ class BeamWatch {
 
   Limit limit_;
   std::optional<Sample> sound_;  // the last sample that is no false one
-  double longest_step_s_ = 0.2;  // of late; as slow as lengths come, until they are seen
-  std::vector<Sample> held_;     // from one that may be the first behind a break on
+  double longest_step_s_ = 0.2;  // largest step of late, s; as slow as lengths come, until they are seen
+  std::vector<Sample> held_;     // samples from one on that may be the first behind a break
 };
 
 }  // namespace axiometry::capture

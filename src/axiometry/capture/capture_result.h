@@ -18,7 +18,7 @@ namespace axiometry::capture {
 /// One approach of the plan with its standstill.
 struct CapturedReading {
   Approach approach;
-  Standstill standstill;             ///< in the frame of the plan: sign and zero of the instrument applied
+  Standstill standstill;             ///< standstill in the frame of the plan: sign and zero of the instrument applied
   Deviation deviation;               ///< x_ij (3.6): mean position at rest minus target
   std::vector<std::string> remarks;  ///< "2 outliers left out", "drifts by 1.2 µm"; empty when nothing is to be said
 };
@@ -27,10 +27,10 @@ enum class EventKind {
   zero,             ///< the zero of the instrument was set at the first standstill of target 1
   missed,           ///< approaches that the axis passed without standing still long enough
   repeated,         ///< another standstill at an approach that has its reading: the first one is kept
-  wrong_direction,  ///< at the expected target, but from the other side: not used
-  too_short,        ///< at a target, but shorter than the shortest: not used
+  wrong_direction,  ///< a standstill at the expected target, but reached from the other side: not used
+  too_short,        ///< a standstill at a target, but shorter than the shortest: not used
   signal_lost,      ///< the value stood still to the last digit and then jumped: not used (Standstill::frozen_from_s)
-  unexpected,       ///< at no target of the plan, or at one that was not due: not used
+  unexpected,       ///< a standstill at no target of the plan, or at one that was not due: not used
   unseen,           ///< the motion towards a target was not recorded, so its direction is not known: not used
   restarted,        ///< the first approach came again before the first pass was over: began again
   off_zero,         ///< the readings have a common offset that looks like another zero
@@ -45,16 +45,16 @@ std::string_view event_name(EventKind kind);  ///< "missed", "wrong direction", 
 
 struct CaptureEvent {
   EventKind kind;
-  double time_s = 0.0;  ///< of the recording
+  double time_s = 0.0;  ///< time within the recording, s
   std::string message;  ///< a sentence without full stop
 };
 
 struct CaptureResult {
-  std::vector<CapturedReading> readings;  ///< in the order in which they were taken
+  std::vector<CapturedReading> readings;  ///< readings in the order in which they were taken
   std::vector<CaptureEvent> events;
-  Position datum;               ///< where on the axis the instrument shows zero
+  Position datum;               ///< position of the axis at which the instrument shows zero
   Position window;              ///< farthest from a target that was taken for it
-  std::size_t approaches = 0;   ///< of the plan
+  std::size_t approaches = 0;   ///< how many approaches the plan has
   std::size_t standstills = 0;  ///< long enough, not at overruns
   std::size_t overruns = 0;     ///< standstills at turning points of the plan
 };

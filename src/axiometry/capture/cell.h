@@ -18,7 +18,7 @@ struct CellSums {
   double lowest = 0.0;
   double highest = 0.0;
   double mean_time_s = 0.0;
-  double longest_step_s = 0.0;  ///< between two samples that follow each other
+  double longest_step_s = 0.0;  ///< longest time between two samples that follow each other, s
 };
 
 /// Needs at least one sample, all finite and in order of time (contract).
@@ -26,10 +26,10 @@ CellSums sums_of(std::span<const Sample> samples);
 
 /// What is left of the samples of a cell: the core, without the outliers.
 struct Cell {
-  double begin_s = 0.0;  ///< of the first sample
-  double end_s = 0.0;    ///< of the last one
+  double begin_s = 0.0;  ///< time of the first sample, s
+  double end_s = 0.0;    ///< time of the last sample, s
   double mean_time_s = 0.0;
-  std::size_t count = 0;  ///< of the core
+  std::size_t count = 0;  ///< samples of the core
   std::size_t rejected = 0;
   double mean = 0.0;
   double standard_deviation = 0.0;

@@ -20,10 +20,10 @@ struct ExpectedStop {
   Vector3 reflector_mm;              ///< q + t: axes and tool
   Vector3 station_mm;                ///< s, perhaps only about
   std::optional<Direction> arrival;  ///< whether the length grows or falls at last on the way there; nothing: no saying
-  double lowest_mm = 0.0;            ///< of the distance on the way from the stop before, both included
+  double lowest_mm = 0.0;            ///< smallest distance on the way from the stop before, both ends included, mm
   double highest_mm = 0.0;
   bool begins_segment = false;  ///< the beam is certainly another one from here on: another station or another tool
-  std::optional<Matrix3> station_covariance_mm2{};  ///< of s, where that is known better than by its largest error
+  std::optional<Matrix3> station_covariance_mm2{};  ///< covariance of s, where better known than by its largest error
 
   double distance_mm() const { return distance(reflector_mm, station_mm); }  ///< |q + t − s|
 };
@@ -54,7 +54,7 @@ class StopPath {
   explicit StopPath(Vector3 station_mm, double turn_mm = StopDrive{}.turn_mm);
 
   void go(Vector3 reflector_mm);    ///< passes there
-  void stop(Vector3 reflector_mm);  ///< and rests there
+  void stop(Vector3 reflector_mm);  ///< the reflector goes there and rests
   /// Another station, or another tool: the next stop begins a segment, and the way there is not known.
   void begin_segment(Vector3 station_mm);
 
@@ -66,7 +66,7 @@ class StopPath {
   Vector3 station_;
   double turn_;
   std::optional<Vector3> at_;
-  Travel eager_, slow_;  // with half and with twice the turn: where they differ nobody can say the direction
+  Travel eager_, slow_;  // travels with half and with twice the turn: where they differ nobody can say the direction
   double lowest_ = 0.0, highest_ = 0.0;
   bool segment_begins_ = false;
   std::vector<ExpectedStop> stops_;
@@ -83,7 +83,7 @@ struct LineStop {
 /// be off by 1 mm and four times its uncertainty, by 5 mm where that is not known.
 struct LineStops {
   StopList list;
-  std::vector<LineStop> approaches;  ///< of each stop
+  std::vector<LineStop> approaches;  ///< which approach of the plan each stop is
 };
 
 /// Needs sound plans of lines in space (contract).

@@ -26,7 +26,7 @@ namespace axiometry::capture {
 /// means that lie 10.4 s apart whatever the speed; noise of any size 1.2 s, vibration with a period up to 0.8 W 5.1 s.
 struct StandstillOptions {
   Duration window = Duration::s(0.5);           ///< W
-  Duration settling = Duration::s(0.5);         ///< after the stop, not averaged
+  Duration settling = Duration::s(0.5);         ///< time after the stop that is not averaged
   Duration shortest = Duration::s(1.0);         ///< shorter standstills are reported as such, not used
   Position smallest = Position::native(0.001);  ///< what a window may always move by
   Position greatest = Position::native(0.1);    ///< what it may never move by
@@ -47,7 +47,7 @@ StandstillOptions standstill_options(const Plan& plan);
 struct Standstill {
   double begin_s = 0.0;      ///< first sample at rest
   double end_s = 0.0;        ///< last one
-  double used_from_s = 0.0;  ///< of what was averaged
+  double used_from_s = 0.0;  ///< beginning of what was averaged, s
   double used_to_s = 0.0;
   std::size_t count = 0;     ///< samples averaged
   std::size_t rejected = 0;  ///< outliers among them, left out
@@ -56,7 +56,7 @@ struct Standstill {
   Position drift{};          ///< slope of a straight line through the means of the cells, times the time averaged
   Position threshold{};      ///< T when it stopped
   std::optional<Direction> arrival{};  ///< the way it came from; nothing when that was not seen
-  Position lowest{};                   ///< between the standstill before and this one, both included
+  Position lowest{};                   ///< lowest position between the standstill before and this one, both included
   Position highest{};
   bool after_gap = false;  ///< samples are missing between the standstill before and this one
   bool cut_off = false;    ///< ended by missing samples or the end of the recording, not by motion
@@ -134,9 +134,9 @@ class StandstillDetector {
   std::optional<Sample> last_;
   std::deque<Cell> window_;    // the last cells, no gap between them
   std::deque<double> noises_;  // standard deviations of the last cells
-  double usual_step_s_ = 0.0;  // between samples; 0 before the first cell
+  double usual_step_s_ = 0.0;  // usual time between samples, s; 0 before the first cell
   double quantum_ = 0.0;       // q; 0 before two different samples were seen
-  double usual_hold_s_ = 0.0;  // between two changes of the value on the way; 0 before one was seen
+  double usual_hold_s_ = 0.0;  // usual time between two changes of the value on the way, s; 0 before one was seen
   std::optional<Frozen> frozen_;
   bool gap_behind_ = true;  // nothing is known of the time before the recording
   std::optional<Cell> now_;

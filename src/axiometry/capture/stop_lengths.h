@@ -24,7 +24,7 @@ namespace axiometry::capture {
 struct StopLength {
   double length_mm = 0.0;   ///< mean over the rest
   double scatter_mm = 0.0;  ///< standard deviation of its samples
-  double drift_mm = 0.0;    ///< over the time averaged
+  double drift_mm = 0.0;    ///< change of the length over the time averaged, mm
   double time_s = 0.0;      ///< middle of that time
   std::size_t samples = 0;  ///< averaged
   std::size_t segment = 0;  ///< lengths of one segment share a dead path; from 0, in the order of the recording
@@ -44,7 +44,7 @@ std::string_view lack_name(StopLack lack);
 
 struct StopOutcome {
   std::optional<StopLength> length;
-  StopLack lack = StopLack::no_standstill;  ///< where there is none
+  StopLack lack = StopLack::no_standstill;  ///< why there is no length, where there is none
 };
 
 /// A place where the dead path changed.
@@ -67,8 +67,8 @@ struct StopLengths {
 struct StopOptions {
   StopDrive drive;
   StopMatcherOptions matcher;               ///< `turn_mm` and `shortest` follow from drive and rest
-  std::optional<StandstillOptions> rest{};  ///< over standstill_options(drive)
-  double fastest_mm_per_s = 500.0;          ///< of the reflector; a length that jumps by more is a broken beam
+  std::optional<StandstillOptions> rest{};  ///< replaces standstill_options(drive)
+  double fastest_mm_per_s = 500.0;          ///< speed of the reflector; a faster change of length is a broken beam
 };
 
 /// The same standstills, held against other stops: by cost() it can be told to which of both they rather belong.
@@ -102,7 +102,7 @@ class StopListener {
   void take(const std::vector<Standstill>& found);
 
   StopMatcher matcher_;
-  std::deque<double> missing_s_;  // where samples were missing on ways whose standstill has not come yet
+  std::deque<double> missing_s_;  // times at which samples were missing on ways whose standstill has not come yet
   BeamWatch watch_;
   StandstillDetector detector_;
 };

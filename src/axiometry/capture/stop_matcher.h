@@ -19,7 +19,7 @@ struct StopMatcherOptions {
   double tolerance_mm = 0.5;             ///< how far a change of length may be from the expected one, beside the rest
   double station_error_mm = 5.0;         ///< how far a station may be from where it is said
   double scale = 1e-3;                   ///< share of a change of distance by which the machine may be off
-  double turn_mm = 0.5;                  ///< that of the drive
+  double turn_mm = 0.5;                  ///< turn_mm of the drive
   Duration shortest = Duration::s(1.0);  ///< shorter standstills give no length
   bool direction_counts = false;         ///< a stop reached from the other side is none: its reading says the side
   bool reversed = false;                 ///< the length shown falls where the reflector recedes
@@ -30,8 +30,8 @@ struct StopMatch {
   std::size_t stop = 0;
   std::size_t standstill = 0;   ///< number of those taken
   bool begins_segment = false;  ///< the dead path is another one than before
-  bool untold = false;          ///< and nothing but the lengths says so
-  bool planned = false;         ///< and the plan says so, there or at a stop left out before
+  bool untold = false;          ///< another dead path that nothing but the lengths tells
+  bool planned = false;         ///< another dead path that the plan expects, there or at a stop left out before
 };
 
 /// Takes standstills in their order, keeps the likely explanations of all of them and tells the likeliest: one after
@@ -51,7 +51,7 @@ class StopMatcher {
   /// The stop that comes next in it; nothing when the last one has come.
   std::optional<std::size_t> due() const;
   bool complete() const { return !due(); }
-  double cost() const { return best().cost; }  ///< of it, after the table of docs/theory/capture-lengths.md
+  double cost() const { return best().cost; }  ///< cost of the likeliest one (docs/theory/capture-lengths.md)
 
   /// Whether a rest that is taken for a stop has a length: it was long enough, and the signal was not lost in it.
   bool gives_length(const Standstill& rest) const;
@@ -76,7 +76,7 @@ class StopMatcher {
     std::size_t link = none;
     std::size_t standstill = none;  // the standstill that was matched to it
     double cost = 0.0;
-    double lowest = 0.0, highest = 0.0;  // of the way since then, as the distance counts
+    double lowest = 0.0, highest = 0.0;  // range of the distance on the way since then, mm
     bool broken = false;                 // samples are missing on it
     bool strayed = false;                // whether it came to a standstill that is no stop
   };
@@ -104,11 +104,11 @@ class StopMatcher {
   std::vector<std::size_t> segments_;  // how many stops up to each begin one
   std::vector<Standstill> standstills_;
   std::vector<State> states_, next_;
-  std::vector<std::optional<StopMatch>> matches_;  // of next_, before they are links
-  std::vector<std::size_t> place_;                 // in next_, of what takes the standstill for a stop; by stop
+  std::vector<std::optional<StopMatch>> matches_;  // matches of next_, before they are links
+  std::vector<std::size_t> place_;                 // per stop the place in next_ of what takes the standstill for it
   std::vector<Link> links_;
   std::size_t collect_at_;
-  double cost_limit_ = 0.0;  // beyond which nothing is tried
+  double cost_limit_ = 0.0;  // largest cost that is tried
 };
 
 }  // namespace axiometry::capture

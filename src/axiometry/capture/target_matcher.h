@@ -18,7 +18,7 @@ struct MatcherOptions {
   std::optional<Position> window{};      ///< farthest from a target; default_window() when absent
   Duration shortest = Duration::s(1.0);  ///< shorter standstills are not used
   bool reversed = false;                 ///< the instrument counts up when the axis moves down
-  Position datum{};                      ///< where on the axis the instrument shows zero
+  Position datum{};                      ///< position of the axis at which the instrument shows zero
   bool zero_at_first_target = false;     ///< instead of `datum`: its first standstill at target 1 is that target
 };
 
@@ -79,7 +79,7 @@ class TargetMatcher {
   std::size_t first_pass_ = 0;           // approaches before the first change of direction
   std::size_t due_ = 0;                  // index of the next approach
   std::optional<std::size_t> last_;      // the approach read last
-  double lowest_ = 0.0, highest_ = 0.0;  // of the way since then
+  double lowest_ = 0.0, highest_ = 0.0;  // range of the positions on the way since then
   bool unseen_ = true;                   // a part of that way is missing
   std::vector<Standstill> waiting_;      // standstills that wait until the zero is known
   double last_time_s_ = 0.0;

@@ -45,10 +45,10 @@ namespace axiometry::compensation {
 /// In one direction; native deviation unit.
 struct CompensatedMean {
   double residual = 0.0;    ///< r_i
-  double rounding = 0.0;    ///< of it what the digits of the file make
+  double rounding = 0.0;    ///< share of r_i that the digits of the file make
   std::optional<double> s;  ///< s_i (3.18); absent, as what follows, of fewer than two approaches
-  std::optional<iso230_2::ExpandedUncertainty> mean;      ///< of r_i
-  std::optional<iso230_2::ExpandedUncertainty> approach;  ///< of the position that one approach ends at
+  std::optional<iso230_2::ExpandedUncertainty> mean;      ///< uncertainty of r_i
+  std::optional<iso230_2::ExpandedUncertainty> approach;  ///< uncertainty of the position at which one approach ends
 };
 
 struct CompensatedTarget {
@@ -66,7 +66,7 @@ struct CompensatedGap {
 struct CompensatedPositions {
   double zero = 0.0;  ///< z: the new zero, in the deviations as measured with the table
   std::vector<CompensatedTarget> targets;
-  std::array<std::vector<CompensatedGap>, 2> gaps;       ///< of ↑ and of ↓
+  std::array<std::vector<CompensatedGap>, 2> gaps;       ///< gaps in ↑ and in ↓
   std::array<std::optional<double>, 2> between_targets;  ///< q, likewise
   /// The largest |r| + U of one approach and what was not corrected, at the targets and from the first of them to the
   /// last; absent where any is not known.
@@ -75,7 +75,7 @@ struct CompensatedPositions {
 };
 
 struct TableInControl {
-  const AxisCorrection& added;              ///< by the file, as the control reads it
+  const AxisCorrection& added;              ///< what the file makes the control add, as its own rule reads it
   const AxisCorrection& unrounded;          ///< as it was fitted
   const AxisCorrection* removed = nullptr;  ///< what was active during the test; may be none
 };

@@ -11,7 +11,7 @@ namespace axiometry::compensation {
 
 struct RetestTrials {
   std::uint64_t seed = 1;
-  std::optional<std::size_t> runs{};  ///< of the re-test; as many as the test has where nobody knows
+  std::optional<std::size_t> runs{};  ///< how many runs the re-test has; as many as the test where nobody knows
 };
 
 /// What re-tests will show with the table active, if the axis stays as it is and scatters as it did.

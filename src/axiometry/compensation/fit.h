@@ -13,7 +13,7 @@ namespace axiometry::compensation {
 
 enum class Method {
   least_squares,  ///< node values whose broken line is nearest to all readings
-  interpolation,  ///< at each node the mean deviations of the two targets beside it, linearly
+  interpolation,  ///< each node has the mean deviations of the two targets beside it, interpolated linearly
 };
 
 struct FitRequest {

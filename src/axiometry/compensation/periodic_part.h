@@ -22,16 +22,16 @@ enum class Periodic {
 
 /// Targets on even steps above half the period: sinusoids of two periods pass through the same readings.
 struct Ambiguity {
-  double step = 0.0;          ///< of the targets, mm or °
+  double step = 0.0;          ///< step between the targets, mm or °
   double other_period = 0.0;  ///< mm or °
-  double amplitude = 0.0;     ///< of either, µm or ″, the larger one of both directions
+  double amplitude = 0.0;     ///< amplitude of either sinusoid, µm or ″, the larger one of both directions
 };
 
 /// The fundamental of a known period in the means of each direction, beside a smooth curve
 /// (numeric/sine_beside_curve.h).
 struct PeriodicPart {
   double period = 0.0;                                                  ///< λ, mm or °
-  std::array<std::optional<numeric::SineBesideCurve>, 2> directions{};  ///< of ↑ and ↓; nothing where it is not told
+  std::array<std::optional<numeric::SineBesideCurve>, 2> directions{};  ///< sinusoids in ↑ and ↓, where told
   double widest_of_targets = 0.0;                                       ///< gap between two of them, mm or °
   std::optional<Ambiguity> ambiguity{};                                 ///< why it is not told, where it would be large
 

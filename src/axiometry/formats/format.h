@@ -26,7 +26,7 @@ class ByteReader {
 /// One test of a file that holds many.
 struct NamedTest {
   std::string name;      ///< value of the `test` column
-  std::size_t line = 0;  ///< of its first reading
+  std::size_t line = 0;  ///< line of the file where its first reading stands
   Metadata metadata;
   Series series;
   std::vector<SourceRemark> remarks{};

@@ -23,9 +23,9 @@ struct Unit;
 
 /// What the samples of a channel are taken for.
 enum class ChannelMeaning {
-  position,  ///< of the axis, in mm or °
+  position,  ///< position of the axis, mm or °
   value,     ///< readings in the unit that the stream names, as they stand there
-  number     ///< without a unit: a trigger
+  number     ///< number without a unit: a trigger
 };
 
 /// What the user must say because the stream does not.
@@ -34,7 +34,7 @@ struct RecordingOptions {
   ChannelMeaning meaning = ChannelMeaning::position;
   std::optional<double> units_per_count;  ///< mm or ° per count, for streams of counts
   std::optional<double> rate_hz;          ///< samples per second, for streams without time stamps
-  std::size_t axis = 0;                   ///< of a stream of several: 0 is the first
+  std::size_t axis = 0;                   ///< number of the axis in a stream of several: 0 is the first
   bool axis_stated = false;               ///< whether somebody said so; else columns are taken only by what they say
   /// Of an axis that rests: what deviates is what is sought, and of several columns none of which says that it is the
   /// position, or too many, the first counts that is neither setpoint nor temperature or the like.

@@ -27,7 +27,7 @@ std::span<const Language> languages();
 std::optional<Language> language_of(std::string_view tag);
 std::string_view tag(Language language);       ///< "en"
 std::string_view own_name(Language language);  ///< as its readers call it: "Deutsch"
-std::string tags_of_languages();               ///< of all: "en, de, fr"
+std::string tags_of_languages();               ///< tags of all languages: "en, de, fr"
 
 /// The decimal mark that readers of a language expect.
 NumberStyle usual_numbers(Language language);

@@ -67,9 +67,9 @@ struct Axis {
   std::optional<ExpansionCoefficient> scale_expansion;
   std::string compensation;                 ///< built-in compensation during the test; "none" is an answer
   std::vector<double> compensation_points;  ///< sampling points (3.28), mm or °
-  std::optional<Position> expected_period;  ///< of a periodic error (5.2, Annex C): pitch of screw or scale, mm or °
-  std::vector<double> line_origin_mm;  ///< of a line in space, as given: where X, Y, Z stand at position 0; else empty
-  std::vector<double> line_direction;  ///< of the same: where position grows, as given
+  std::optional<Position> expected_period;  ///< period of an error (5.2, Annex C): pitch of screw or scale, mm or °
+  std::vector<double> line_origin_mm;  ///< where X, Y, Z stand at position 0 of a line in space, as given; else empty
+  std::vector<double> line_direction;  ///< direction of a line in space in which position grows, as given
 };
 
 /// Whether a control may have corrected the axis while it was measured, as `compensation` and its sampling points tell:
@@ -80,7 +80,7 @@ bool may_be_compensated(const Axis& axis);
 /// position P they stand at origin_mm + P·direction.
 struct SpatialLine {
   Vector3 origin_mm;
-  Vector3 direction;  ///< of length 1
+  Vector3 direction;  ///< unit vector
 
   Vector3 at(Position position) const { return origin_mm + position.in_native() * direction; }
 };

@@ -23,7 +23,7 @@ struct RecordColumn {
   std::string_view key;
   std::string_view title;
   FieldType type;           ///< text or number
-  std::string_view unit;    ///< of a number
+  std::string_view unit;    ///< unit of the column, where it holds numbers
   bool shown_empty = true;  ///< whether a report shows it where no record states it
 };
 
@@ -37,14 +37,14 @@ struct Field {
   std::string_view key;    ///< "machine.serial_number": group and member, also the JSON path
   std::string_view title;  ///< "Machine serial number"
   FieldType type = FieldType::text;
-  std::string_view unit_linear;  ///< of numbers, on a linear axis: "mm/min"; empty without unit
+  std::string_view unit_linear;  ///< unit of numbers on a linear axis: "mm/min"; empty without unit
   std::string_view unit_rotary;  ///< the same on a rotary axis; often equal
   std::string_view clause;       ///< "8.1", "A.5"; empty where the standard does not ask for it
-  enum class Wanted { no, always, linear, rotary, with_nde } wanted = Wanted::no;  ///< by clause 8.1 in the report
-  double minimum = 0.0;                                                            ///< of numbers
+  enum class Wanted { no, always, linear, rotary, with_nde } wanted = Wanted::no;  ///< in the report, by clause 8.1
+  double minimum = 0.0;                                                            ///< smallest number allowed
   double maximum = 0.0;
-  std::span<const std::string_view> choices;  ///< of a choice
-  std::span<const RecordColumn> columns;      ///< of records
+  std::span<const std::string_view> choices;  ///< words of a choice
+  std::span<const RecordColumn> columns;      ///< columns of a list of records
   std::string_view description;               ///< one sentence for schema and manual
   FieldValue (*get)(const Metadata&);
   void (*put)(Metadata&, const FieldValue&);  ///< unchecked; use set_field()

@@ -29,7 +29,7 @@ struct Equipment {
   std::string manufacturer;
   std::string type;
   std::string serial_number;
-  std::string certificate{};      ///< of its calibration
+  std::string certificate{};      ///< number of its calibration certificate
   std::string calibrated_on{};    ///< date
   std::string calibration_due{};  ///< date until which the calibration holds
 };
@@ -49,7 +49,7 @@ struct NdeCorrection {
   std::optional<ExpansionCoefficient> machine_expansion;
   std::optional<ExpansionCoefficient> equipment_expansion;
   std::string routine;              ///< "updated every 20 s"
-  std::optional<Position> datum{};  ///< where the instrument was set to zero; the first target when absent
+  std::optional<Position> datum{};  ///< position where the instrument was set to zero; the first target when absent
 };
 
 struct Environment {
@@ -66,8 +66,8 @@ struct Environment {
 /// what it counts to what it shows.
 struct InstrumentSettings {
   std::optional<Length> vacuum_wavelength;
-  std::optional<double> refractive_index;  ///< of air that the instrument assumed; 1 when it shows lengths in vacuum
-  std::optional<Length> dead_path;         ///< between the fixed and the moving optics at the datum, uncompensated
+  std::optional<double> refractive_index;  ///< index of air that the instrument assumed; 1 for lengths in vacuum
+  std::optional<Length> dead_path;         ///< way between the fixed and the moving optics at the datum, uncompensated
   std::optional<double> air_co2_ppm;       ///< carbon dioxide in the air, by volume
   std::optional<double> gain;              ///< true change of length per change shown, of the sensor
   std::optional<bool> sign_reversed;       ///< whether it counts up when the axis moves down
@@ -90,7 +90,7 @@ enum class TestCycle { standard, step, pilgrim, unidirectional, user_defined };
 struct TestConditions {
   std::string date;
   std::string inspector;
-  std::string laboratory;  ///< or company: who vouches for the report
+  std::string laboratory;  ///< laboratory or company that vouches for the report
   std::string customer;
   std::string report_number;
   std::string purpose;  ///< "acceptance", "reverification", …
@@ -111,7 +111,7 @@ struct AnnexAInputs {
   std::optional<Length> length;                                         ///< L; the measured travel when absent
   std::optional<Deviation> device_calibration;                          ///< U_CALIBRATION, k = 2 (A.1)
   std::optional<RelativeLength> device_calibration_per_length;          ///< U_CALIBRATION, k = 2 (A.2)
-  std::optional<CalibrationSum> device_calibration_sum;                 ///< of both (A.1, A.2); linear when absent
+  std::optional<CalibrationSum> device_calibration_sum;                 ///< sum of both (A.1, A.2); linear when absent
   std::optional<RelativeLength> device_error_range;                     ///< R_DEVICE (A.3)
   std::optional<Length> misalignment;                                   ///< R_MISALIGNMENT (A.4)
   std::optional<ExpansionCoefficient> machine_expansion;                ///< α (A.5)
@@ -139,12 +139,12 @@ struct GumInputs {
   std::optional<ExpansionCoefficient> environment_sensitivity;              ///< K (24), per metre and °C
   std::optional<TemperatureDifference> environment_temperature_difference;  ///< ΔT_e (24)
   std::optional<Angle> alignment_angle;                                     ///< θ_max (20, 21)
-  std::optional<double> up_down_correlation;                                ///< between x_i↑ and x_i↓ (10); 1
+  std::optional<double> up_down_correlation;        ///< correlation of x_i↑ and x_i↓ (10); 1
   std::optional<Deviation> run_drift;               ///< standard uncertainty of a shift common to a run
   std::optional<Measurand> measurand;               ///< this_test when absent
-  std::optional<UncertaintyMethod> method;          ///< of record: the one that decides and stands with every result
-  std::optional<EnvironmentKind> environment_kind;  ///< of E_VE (A.9); unknown when absent
-  std::vector<double> drift_recording;     ///< at standstill (A.2.5), µm or ″, equally far apart in time …
+  std::optional<UncertaintyMethod> method;          ///< method of record: it decides and stands with every result
+  std::optional<EnvironmentKind> environment_kind;  ///< what kind of effect E_VE is (A.9); unknown when absent
+  std::vector<double> drift_recording;  ///< readings at standstill (A.2.5), µm or ″, equally far apart in time …
   std::optional<Duration> drift_interval;  ///< … by this
   std::vector<InputDistribution> distributions;
 };
@@ -163,7 +163,7 @@ struct StatedTolerances {
   std::optional<Deviation> R_up;
   std::optional<Deviation> R_down;
   std::optional<Deviation> B;
-  std::optional<Deviation> B_mean;  ///< of its magnitude
+  std::optional<Deviation> B_mean;  ///< limit of the magnitude of B̄
   std::string table;                ///< name in a file of tolerance tables
   std::string rule;                 ///< "simple", "iso14253-1" or "guard-band"
   std::optional<Deviation> guard_band;
@@ -173,7 +173,7 @@ struct StatedTolerances {
 /// differs from the way along the line (Lee et al., Sensors 16 (2016) 482, eqs 17 to 23;
 /// tracking/station/length_difference.h).
 struct TrackingInputs {
-  std::optional<Position> station_position;  ///< of the point of the line that is next to the station
+  std::optional<Position> station_position;  ///< position on the line that is next to the station
   /// Standard uncertainties of the station across the line, mm: along the two principal directions, the larger first.
   std::vector<double> station_uncertainty_mm;
 };

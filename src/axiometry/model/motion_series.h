@@ -56,8 +56,8 @@ struct MotionReading {
   double position_mm = 0.0;
   Direction direction = Direction::up;
   std::size_t run = 1;  ///< as the file counts
-  double value = 0.0;   ///< in the unit of the series
-  TextPosition at{};    ///< where it stands
+  double value = 0.0;   ///< deviation in the unit of the series
+  TextPosition at{};    ///< place in the file where it stands
 };
 
 /// Readings of all runs at all positions, none left out and none twice.

@@ -20,10 +20,10 @@ enum class StatedBy {
 
 /// An item that the file does not state, or not alone.
 struct StatedItem {
-  std::string key;  ///< of the vocabulary: "uncertainty.device_error_range_um_per_m"
+  std::string key;  ///< key of the vocabulary: "uncertainty.device_error_range_um_per_m"
   StatedBy by = StatedBy::flag;
-  std::string name{};       ///< of the instrument
-  std::size_t records = 0;  ///< of a list: how many of its last records are stated so; the others are the file's
+  std::string name{};       ///< name of the instrument
+  std::size_t records = 0;  ///< how many of a list's last records are stated so; the others are the file's
 };
 
 /// What is not named here is stated by the file.

@@ -39,9 +39,9 @@ struct Plan {
   std::string standard{plan_standards[0]};
   std::string clause;   ///< "5.3.2", "Annex B"; empty when no clause describes the test
   std::string rule;     ///< id of another rule whose cycle it keeps to as well (standards/rules), "vdi-dgq-3441"
-  std::string title;    ///< of one among several: "2 000 mm of the normal working area"
+  std::string title;    ///< title of one plan among several: "2 000 mm of the normal working area"
   std::string machine;  ///< name, for comments in programs and the printed sheet; may be empty
-  std::string date;     ///< on which it was made, "2026-11-21"; may be empty
+  std::string date;     ///< day on which it was made, "2026-11-21"; may be empty
   Axis axis;            ///< name, kind, travel, expected period, sampling points of the compensation
   /// What is to be read at each stop, E of ISO 230-1: EYX, EAX; EXX are the positions. Empty: the positions alone.
   std::vector<MotionName> errors;
@@ -50,12 +50,12 @@ struct Plan {
   std::size_t runs = 5;               ///< n, approaches to each target from each direction the cycle has
   Position overrun;                   ///< distance beyond a target before the direction changes, mm or °
   double feed = 0.0;                  ///< mm/min or °/min, after the kind of the axis
-  Duration dwell;                     ///< at rest on every target
+  Duration dwell;                     ///< time at rest on every target
   std::size_t warm_up_runs = 0;       ///< there and back over the measurement travel before the first reading
-  std::optional<std::uint64_t> seed;  ///< of the random part of the targets; absent when they were given
-  std::vector<Approach> sequence;     ///< of the user-defined cycle, in order; empty otherwise
-  std::vector<Vector3> way_in_mm;     ///< of a line in space: where X, Y, Z are driven before its first move, in order
-  std::vector<Vector3> way_out_mm;    ///< and after its last
+  std::optional<std::uint64_t> seed;  ///< seed of the random part of the targets; absent when they were given
+  std::vector<Approach> sequence;     ///< approaches of the user-defined cycle, in order; empty otherwise
+  std::vector<Vector3> way_in_mm;     ///< where X, Y, Z are driven before the first move on a line in space, in order
+  std::vector<Vector3> way_out_mm;    ///< where they are driven after its last move, in order
   std::vector<Plan> further;          ///< tests that belong to it: the 2 000 mm or 360° test (5.3.3, 5.3.5)
 };
 

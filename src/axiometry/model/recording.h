@@ -13,7 +13,7 @@ namespace axiometry {
 
 /// One sample of a continuous recording. Plain numbers, because there are hundreds of millions of them.
 struct Sample {
-  double time_s = 0.0;    ///< since some beginning of the recording
+  double time_s = 0.0;    ///< seconds since some beginning of the recording
   double position = 0.0;  ///< as the instrument shows it: mm or °, after the kind of the axis
 };
 

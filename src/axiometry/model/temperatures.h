@@ -19,7 +19,7 @@ struct TemperatureCourse {
 };
 
 struct TemperatureLog {
-  std::optional<Moment> begin;             ///< of time 0; absent where the log tells no date
+  std::optional<Moment> begin;             ///< moment of time 0; absent where the log tells no date
   std::vector<TemperatureCourse> sensors;  ///< never empty; one at least has readings
   std::vector<std::string> remarks;        ///< what was assumed, left out or passed over; sentences without full stop
 };

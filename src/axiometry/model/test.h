@@ -23,8 +23,8 @@ struct AppliedExpansionCorrection {
   };
   Part machine;
   std::optional<Part> equipment;  ///< absent: its expansion is none, or part of its own readings
-  Position datum;                 ///< where the instrument was set to zero: nothing is corrected there
-  Deviation smallest;             ///< of what was added to single readings
+  Position datum;                 ///< position where the instrument was set to zero: nothing is corrected there
+  Deviation smallest;             ///< smallest amount that was added to a reading
   Deviation largest;
 };
 
@@ -38,7 +38,7 @@ struct AppliedCorrection {
   std::string id;     ///< "air", as asked for on the command line
   std::string title;  ///< "Refractive index of air"
   std::vector<Detail> details;
-  Deviation smallest;  ///< of what was added to single readings
+  Deviation smallest;  ///< smallest amount that was added to a reading
   Deviation largest;
 };
 
@@ -51,9 +51,9 @@ struct SourceRemark {
 /// Where a test's readings come from, so that a result can be traced to the byte.
 struct Provenance {
   std::string file;                              ///< name as the user gave it; "-" for the standard input
-  std::string sha256;                            ///< of the source file's bytes, lower-case hexadecimal
+  std::string sha256;                            ///< hash of the source file's bytes, lower-case hexadecimal
   std::string format;                            ///< id of the format that read it, "csv-long"
-  std::vector<SourceRemark> remarks{};           ///< of the reader
+  std::vector<SourceRemark> remarks{};           ///< what the reader of the file remarked
   std::vector<AppliedCorrection> corrections{};  ///< what was done to the readings since, in this order, and then
   std::optional<AppliedExpansionCorrection> expansion_correction{};
   StatedItems stated{};  ///< items of the metadata that come from elsewhere than the file

@@ -20,7 +20,7 @@ namespace axiometry {
 /// Where the instrument stands, and how well that is known.
 struct Station {
   Vector3 position_mm;                         ///< s
-  std::optional<Matrix3> covariance_mm2 = {};  ///< of s; absent when nothing is known about it
+  std::optional<Matrix3> covariance_mm2 = {};  ///< covariance of s; absent when nothing is known about it
 };
 
 /// What the maker states about lengths: U = a + b·L, k = 2 (Table 1 of Lee et al. for the LaserTRACER).
@@ -39,10 +39,10 @@ struct RangingUncertainty {
 struct TrackerLimits {
   double range_least_mm = 200.0;
   double range_most_mm = 15'000.0;
-  double elevation_lowest_deg = -20.0;  ///< of the beam above the plane of X and Y
+  double elevation_lowest_deg = -20.0;  ///< smallest angle of the beam above the plane of X and Y
   double elevation_highest_deg = 90.0;
-  Vector3 reflector_axis = {0.0, 0.0, -1.0};  ///< where the reflector looks, from the spindle
-  double incidence_most_deg = 60.0;           ///< between the beam and that axis
+  Vector3 reflector_axis = {0.0, 0.0, -1.0};  ///< direction in which the reflector looks from the spindle
+  double incidence_most_deg = 60.0;           ///< largest angle between the beam and that axis
   double safe_radius_mm = 120.0;              ///< nothing of the machine comes nearer to the station
   double line_least_mm = 100.0;               ///< a shorter line is not worth a test
 };
@@ -108,7 +108,7 @@ struct TrackingPlan {
   TrackingSetup setup;
   std::vector<TrackingLine> lines;
   std::vector<LostLine> lost;
-  std::vector<std::string> remarks;  ///< of the planner, for people
+  std::vector<std::string> remarks;  ///< what the planner tells people
 };
 
 /// A point of the station location (Lee et al., 3.3): where the reflector stood, and the change of length shown.
@@ -131,7 +131,7 @@ struct RangeReading {
   std::size_t point = 0;
   std::size_t station = 0;
   double length_mm = 0.0;   ///< l_ij
-  std::size_t segment = 0;  ///< of the station; each has its own dead path l_0
+  std::size_t segment = 0;  ///< which segment of the station's beam; each has its own dead path l_0
 };
 
 }  // namespace axiometry

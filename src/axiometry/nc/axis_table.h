@@ -17,18 +17,18 @@ namespace axiometry::nc {
 /// What stands in a table beside its values, or must be known of the control to read them.
 struct AxisTableOptions {
   std::string axis = "X";     ///< as the control names it
-  std::string output_axis{};  ///< that is moved while `axis` stands at the positions; empty: `axis` itself
+  std::string output_axis{};  ///< axis that is moved while `axis` stands at the positions; empty: `axis` itself
   AxisKind kind = AxisKind::linear;
-  bool in_inch = false;         ///< of a linear axis: the control's unit of length
-  unsigned number = 0;          ///< of the table, encoder, joint or first point, as the control counts
+  bool in_inch = false;         ///< whether the control measures a linear axis in inches
+  unsigned number = 0;          ///< number of the table, encoder, joint or first point, as the control counts
   double reference = 0.0;       ///< machine position of the reference point, mm or °
   double resolution = 1.0;      ///< what one count stands for, µm or ″ (detection unit, encoder step)
-  unsigned magnification = 1;   ///< by which the control multiplies the table's numbers
+  unsigned magnification = 1;   ///< factor by which the control multiplies the table's numbers
   unsigned largest = 0;         ///< number that the control takes in its table; 0: the least that is known of its kind
   double step = 0.0;            ///< spacing of a table that is read and does not say it, mm or °; 0: it says it
   double steps_per_unit = 0.0;  ///< what the control drives now, steps per mm or °; 0: not told
   bool turned_sign = false;     ///< the control's sign is the other one than was inferred of it
-  std::string warning{};        ///< of a table that is written: ASCII, before its other comments, where it has any
+  std::string warning{};        ///< ASCII text before the other comments of a table that is written; may be empty
 
   bool axis_told = true;        ///< else a table that is read may be of any one axis
   bool resolution_told = true;  ///< else a table that says what one count is is read by that
@@ -51,11 +51,11 @@ struct AxisTableLimits {
   bool equidistant = false;
   double step_native = 0.0;  ///< the only spacing that there is, mm
   TableOrigin origin = TableOrigin::anywhere;
-  bool zero_upwards = false;  ///< of two curves the positive one is 0 at the reference point, not their mean
-  bool closes = false;        ///< of a rotary axis: values a whole turn apart are one
+  bool zero_upwards = false;  ///< whether of two curves the positive one is 0 at the reference point, not their mean
+  bool closes = false;        ///< whether values of a rotary axis a whole turn apart are one
   bool linear = true, rotary = true;
   bool cross_only = false;  ///< it moves another axis than the one at whose positions it stands, never that one
-  bool rolls_over = false;  ///< beyond its ends it goes on to the value of the other one, over one step
+  bool rolls_over = false;  ///< whether it goes on beyond its ends to the value of the other one, over one step
 };
 
 /// Which of AxisTableOptions a control has at all.
@@ -68,13 +68,13 @@ struct AxisTableUses {
   bool output_axis = false;
   bool turned_sign = false;  ///< its sign was inferred and may be the other one
   bool inch = true;          ///< it may count in inches; else in the one unit that its format has
-  bool told_step = false;    ///< of a table that is read: its spacing may be a parameter of the control alone
+  bool told_step = false;    ///< whether the spacing of a table that is read may be a parameter of the control alone
 };
 
 struct AxisTable {
   std::string_view id;         ///< "linuxcnc", for --for
   std::string_view title;      ///< "LinuxCNC"
-  std::string_view extension;  ///< of its files: ".comp"
+  std::string_view extension;  ///< ending of its files: ".comp"
   TableCurves curves = TableCurves::both_ways;
   AxisTableLimits limits;
   AxisTableUses uses{};

@@ -19,24 +19,24 @@ enum class LengthUnit { mm, inch };
 
 /// How the program is to be written; the plan says what it does.
 struct ProgramOptions {
-  LengthUnit unit = LengthUnit::mm;             ///< of linear axes; angles are in degrees always
+  LengthUnit unit = LengthUnit::mm;             ///< unit of linear axes; angles are in degrees always
   bool unrolled = false;                        ///< no loops and variables even where the control has them
   std::optional<unsigned> trigger_m_code = {};  ///< M code put out at each target after half the dwell
   std::optional<unsigned> number = {};          ///< program number where the control has one
-  int decimals = 4;  ///< of coordinates, in the program's unit, 0 to 6; more where targets need them
+  int decimals = 4;  ///< decimals of coordinates in the program's unit, 0 to 6; more where targets need them
   bool block_numbers = true;
   bool stop_at_start = false;             ///< a stop for the operator to set the instrument, before the first target
   bool stop_at_lines = false;             ///< likewise before the first target of each plan: the beam is to be found
-  std::optional<Duration> duration = {};  ///< of all plans, as their sheets estimate it, told in a comment
-  std::string_view title = {};            ///< of a program of several plans, told in a comment
-  std::string frame = "active";           ///< whose coordinates positions are (nc/work_frame.h)
+  std::optional<Duration> duration = {};  ///< time that all plans take, as their sheets estimate it, told in a comment
+  std::string_view title = {};            ///< title of a program of several plans, told in a comment
+  std::string frame = "active";           ///< name of the frame that positions are coordinates of (nc/work_frame.h)
   bool rollover = false;                  ///< whether the rotary axis knows its position within one turn only
 };
 
 struct Dialect {
   std::string_view id;         ///< "linuxcnc", for --dialect
   std::string_view title;      ///< "LinuxCNC"
-  std::string_view extension;  ///< of its program files: ".ngc"
+  std::string_view extension;  ///< ending of its program files: ".ngc"
   std::string_view manual;     ///< Markdown: what the program assumes of the control, an example
   /// The axis names the control knows, as a person reads them: "X Y Z A B C U V W".
   std::string_view axes;

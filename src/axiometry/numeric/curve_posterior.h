@@ -65,7 +65,7 @@ class CurvePosterior {
 
   /// Numbers that a draw of many curves is made from.
   struct Numbers {
-    std::span<const double> choices;  ///< from (0, 1), one for each curve: picks the smoothness
+    std::span<const double> choices;  ///< numbers from (0, 1), one for each curve, which pick the smoothness
     std::span<const double> normals;  ///< standard normal ones, `normals_each()` for each curve …
     std::size_t stride = 0;           ///< … which begin so far apart
   };
@@ -77,7 +77,7 @@ class CurvePosterior {
  private:
   /// One hypothesis about smoothness.
   struct Hypothesis {
-    std::size_t length = 0;        ///< of the smooth part, by its number
+    std::size_t length = 0;        ///< number of the smooth part's length
     double smooth_variance = 0.0;  ///< a²
     double rough_variance = 0.0;   ///< k²
   };
@@ -95,11 +95,11 @@ class CurvePosterior {
   std::size_t trend_terms_ = 0;
   CurveForm form_ = CurveForm::axes;
   std::shared_ptr<const CurveFrame> frame_;
-  std::vector<std::vector<double>> coordinates_;  ///< of the values, in the axes of each length
+  std::vector<std::vector<double>> coordinates_;  ///< coordinates of the values, in the axes of each length
   std::vector<double> beside_trend_;              ///< the values without their trend; of states
   std::vector<Hypothesis> hypotheses_;
   static constexpr std::uint32_t not_kept = 0xffff'ffffu;
-  std::vector<std::uint32_t> kept_;  ///< of every hypothesis: the number of its coordinates, or not_kept; of axes
+  std::vector<std::uint32_t> kept_;       ///< per hypothesis and axis the number of its coordinates, or not_kept
   std::vector<double> kept_coordinates_;  ///< as append_coordinates() leaves them, one after the other
   WeightedChoice choice_;
 };

@@ -38,9 +38,9 @@ struct HarmonicFit {
   std::vector<std::size_t> orders;  ///< ascending
   bool period_fitted = false;
   std::vector<double> coefficients;  ///< a, b, then s_h and c_h of each order and, where it was fitted, P
-  std::vector<double> covariance;    ///< of the coefficients, row by row, from the residuals' variance
+  std::vector<double> covariance;    ///< covariance of the coefficients, row by row, from the residuals' variance
   std::vector<double> residuals;     ///< y less the fit, at the places
-  double sum_of_squares = 0.0;       ///< of the residuals
+  double sum_of_squares = 0.0;       ///< sum of the squares of the residuals
   std::size_t degrees_of_freedom = 0;
 
   /// Where s_h stands among the coefficients; c_h follows it. Contract: the order was fitted.
@@ -77,13 +77,13 @@ struct PeriodBand {
 
 struct SpectralLine {
   double period = 0.0;
-  double amplitude = 0.0;  ///< of the sinusoid of this period alone, beside a line
+  double amplitude = 0.0;  ///< amplitude of the sinusoid of this period alone, beside a line
   double reduction = 0.0;  ///< 0 to 1: of the sum of squares about the line, the part that it takes away
 };
 
 struct Spectrum {
-  std::vector<SpectralLine> lines;  ///< from the longest period to the shortest, equally spaced in 1/P
-  SpectralLine highest;             ///< between the lines, by golden section
+  std::vector<SpectralLine> lines;  ///< lines from the longest period to the shortest, equally spaced in 1/P
+  SpectralLine highest;             ///< highest peak, found between the lines by golden section
   bool at_end = false;              ///< the highest stands at an end of the band: there may be a higher one outside
 };
 

@@ -14,7 +14,7 @@ namespace axiometry::numeric {
 template <typename Number>
 struct Rows {
   std::span<Number> values;
-  std::size_t stride = 0;  ///< at least the number of trials
+  std::size_t stride = 0;  ///< distance between rows in numbers, at least the number of trials
 
   std::span<Number> row(std::size_t r, std::size_t trials) const { return values.subspan(r * stride, trials); }
   /// Whether the first `trials` values of this many rows are there.

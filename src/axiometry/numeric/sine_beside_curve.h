@@ -31,7 +31,7 @@ struct SineBesideCurve {
   std::size_t degree = 0;
   std::size_t degrees_of_freedom = 0;  ///< ν
 
-  double at(double x) const;  ///< of the sinusoid alone
+  double at(double x) const;  ///< value of the sinusoid alone
 };
 
 /// Nothing with fewer than eight places, a travel below two periods, and where the places cannot tell the sinusoid from

@@ -31,7 +31,7 @@
 namespace axiometry::numeric {
 
 struct CellScatter {
-  double sum_of_squares = 0.0;      ///< about the cell's mean
+  double sum_of_squares = 0.0;      ///< sum of the squares about the cell's mean
   double degrees_of_freedom = 0.0;  ///< ν; 0 where the cell tells nothing
 };
 
@@ -62,7 +62,7 @@ class SpreadPosterior {
   struct Hypothesis {
     std::size_t level = 0;         ///< index in the grid
     std::size_t window_begin = 0;  ///< grid points considered
-    AliasRows of_cells;            ///< or of the classes, on these points; empty when all cells are alike
+    AliasRows of_cells;            ///< rows for cells or their classes, on these points; empty when all cells are alike
   };
 
   /// Values that cells share, and how many cells each stands for.
@@ -75,7 +75,7 @@ class SpreadPosterior {
 
   std::size_t cells_ = 0;
   double pooled_variance_ = 0.0;
-  double grid_step_ = 0.0;    ///< of ln σ
+  double grid_step_ = 0.0;    ///< step of the grid of ln σ
   std::vector<double> grid_;  ///< σ
   /// Of a cell: it is of this class, or with a probability of `next` of the one behind.
   struct Membership {

@@ -75,7 +75,7 @@ struct Table {
   std::vector<ColumnGroup> groups;  ///< empty, or covering all columns
   std::vector<Column> columns;
   std::vector<std::vector<TableCell>> rows;  ///< as many cells as columns
-  std::vector<RichText> notes;               ///< below the table
+  std::vector<RichText> notes;               ///< notes below the table
   bool dense = false;                        ///< many columns or rows of numbers: set small
 };
 
@@ -115,7 +115,7 @@ struct Section {
 std::string program_text();
 
 struct Document {
-  std::string kind = "Test report";  ///< above the title, with the edition
+  std::string kind = "Test report";  ///< what stands above the title, with the edition
   std::string title;
   std::string edition;         ///< "ISO 230-2:2014", or "Formulas of …" where the test departs from it
   std::vector<Fact> identity;  ///< axis, machine, date, … below the title
@@ -124,7 +124,7 @@ struct Document {
   std::string running_head;    ///< axis and machine, on every page
   std::string running_number;  ///< report number, on every page; may be empty
   std::string running_status;  ///< the status in a few words, on every page
-  std::string date;            ///< of the test, as given; may be empty
+  std::string date;            ///< date of the test, as given; may be empty
   std::string generator = program_text();
   std::vector<Section> sections;
 };

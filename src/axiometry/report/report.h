@@ -32,7 +32,7 @@ struct Options {
   /// A (or what there is of it) would otherwise show fewer than two significant digits; see fitted().
   std::optional<int> deviation_decimals{};
   int uncertainty_digits = 2;  ///< significant digits of U; the parameter ends at the same place
-  language::Language language = language::Language::english;  ///< of what the program says, not of the user's words
+  language::Language language = language::Language::english;  ///< language of the program's words, not the user's
 };
 
 /// The options with deviation_decimals chosen. Every entry to this folder (show, figures, compose) fits
@@ -44,11 +44,10 @@ struct Subject {
   const Test& test;
   const iso230_2::Assessment& assessment;
   std::span<const iso230_2::Judgement> judgements;
-  std::optional<VerifiedFigures> verified{};  ///< where all of it was recomputed before
-  std::string
-      trail_head{};  ///< of an issued report: where the archive's audit trail ended before; "17:3f2a9c0b1d2e4f56"
-  const iso230_2::LoggedEnvironment* temperatures = nullptr;  ///< about the test; where a log of them was given
-  const iso230_2::TestEnvironment* environment = nullptr;     ///< of the test, by that log or stated
+  std::optional<VerifiedFigures> verified{};  ///< what was recomputed, where all of it was before
+  std::string trail_head{};  ///< end of the archive's audit trail before an issued report: "17:3f2a9c0b1d2e4f56"
+  const iso230_2::LoggedEnvironment* temperatures = nullptr;  ///< temperatures about the test, if logged
+  const iso230_2::TestEnvironment* environment = nullptr;     ///< environment of the test, by that log or stated
 };
 
 /// What a trail_head is called wherever an output says it.
@@ -60,8 +59,8 @@ struct ShownParameter {
   std::string value;       ///< "9.6"; "not applicable" where the parameter does not exist
   std::string U;           ///< "4.3" or ""; of Annex A or the GUM
   std::string unit;        ///< "µm"
-  std::string interval{};  ///< of the Monte Carlo method, which has no U about the value: "8.0 to 12.3"; else ""
-  int decimals = 0;        ///< of the value; negative for tens, hundreds
+  std::string interval{};  ///< interval of the Monte Carlo method, which has no U: "8.0 to 12.3"; else ""
+  int decimals = 0;        ///< decimals of the value; negative for tens, hundreds
 };
 ShownParameter show(const iso230_2::ParameterInfo& parameter, const iso230_2::Assessment& assessment, AxisKind kind,
                     const Options& options);

@@ -13,7 +13,7 @@ struct Preset {
   std::string_view id;                    ///< "worn-screw", for --fault
   std::string_view title;                 ///< what is wrong
   std::string_view sign;                  ///< how it shows in a report
-  VirtualAxis (*make)(const Plan& plan);  ///< for the travel, the kind and the expected period of this plan
+  VirtualAxis (*make)(const Plan& plan);  ///< makes the axis for this plan's travel, kind and expected period
 };
 
 /// `good` first, `mixed` last.

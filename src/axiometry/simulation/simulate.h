@@ -31,7 +31,7 @@ struct Request {
 struct TrueReading {
   Approach approach;
   bool extra = false;    ///< a second time; not in the series
-  Duration time;         ///< of the reading, since the beginning of the test
+  Duration time;         ///< time of the reading since the beginning of the test
   Deviation deviation;   ///< true: actual minus target position of the table
   Deviation instrument;  ///< what noise and all faults of the instrument add to it; the reading is the sum
   bool outlier = false;
@@ -43,14 +43,14 @@ struct TrueReading {
 struct ExpectedCell {
   std::size_t target = 0;
   Direction direction = Direction::up;
-  std::size_t runs = 0;  ///< that were made
+  std::size_t runs = 0;  ///< how many runs were made
   Deviation mean;
   Deviation spread;
 };
 
 struct SimulatedTest {
-  Test test;                           ///< with times; the comment says that it is no measurement
-  std::vector<TrueReading> readings;   ///< in the order in which they were taken
+  Test test;                           ///< readings with times; the comment says that they are no measurement
+  std::vector<TrueReading> readings;   ///< readings in the order in which they were taken
   std::vector<ExpectedCell> expected;  ///< ↑ then ↓, by target; only where a reading was made
 };
 
@@ -67,7 +67,7 @@ struct Gap {
 struct RecordingRequest {
   double rate = 1000.0;               ///< samples a second, 0.001 to 1e7
   std::vector<Gap> gaps{};            ///< nothing is recorded from begin (included) to begin + length
-  double drop_out_probability = 0.0;  ///< of every single sample, below 1
+  double drop_out_probability = 0.0;  ///< probability that a single sample is lost, below 1
 };
 
 /// Where the table stood while the axis was told to rest on a target.
@@ -81,10 +81,10 @@ struct TrueStandstill {
 };
 
 struct TrueRecording {
-  std::vector<TrueStandstill> standstills;  ///< in the order of the recording
+  std::vector<TrueStandstill> standstills;  ///< standstills in the order of the recording
   Duration duration;
   std::size_t samples = 0;  ///< handed to the sink
-  std::size_t lost = 0;     ///< in gaps and drop-outs
+  std::size_t lost = 0;     ///< samples that were lost in gaps and drop-outs
 };
 
 /// How many samples record() hands on.

@@ -39,7 +39,7 @@ struct Phase {
 struct Leg {
   double begin = 0.0;    ///< s; the move begins
   double arrive = 0.0;   ///< the command is at its end
-  double settled = 0.0;  ///< from here to `leave` the servo is within 0.01 µm or ″; `leave` when it never is
+  double settled = 0.0;  ///< time from which to `leave` the servo is within 0.01 µm or ″; `leave` when it never is
   double leave = 0.0;    ///< the next move begins
   double from = 0.0;
   double to = 0.0;

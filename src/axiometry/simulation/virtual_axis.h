@@ -50,7 +50,7 @@ struct Backlash {
   Deviation size;
   Deviation wear;
   Position wear_at;
-  Position wear_width = Position::native(1.0);  ///< at least 10 times the wear, so that the gap grows slowly
+  Position wear_width = Position::native(1.0);  ///< width of the worn place, at least 10 times the wear
 };
 
 /// Elastic wind-up: d = −r·size/2, where r goes towards +1 (↑) or −1 (↓) as e^(−way/distance) after each reversal.
@@ -93,7 +93,7 @@ struct Hunting {
 struct VirtualInstrument {
   Deviation noise;                 ///< standard deviation of one reading, and of one sample of a recording; white
   Deviation drift_per_root_hour;   ///< standard deviation of the zero's random walk after an hour; steps of a second
-  Deviation resolution;            ///< of what is shown: the position is rounded to multiples of it
+  Deviation resolution;            ///< step of what is shown: the position is rounded to multiples of it
   double outlier_probability = 0;  ///< that a reading (the whole standstill in a recording) is off by ±outlier_size·u,
   Deviation outlier_size;          ///< u uniform between 1/2 and 3/2
   double slip_probability = 0;     ///< that a move shifts the zero for good by slip_size·z: loose optics, a beam
@@ -119,7 +119,7 @@ struct VirtualInstrument {
     ExpansionCoefficient machine_expansion = ExpansionCoefficient::um_per_m_K(11.5);
     ExpansionCoefficient assumed_expansion = ExpansionCoefficient::um_per_m_K(11.5);
   };
-  std::optional<Expansion> expansion;  ///< of linear axes
+  std::optional<Expansion> expansion;  ///< thermal expansion of a linear axis
 };
 
 struct VirtualAxis {
@@ -131,7 +131,7 @@ struct VirtualAxis {
   ThermalGrowth thermal;
   std::optional<Servo> servo;
   Hunting hunting;
-  Deviation resolution;         ///< of the axis's own scale: d = what it takes to the nearest multiple of it
+  Deviation resolution;         ///< step of the axis's own scale: d = what it takes to the nearest multiple of it
   double acceleration = 500.0;  ///< mm/s² or °/s²; of beginning and end of every move
   VirtualInstrument instrument;
 };

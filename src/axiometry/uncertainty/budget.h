@@ -37,14 +37,14 @@ struct Contribution {
 struct SecondOrder {
   double estimate = 0.0;
   double standard_uncertainty = 0.0;
-  Interval interval;  ///< with the same coverage factor
+  Interval interval;  ///< interval with the same coverage factor
 };
 
 /// The uncertainty of one output.
 struct Budget {
   double estimate = 0.0;                    ///< y = f(x)
   double standard_uncertainty = 0.0;        ///< u_c(y), eq. 10 or 13
-  std::vector<Contribution> contributions;  ///< in the order of the inputs
+  std::vector<Contribution> contributions;  ///< contributions in the order of the inputs
   /// ν_eff, G.2b; infinite where no degrees of freedom limit it. Absent where an input of limited degrees of freedom
   /// that counts is correlated with another that counts: the formula holds for independent inputs only.
   std::optional<double> degrees_of_freedom;

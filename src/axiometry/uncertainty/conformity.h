@@ -37,7 +37,7 @@ struct DecisionRule {
 /// What is known about the value to be judged.
 struct MeasuredValue {
   double value = 0.0;                           ///< y, with its sign where `either_sign`
-  std::optional<Belief> belief = std::nullopt;  ///< of Y about the same value; absent: nothing is known of its doubt
+  std::optional<Belief> belief = std::nullopt;  ///< what is believed of Y about that value; absent: nothing is known
   bool either_sign = false;                     ///< whether the limit is one of the magnitude: −T ≤ Y ≤ T
   double rounding = 0.0;                        ///< |y − what the decimals of the data say|, at most
 };
@@ -51,7 +51,7 @@ struct Decision {
   /// p_c, JCGM 106, 7; absent without a belief. Under ISO 14253-1 it is 95 % or more exactly where the verdict is
   /// `conforms`, and 5 % or less exactly where it is `does_not_conform`.
   std::optional<double> probability_conforming;
-  std::optional<Range> probability_range;  ///< of p_c, over all that is held possible
+  std::optional<Range> probability_range;  ///< range of p_c over all that is held possible
   std::optional<double> consumer_risk;     ///< specific, at most: 1 − p_c when accepted (9.3)
   std::optional<double> producer_risk;     ///< specific, at most: p_c when rejected
 };

@@ -72,9 +72,9 @@ class Distribution {
   const Form& form() const { return form_; }
   std::string text() const;  ///< what parse() reads
 
-  double mean() const;                               ///< for t with ν ≤ 1: the location
+  double mean() const;                               ///< for t with ν ≤ 1 the location, else the mean
   std::optional<double> standard_deviation() const;  ///< absent for t with ν ≤ 2 (infinite)
-  std::optional<double> degrees_of_freedom() const;  ///< of t; absent (infinite) for all others
+  std::optional<double> degrees_of_freedom() const;  ///< degrees of freedom of t; absent (infinite) for all others
 
   /// The same shape about zero mean.
   Distribution centred() const;

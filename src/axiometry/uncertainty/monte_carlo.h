@@ -35,13 +35,13 @@ using BlockModel = std::function<void(std::uint64_t block, BlockOutputs outputs)
 
 struct Progress {
   std::size_t trials = 0;         ///< done
-  std::optional<std::size_t> of;  ///< to do, where it is known
+  std::optional<std::size_t> of;  ///< how much there is to do, where that is known
 };
 
 /// What δ of an output is at least.
 struct LeastTolerance {
-  double u = 0.0;     ///< for mean and standard uncertainty
-  double ends = 0.0;  ///< for the ends of the interval
+  double u = 0.0;     ///< tolerance of mean and standard uncertainty
+  double ends = 0.0;  ///< tolerance of the ends of the interval
 };
 
 struct MonteCarloOptions {
@@ -66,8 +66,8 @@ struct OutputSummary {
   Interval symmetric;        ///< probabilistically symmetric coverage interval, 7.7
   Interval shortest;         ///< 7.7
   double mean_error = 0.0;   ///< standard error of y from the finite number of trials
-  double sd_error = 0.0;     ///< of u(y)
-  Interval symmetric_error;  ///< of the end points of the symmetric interval
+  double sd_error = 0.0;     ///< standard error of u(y)
+  Interval symmetric_error;  ///< standard errors of the end points of the symmetric interval
   double tolerance = 0.0;    ///< δ, numerical tolerance of u(y), 7.9.2
   bool stable = false;       ///< twice each standard error is at most δ, 7.9.4, or what was asked for
   Histogram histogram;

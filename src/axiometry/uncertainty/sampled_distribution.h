@@ -17,7 +17,7 @@ struct Interval {
 /// Equal bins over the interesting part of the distribution, for drawing.
 struct Histogram {
   double lower = 0.0;
-  double width = 0.0;  ///< of one bin; 0 for an output that is constant
+  double width = 0.0;  ///< width of one bin; 0 for an output that is constant
   std::vector<std::uint64_t> counts;
 };
 

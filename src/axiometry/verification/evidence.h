@@ -22,7 +22,7 @@ using Drawn = std::function<std::optional<ProbabilityRange>(std::string_view par
 /// What a test is verified from.
 struct Evidence {
   const Series& series;
-  const Series* as_measured = nullptr;  ///< before corrections by the program; nullptr: there were none
+  const Series* as_measured = nullptr;  ///< readings before corrections by the program; nullptr: there were none
   Drawn drawn{};
 };
 

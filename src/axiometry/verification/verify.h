@@ -15,9 +15,9 @@ namespace axiometry::verification {
 
 /// What goes out to people and programs.
 struct Issued {
-  const json::Value& result;         ///< of `axiometry evaluate --json`
-  const report::Document& document;  ///< before it is set
-  std::string_view table_head{};     ///< of the table of many tests, and this test's line; both empty: none
+  const json::Value& result;         ///< what `axiometry evaluate --json` wrote
+  const report::Document& document;  ///< report before it is set
+  std::string_view table_head{};     ///< head of the table of many tests, and this test's line; both empty: none
   std::string_view table_row{};
   int uncertainty_digits = 2;  ///< significant digits of U in the document
 };

@@ -33,7 +33,7 @@ struct CompensateRequest {
   bool smooth = false;
   bool hold_ends = false;
   compensation::Periodic periodic = compensation::Periodic::keep;
-  std::optional<double> period{};          ///< of the periodic part, mm or °; nothing: as the test expects it
+  std::optional<double> period{};          ///< of the periodic part, mm or °; nothing: the one that the test expects
   std::optional<bool> existing_in_inch{};  ///< the unit of the table that was active; nothing: that of the new one
 };
 
@@ -67,7 +67,7 @@ struct MeasuredAxis {
 
 struct CompensateFiles {
   std::string test;
-  EvaluateOptions reading;  ///< of both tests
+  EvaluateOptions reading;  ///< how both tests are read, the first one and the re-test
   std::string existing;     ///< empty: no table was active
   std::string retest;       ///< empty: none yet
 };
@@ -89,14 +89,14 @@ struct CompensatedAxis {
   AxisCorrection applied;  ///< what the control adds with it, as its own rule reads it
   std::optional<AxisCorrection> existing;
   compensation::Periodic periodic_choice = compensation::Periodic::keep;
-  std::optional<compensation::PeriodicPart> periodic;  ///< where a period is known
+  std::optional<compensation::PeriodicPart> periodic;  ///< found in the readings; nothing where no period is known
   double smoothing = 0.0;                              ///< λ; 0 without
   iso230_2::Evaluation before, predicted;
-  iso230_2::AxisParameters interpolated;  ///< with nodes interpolated instead, unrounded
-  iso230_2::AxisParameters fitted;        ///< with the nodes of the fit, unrounded
+  iso230_2::AxisParameters interpolated;  ///< parameters predicted with interpolated nodes instead, unrounded
+  iso230_2::AxisParameters fitted;        ///< parameters predicted with fitted nodes, unrounded
   iso230_2::AxisParameters scatter;       ///< what no table removes; empty where nothing tells it
   std::optional<compensation::ExpectedRetest> expected;
-  compensation::CompensatedPositions known;  ///< where the axis stands with the table, and to within what
+  compensation::CompensatedPositions known;  ///< positions at which the axis stands with the table, and to within what
   std::optional<Retest> retest;
   std::vector<NamedFinding> findings;
 };

@@ -42,12 +42,12 @@ struct EvaluateOptions {
   std::string format;                                         ///< id to force; empty: recognised by content
   std::string profile;                                        ///< file of an import profile to read after; or empty
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
-  StatedItems stated{};                ///< of these the keys that are no flags, and whose they are
+  StatedItems stated{};                ///< keys of `metadata` that are no flags, and who states them
   std::vector<std::string> remarks{};  ///< what must be known of where metadata come from: notes among the findings
   std::optional<CaptureOptions> recording;    ///< inputs are continuous recordings, to be read after this plan
-  CorrectionRequest corrections;              ///< of the readings, before they are evaluated
+  CorrectionRequest corrections;              ///< what is corrected in the readings before they are evaluated
   std::string drift_recording;                ///< file of a recording at standstill (A.2.5); empty: none but the test's
-  std::optional<LogWithTest> temperatures{};  ///< before and during the test (4.1)
+  std::optional<LogWithTest> temperatures{};  ///< log of the temperatures before and during the test (4.1)
   /// Whether the readings are indicated positions of an artefact's probing (standards/readings/artefact.h). When not
   /// said: where the test states the artefact's calibrated positions.
   std::optional<bool> artefact{};
@@ -63,13 +63,13 @@ struct EvaluateOptions {
 /// One test with everything that is said about it.
 struct Evaluated {
   Test test;
-  std::string name;  ///< of a test among many in its file; else empty
+  std::string name;  ///< name of a test among many in its file; else empty
   iso230_2::Assessment assessment;
   std::vector<iso230_2::Judgement> judgements;
-  std::optional<AppliedBand> tolerance_band;                      ///< of the tolerance table, when there is one
-  std::optional<report::VerifiedFigures> verified{};              ///< by second_opinion(), where that was asked for
-  std::optional<EvaluatedTemperatures> temperatures{};            ///< where a log of them was given
-  std::optional<iso230_2::TestEnvironment> stated_environment{};  ///< where none was, and the test states any of it
+  std::optional<AppliedBand> tolerance_band;                      ///< band of the tolerance table, when there is one
+  std::optional<report::VerifiedFigures> verified{};              ///< figures recomputed by second_opinion(), if at all
+  std::optional<EvaluatedTemperatures> temperatures{};            ///< what a log of the temperatures tells, if any
+  std::optional<iso230_2::TestEnvironment> stated_environment{};  ///< what the test itself states, without a log
 
   /// Of the test, by a log or stated; nullptr where nothing is known of it and nothing agreed.
   const iso230_2::TestEnvironment* environment() const {

@@ -21,7 +21,7 @@ struct ToleranceOptions {
   std::vector<ToleranceText> limits{};
   std::optional<RuleText> rule{};
   std::optional<ToleranceTable> table{};
-  std::string table_name{};  ///< in the table; empty: the one the test's file names, or the only one
+  std::string table_name{};  ///< name of a table in the file; empty: the one the test's file names, or the only one
   /// Whether the limits are meant for several tests: then one of a parameter that a test does not have leaves
   /// that test without a verdict on it, which a finding tells. For a single test it is a mistake.
   bool many_tests = false;
@@ -38,7 +38,7 @@ struct AppliedBand {
 };
 
 struct Requirements {
-  std::vector<iso230_2::Tolerance> tolerances;  ///< in the order of iso230_2::parameters
+  std::vector<iso230_2::Tolerance> tolerances;  ///< limits in the order of iso230_2::parameters
   uncertainty::DecisionRule rule;               ///< simple acceptance when nobody asks for another
   std::optional<AppliedBand> band;              ///< when there is a table
   /// What must be known of the demands: limits and rules that replace others or were taken away, and limits of what the

@@ -17,12 +17,12 @@ namespace axiometry::app {
 
 /// One row: the limits for axes up to a travel.
 struct ToleranceBand {
-  std::string name;  ///< of the table it belongs to
+  std::string name;  ///< name of the table it belongs to
   AxisKind kind = AxisKind::linear;
   std::optional<Position> travel_max;  ///< absent: for any travel above the other bands
   std::vector<iso230_2::Tolerance> limits;
   std::optional<RuleText> rule;
-  std::size_t line = 0;  ///< in the file
+  std::size_t line = 0;  ///< number of the line in the file
 };
 
 std::string travel_text(const ToleranceBand& band);  ///< "up to 500 mm", "any travel"

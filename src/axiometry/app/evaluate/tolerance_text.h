@@ -35,8 +35,8 @@ Result<std::vector<iso230_2::Tolerance>> tolerances_for(AxisKind kind, const std
 /// "simple", "iso14253-1", "guard-band=3um"
 struct RuleText {
   uncertainty::DecisionRule::Kind kind = uncertainty::DecisionRule::Kind::simple;
-  double guard_band = 0.0;              ///< of a chosen one
-  const formats::Unit* unit = nullptr;  ///< of the guard band; nullptr for the other rules
+  double guard_band = 0.0;              ///< width of a guard band that is chosen, in `unit`
+  const formats::Unit* unit = nullptr;  ///< unit of the guard band; nullptr for the other rules
 };
 
 /// Fails on another word, and on a guard band without a width of 0 or more and its unit.

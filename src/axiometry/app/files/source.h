@@ -63,13 +63,13 @@ class Source final : public formats::ByteReader {
 
   std::string name_;
   int descriptor_ = -1;
-  std::string_view bytes_;  // in memory: all of them
+  std::string_view bytes_;  // all bytes of a source in memory
   std::size_t bytes_consumed_ = 0;
   bool in_memory_ = false;
-  std::optional<std::uint64_t> size_;  // of a regular file and of bytes
+  std::optional<std::uint64_t> size_;  // bytes of a regular file or of a source in memory
   std::string head_;
   std::string ahead_;                   // what follows the head, where it was read ahead
-  std::size_t beginning_consumed_ = 0;  // of both
+  std::size_t beginning_consumed_ = 0;  // bytes of head_ and ahead_ that were read
   bool head_read_ = false;
   bool all_ahead_ = false;
 };

@@ -21,9 +21,9 @@ namespace axiometry::app {
 struct PlannedTest {
   Plan plan;
   std::vector<iso230_2::Finding> findings;
-  double acceleration = 0.0;  ///< on which the durations rest, mm/s² or °/s²
-  Duration duration;          ///< of the plan alone
-  Duration duration_in_all;   ///< with its further plans
+  double acceleration = 0.0;  ///< acceleration on which the durations rest, mm/s² or °/s²
+  Duration duration;          ///< how long the plan alone takes
+  Duration duration_in_all;   ///< how long it takes with its further plans
 
   bool conforming() const { return iso230_2::conforming(findings); }
   bool in_accordance() const { return iso230_2::in_accordance(findings); }

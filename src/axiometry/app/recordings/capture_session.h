@@ -28,11 +28,11 @@ struct CaptureOptions {
   std::string stream;  ///< id of the layout; empty: recognised by content
   formats::RecordingOptions recording;
   capture::MatcherOptions matcher;
-  std::optional<Duration> rest_window;  ///< over what capture::standstill_options() derives from the plan
+  std::optional<Duration> rest_window;  ///< replaces what capture::standstill_options() derives from the plan
   std::optional<Duration> settling;
   std::optional<Duration> shortest_rest;
   std::optional<Position> rest_threshold;
-  std::optional<double> wavelength_nm;  ///< with counts_per_wavelength in place of recording.units_per_count
+  std::optional<double> wavelength_nm;  ///< nm, beside counts_per_wavelength; in place of recording.units_per_count
   std::optional<double> counts_per_wavelength;
   std::optional<MotionStatement> motion{};  ///< readings of a straightness or a rotation, in place of positions
   std::string stated;  ///< name of an option that was stated, for what can use none; empty: none was
@@ -102,7 +102,7 @@ class CaptureSession {
   Environment environment() const { return reader_ ? reader_->environment() : Environment{}; }
   /// Where the axis is; nothing of readings that do not tell it, unless somebody else does.
   std::optional<capture::StandstillDetector::Now> now() const;
-  void tell_axis(capture::StandstillDetector::Now now) { axis_ = now; }  ///< of readings: a simulated axis
+  void tell_axis(capture::StandstillDetector::Now now) { axis_ = now; }  ///< where a simulated axis stands
 
  private:
   CaptureSession() = default;
@@ -118,12 +118,12 @@ class CaptureSession {
   CaptureOptions options_;
   std::optional<capture::TargetMatcher> matcher_;
   std::unique_ptr<capture::StandstillDetector> detector_;
-  std::unique_ptr<capture::StopListener> stops_;  // in place of both, where lengths are captured
+  std::unique_ptr<capture::StopListener> stops_;  // in place of both others, where lengths are captured
   std::unique_ptr<MotionListener> motion_;        // likewise
   std::optional<capture::StandstillDetector::Now> axis_;
   const formats::Recording* layout_ = nullptr;
   std::unique_ptr<formats::RecordingReader> reader_;
-  std::unique_ptr<formats::RecordingReader> beside_;  // of what tells the stops of motion_, in the same bytes
+  std::unique_ptr<formats::RecordingReader> beside_;  // reader of what tells the stops of motion_, in the same bytes
   std::string head_;                                  // the first bytes, until the layout is known
   std::string beginning_;                             // as much as says_simulated() looks at
   std::shared_ptr<double> arrival_s_;

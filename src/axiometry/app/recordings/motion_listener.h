@@ -27,13 +27,13 @@ struct StopMark {
 struct MotionStatement {
   capture::StopSign sign = capture::StopSign::keys;
   std::optional<MotionName> error{};         ///< else the only one that the plan is made for
-  const formats::Unit* unit = nullptr;       ///< of the readings, where the stream does not name it
-  std::optional<std::size_t> stop_column{};  ///< of the trigger or the position: 0 is the first beside the time
+  const formats::Unit* unit = nullptr;       ///< unit of the readings, where the stream does not name it
+  std::optional<std::size_t> stop_column{};  ///< column of the trigger or the position: 0 is the first beside the time
   std::optional<Duration> window{};          ///< averaged at a stop
   std::optional<double> still{};             ///< µm, ″ or µrad: farthest that means in it may lie apart
   std::optional<ReadingSense> sense{};
   std::vector<std::string> equipment{};  ///< "Laser head | Acme | LI-1 | 1234"
-  std::vector<StopMark> marks{};         ///< of a recording that is played again, in order of time
+  std::vector<StopMark> marks{};         ///< what was said at the stops of a recording that is played again
 };
 
 class MotionListener {
@@ -60,7 +60,7 @@ class MotionListener {
 
   const capture::ValueListener& values() const { return listener_; }
   const MotionName& error() const { return error_; }
-  MotionUnit unit() const;                                       ///< of values()
+  MotionUnit unit() const;                                       ///< unit of values()
   const formats::Unit* unit_of_stream() const { return unit_; }  ///< nullptr before the first reading
   const MotionStatement& stated() const { return stated_; }
 

@@ -100,8 +100,8 @@ class ManyOutputs {
   bool json_empty_ = true;
   std::vector<OutputFile> tables_;
   std::vector<std::string> templates_;
-  std::map<std::string, std::string> names_taken_;  // report name → the test it belongs to
-  std::map<std::string, std::size_t> last_numbers_;  // behind each name: of thousands alike none is counted anew
+  std::map<std::string, std::string> names_taken_;   // report name → the test it belongs to
+  std::map<std::string, std::size_t> last_numbers_;  // last number behind each name: nothing is counted anew
   std::vector<std::string> numbered_;
 };
 

@@ -34,8 +34,8 @@ struct TrackingEvaluateOptions {
   bool find_breaks = true;
   std::optional<double> break_threshold_mm{};
   CaptureOptions recording{};                  ///< what a continuous recording does not say itself; its plan is `plan`
-  ToleranceOptions tolerance;                  ///< of all lines
-  std::vector<LineTolerance> line_tolerances;  ///< in place of those of all lines, parameter by parameter
+  ToleranceOptions tolerance;                  ///< tolerance that holds for all lines
+  std::vector<LineTolerance> line_tolerances;  ///< limits of one line, in place of those of all lines
   UncertaintyOptions uncertainty;
 };
 
@@ -50,10 +50,10 @@ struct ReadFile {
 };
 
 struct EvaluatedLines {
-  TrackingPlan plan;  ///< with the station that was used
+  TrackingPlan plan;  ///< the plan, with the station that was used
   tracking::LinesEvaluation evaluation;
   std::vector<Evaluated> tests;         ///< one for each line of the evaluation; name is its id
-  iso230_6::DiagonalSummary diagonals;  ///< over the lines that several axes drive
+  iso230_6::DiagonalSummary diagonals;  ///< summary of the lines that several axes drive
   ReadFile lengths;
   ReadFile plan_file;
   std::optional<ReadFile> station_file;

@@ -22,8 +22,8 @@ struct LocateRequest {
 
 struct Located {
   LocateRequest request;
-  std::string sha256;                 ///< of the file
-  std::vector<LocationPoint> points;  ///< of the reflector
+  std::string sha256;                 ///< hash of the file's bytes
+  std::vector<LocationPoint> points;  ///< positions of the reflector by which the station was located
   tracking::StationLocation location;
 };
 

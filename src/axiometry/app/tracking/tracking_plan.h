@@ -62,8 +62,8 @@ struct BetterStation {
 
 struct StationAdvice {
   tracking::StationSuggestion now;    ///< what the station given keeps
-  std::vector<BetterStation> better;  ///< on the table first; empty: none
-  std::size_t lines = 0;              ///< of the seven that were asked for
+  std::vector<BetterStation> better;  ///< better stations, those on the table first; empty: none
+  std::size_t lines = 0;              ///< how many of the seven lines were asked for
 };
 
 /// What a station elsewhere would keep; nothing to say of diagonals of the travels. Fails as setup_of() does.
@@ -75,7 +75,7 @@ Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request);
 
 struct PlannedLines {
   TrackingPlan plan;
-  double acceleration = 0.0;  ///< on which the duration rests, mm/s²
+  double acceleration = 0.0;  ///< acceleration on which the duration rests, mm/s²
   Duration duration;
 };
 

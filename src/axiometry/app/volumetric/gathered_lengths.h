@@ -21,21 +21,21 @@ namespace axiometry::app {
 struct LengthsFile {
   std::string file;
   std::string sha256;
-  std::size_t lengths = 0;  ///< that it gave
-  std::string layout = {};  ///< of a continuous recording; empty for a table
-  PartRange parts = {};     ///< of a recording: of the plan
-  std::size_t planned = 0;  ///< of a recording: stops of these parts
+  std::size_t lengths = 0;  ///< how many lengths it gave
+  std::string layout = {};  ///< layout of a continuous recording; empty for a table
+  PartRange parts = {};     ///< parts of the plan that a recording holds
+  std::size_t planned = 0;  ///< how many stops the parts of a recording have in the plan
 };
 
 struct GatheredLengths {
   volumetric::VolumetricLengths lengths;
-  std::vector<LengthsFile> files;  ///< in the order in which they were named
+  std::vector<LengthsFile> files;  ///< files in the order in which they were named
   std::vector<volumetric::VolumetricFinding> findings;
 };
 
 struct LengthsRequest {
   std::vector<std::string> files;     ///< "-" is the standard input
-  std::vector<PartRange> parts = {};  ///< of the recordings, in their order; none: they are recognised
+  std::vector<PartRange> parts = {};  ///< parts that the recordings hold, in their order; none: they are recognised
   CaptureOptions recording = {};      ///< what a recording does not say itself
   std::vector<GivenFile> given = {};  ///< their bytes where these are at hand, as many as files; then none is opened
 };

@@ -27,7 +27,7 @@ struct IdentifyRequest {
 struct IdentifiedMachine {
   IdentifyRequest request;
   std::vector<LengthsFile> files;
-  std::string machine_sha256;  ///< of the file of the machine, or of the plan that has it
+  std::string machine_sha256;  ///< hash of the file of the machine, or of the plan that has it
   std::string plan_sha256;     ///< empty without a plan
   volumetric::MachineModel machine;
   volumetric::VolumetricLengths lengths;

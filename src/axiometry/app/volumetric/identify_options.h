@@ -17,7 +17,7 @@ namespace axiometry::app {
 
 struct IdentifyChoices {
   volumetric::IdentifyOptions model;
-  std::vector<PartRange> parts;  ///< of the recordings, in their order; none: they are recognised
+  std::vector<PartRange> parts;  ///< parts that the recordings hold, in their order; none: they are recognised
   CaptureOptions recording;      ///< what a recording does not say itself
 };
 

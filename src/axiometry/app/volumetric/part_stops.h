@@ -36,12 +36,12 @@ inline constexpr double planned_station_error_mm = 20.0;
 /// Where a stop stands in the plan.
 struct PartStop {
   std::size_t run = 0;
-  std::size_t stop = 0;  ///< of the run
+  std::size_t stop = 0;  ///< number within the run, from 0
 };
 
 struct PartStops {
   capture::StopList list;
-  std::vector<PartStop> places;  ///< of each
+  std::vector<PartStop> places;  ///< where each stop of `list` stands in the plan
 };
 
 /// The ways of the programs (volumetric/plan/run_way.h). A segment begins with each part, and where the plan expects

@@ -39,7 +39,7 @@ class PlanProgress {
   std::size_t expected() const { return approaches_.size(); }
   std::size_t remaining() const { return approaches_.size() - done_.size(); }
   std::size_t taken() const;
-  std::vector<PlannedValue> values() const;  ///< in the order of the plan
+  std::vector<PlannedValue> values() const;  ///< values in the order of the plan
 
   /// Of a reading that came at that time. Motion and dwell of the plan need L seconds from one stop to the next, at
   /// twice its feed still L/2: what is sooner is doubled. The program goes through the plan at a pace p of its own,
@@ -49,7 +49,7 @@ class PlanProgress {
   /// What timing() holds a reading against, s since the one before: the plan's own time for the approach that is due.
   double planned_s() const;
 
-  void put(PlannedValue value, double time_s);  ///< of the approach that is due, which it names
+  void put(PlannedValue value, double time_s);  ///< keeps the value of the approach that is due, which it names
   void pass(std::optional<double> time_s);      ///< it has no reading; the time is that of one that was no good
   /// Takes the last approach back, which is due again. False when there is none.
   bool undo();

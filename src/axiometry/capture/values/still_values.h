@@ -18,7 +18,7 @@ namespace axiometry::capture {
 struct StillOptions {
   double smallest = 1.0;              ///< 1 µm, 1″ or as much in µrad
   std::optional<double> threshold{};  ///< T itself, instead of all that
-  std::string_view unit = "µm";       ///< of all of them, for sentences
+  std::string_view unit = "µm";       ///< unit of all values, for sentences
 };
 
 /// The mean of samples that stood still.

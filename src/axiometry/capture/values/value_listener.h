@@ -39,7 +39,7 @@ struct ValueOptions {
   StopSign sign = StopSign::keys;
   StillOptions still;
   Duration window = Duration::s(1.0);  ///< averaged behind a key or a trigger
-  StandstillOptions rest;              ///< of positions, as the matcher
+  StandstillOptions rest;              ///< how rest is told by positions, as the matcher does
   MatcherOptions matcher;
 };
 
@@ -84,9 +84,9 @@ class ValueListener {
   const std::vector<PlannedValue>& given() const { return given_; }
   const std::vector<CaptureEvent>& events() const { return events_; }
   std::optional<double> now() const;                              ///< the last reading
-  bool is_reading() const { return window_from_s_.has_value(); }  ///< within a window
+  bool is_reading() const { return window_from_s_.has_value(); }  ///< whether a window is open
   bool waits_for_key() const { return !held_.empty(); }           ///< a doubtful reading waits to be told
-  bool has_more_said() const { return !pressed_.empty(); }        ///< of press_at(), behind what has come
+  bool has_more_said() const { return !pressed_.empty(); }        ///< whether press_at() said what is still to come
   const Plan& plan() const { return plan_; }
   const ValueOptions& options() const { return options_; }
 
@@ -128,12 +128,12 @@ class ValueListener {
   std::optional<CaptureEvent> last_refused_;  // the refusal, where the last event that was told is one
   std::size_t more_alike_ = 0;                // refused since for the same reason
   std::optional<Sample> last_;
-  double now_s_ = -std::numeric_limits<double>::infinity();  // of last_; by a rounding later behind each gap since
+  double now_s_ = -std::numeric_limits<double>::infinity();  // time of last_, s; by a rounding later behind each gap
   std::deque<Pressed> pressed_;                              // keys of a recording that were not reached yet
   std::deque<double> edges_;                                 // edges of the trigger that were not reached yet
-  std::optional<bool> level_;                                // of the trigger; nothing where samples are missing
+  std::optional<bool> level_;                                // level of the trigger; nothing where samples are missing
   std::optional<double> window_from_s_;
-  std::vector<Sample> window_;  // or what a rest of the axis may be averaged from
+  std::vector<Sample> window_;  // samples of the window, or those that a rest of the axis may be averaged from
   std::deque<Candidate> held_;  // readings from the first doubtful one on
   bool doubt_told_ = false;
   bool trusted_ = false;  // the next is of the target that is due

@@ -30,8 +30,8 @@ struct Guess {
   std::vector<GuessDecision> decisions;
   std::vector<GuessDecision> questions;  ///< what only the user knows; while there are any, nothing is read
   std::size_t row_count = 0;
-  std::size_t first_line = 0;                     ///< of the rows
-  std::vector<std::string> names;                 ///< of the columns; empty without a header
+  std::size_t first_line = 0;                     ///< line of the file where the rows begin
+  std::vector<std::string> names;                 ///< names of the columns; empty without a header
   std::vector<std::vector<std::string>> preview;  ///< the first rows
 
   /// The least of all decisions; 0 while there are questions.

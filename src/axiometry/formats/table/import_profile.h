@@ -32,10 +32,10 @@ enum class ImportRole {
   target,
   deviation,  ///< actual minus target, times the profile's sign
   position,   ///< measured position, times the profile's sign
-  direction,  ///< of approach, in words or as +1 and −1
+  direction,  ///< direction of approach, in words or as +1 and −1
   run,        ///< number of the run
   time,       ///< seconds, or clock times
-  label,      ///< of a row of a transposed table: run, direction or both, as "Run 2 up"
+  label,      ///< name of a row of a transposed table: run, direction or both, as "Run 2 up"
 };
 
 enum class DirectionRule {
@@ -56,10 +56,10 @@ enum class RunRule {
 
 struct ImportColumn {
   ImportRole role = ImportRole::ignore;
-  std::string name{};                    ///< in the header; empty: not compared
-  const Unit* unit = nullptr;            ///< of its readings; null: the profile's reading_unit
-  std::optional<Direction> direction{};  ///< of all its readings
-  std::optional<std::size_t> run{};      ///< of all its readings, from 1
+  std::string name{};                    ///< its name in the header; empty: not compared
+  const Unit* unit = nullptr;            ///< unit of its readings; null: the profile's reading_unit
+  std::optional<Direction> direction{};  ///< direction in which all its readings were taken
+  std::optional<std::size_t> run{};      ///< run in which all its readings were taken, from 1
 };
 
 /// What is null or nothing here has not been decided; reading then fails, naming the member that decides it.
@@ -70,8 +70,8 @@ struct ImportProfile {
   /// are two.
   char decimal_mark = '.';
   std::string comment = "#";     ///< lines that begin with it are passed over; empty: none are
-  std::size_t skip_lines = 0;    ///< before anything is looked at
-  std::size_t header_lines = 1;  ///< from the names of the columns (transposed: the targets) on; 0: no header
+  std::size_t skip_lines = 0;    ///< how many lines are passed over before anything is looked at
+  std::size_t header_lines = 1;  ///< lines from the names of the columns (transposed: the targets) on; 0: no header
   std::string end{};             ///< a line that begins with it ends the table; empty: the file does
   TableLayout layout = TableLayout::long_rows;
   /// From left to right. In a transposed table the last one stands for all that follow.
@@ -79,8 +79,8 @@ struct ImportProfile {
   const Unit* target_unit = nullptr;
   const Unit* reading_unit = nullptr;
   std::optional<DirectionRule> direction{};
-  Direction first_direction = Direction::up;  ///< of visits and run_parity
-  std::vector<std::string> up_words{};        ///< beside those that every file may use
+  Direction first_direction = Direction::up;  ///< direction that comes first under the rules visits and run_parity
+  std::vector<std::string> up_words{};        ///< words for ↑ beside those that every file may use
   std::vector<std::string> down_words{};
   RunRule runs = RunRule::repetition;
   std::size_t first_run = 1;  ///< number of the first run in a column: 0 or 1

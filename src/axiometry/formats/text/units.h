@@ -13,9 +13,9 @@
 namespace axiometry::formats {
 
 struct Unit {
-  std::string_view name;    ///< in the JSON format and column names: "um"
-  std::string_view symbol;  ///< for people: "µm"
-  AxisKind kind;            ///< of the axes it serves
+  std::string_view name;    ///< name in the JSON format and column names: "um"
+  std::string_view symbol;  ///< symbol that people read: "µm"
+  AxisKind kind;            ///< kind of the axes that it serves
   double factor;            ///< one unit is factor / divisor µm or ″
   double divisor;
 };

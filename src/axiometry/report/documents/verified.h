@@ -11,7 +11,7 @@ namespace axiometry::report {
 struct VerifiedFigures {
   std::size_t figures = 0;   ///< recomputed, at every place where they are printed
   std::size_t verdicts = 0;  ///< decided again
-  std::size_t compared = 0;  ///< of GUM and Monte Carlo: the same wherever they are printed, but not computed again
+  std::size_t compared = 0;  ///< figures of GUM and Monte Carlo that agree wherever printed, but were not recomputed
 };
 
 /// "412 figures and 3 verdicts recomputed, none differs", and how many figures were not. Without full stop.

@@ -57,7 +57,7 @@ struct TextRun {
 struct Text {
   std::vector<TextRun> runs{};
   Point at{};
-  double size = 8.0;  ///< of normal script, points
+  double size = 8.0;  ///< height of normal script, points
   Colour colour{};
   Anchor anchor = Anchor::start;
   double degrees = 0.0;

@@ -22,10 +22,10 @@ namespace axiometry {
 
 /// Absent means not measured.
 struct AmbientTemperatures {
-  std::optional<Temperature> lowest;  ///< of the air, during the test
+  std::optional<Temperature> lowest;  ///< lowest temperature of the air during the test
   std::optional<Temperature> highest;
   std::optional<double> rate;                             ///< °C/h, during the test
-  bool rate_of_every_sensor = true;                       ///< of the air; else one recorded too little for a rate
+  bool rate_of_every_sensor = true;                       ///< whether every sensor of the air tells its rate
   std::optional<double> rate_before;                      ///< °C/h, in the twelve hours before it
   std::optional<TemperatureDifference> machine_gradient;  ///< largest, between places on the machine at one moment
 };
@@ -39,8 +39,8 @@ struct TimeStretch {
   double length_s() const { return end_s - begin_s; }
 };
 
-inline constexpr double hours_before_test = 12.0;       ///< that clause 4.1 asks for
-inline constexpr double longest_unrecorded_s = 1800.0;  ///< between two readings that are taken to go straight
+inline constexpr double hours_before_test = 12.0;       ///< hours before the test of which clause 4.1 asks
+inline constexpr double longest_unrecorded_s = 1800.0;  ///< longest gap between readings taken to go straight, s
 inline constexpr double shortest_for_a_rate_s = 600.0;
 
 /// Of the sensors of role "air" within the test; machine_gradient of those of role "machine", of which it takes two.

@@ -32,7 +32,7 @@ std::string_view standing_key(EnvironmentStanding standing);   ///< "not-measure
 std::string_view standing_text(EnvironmentStanding standing);  ///< "not measured"
 
 struct EnvironmentItem {
-  std::string_view key;    ///< of what was measured, "highest_C"
+  std::string_view key;    ///< key of what was measured, "highest_C"
   std::string_view title;  ///< "Highest ambient temperature"
   std::string_view unit;   ///< "°C" or "°C/h"
   std::string_view clause;
@@ -48,8 +48,8 @@ struct EnvironmentItem {
 struct RecordedShare {
   double recorded_h = 0.0;
   double whole_h = 0.0;
-  bool end_told = true;  ///< of the stretch; else whole_h is only what is known of it
-  std::string sensor{};  ///< that recorded no more than this, where others did
+  bool end_told = true;  ///< whether the end of the stretch is told; else whole_h is only what is known of it
+  std::string sensor{};  ///< name of the sensor that recorded no more than this, where others did
 
   /// All of what is known of the stretch, but for a minute, or a hundredth.
   bool gapless() const;
@@ -60,9 +60,9 @@ struct RecordedShare {
 struct TestEnvironment {
   /// Lowest, highest, °C/h during the test and in the twelve hours before, gradient over the machine: always all five.
   std::vector<EnvironmentItem> items;
-  std::optional<RecordedShare> during;      ///< of the test, where a log tells when it was
-  std::optional<RecordedShare> before;      ///< of the twelve hours before it, where that is known
-  std::optional<RecordedShare> on_machine;  ///< of the test, by the sensors on the machine, where there are two
+  std::optional<RecordedShare> during;      ///< recorded share of the test, where a log tells when it was
+  std::optional<RecordedShare> before;      ///< recorded share of the twelve hours before it, where known
+  std::optional<RecordedShare> on_machine;  ///< recorded share of the test by the sensors on the machine, if two
   bool placed = false;                      ///< whether it is known when the test was, or all is stated of the test
   bool ends_recorded = false;               ///< whether the temperature of the air is known at its start and at its end
   std::optional<double> soaked_h{};         ///< h, as stated
@@ -102,10 +102,10 @@ std::vector<std::string> gaps_of(const TestEnvironment& environment, const Numbe
 struct LoggedEnvironment {
   std::string file;  ///< as the user gave it
   std::string sha256;
-  std::string began;  ///< of the test, as asked; may be empty
+  std::string began;  ///< beginning of the test, as asked; may be empty
   std::string ended;  ///< likewise
   TemperatureLog log;
-  std::optional<TimeStretch> test;  ///< within the log; absent: all of it counts as the test
+  std::optional<TimeStretch> test;  ///< time of the test within the log; absent: all of it counts as the test
   TestEnvironment environment;
   std::string ended_by_readings{};  ///< moment that the times of the readings tell, where nobody told its end
 };

@@ -47,7 +47,7 @@ struct MotionPath {
 
 struct MotionPosition {
   double position_mm = 0.0;
-  std::optional<double> s_up, s_down;                                         ///< with two runs or more
+  std::optional<double> s_up, s_down;                                         ///< s_i↑, s_i↓, with two runs or more
   std::optional<double> reversal;                                             ///< B_i, of both directions
   std::optional<double> repeatability_up, repeatability_down, repeatability;  ///< R_i↑, R_i↓, R_i
 };
@@ -59,7 +59,7 @@ struct AxisMotion {
   std::vector<MotionPosition> positions;
   std::vector<MotionPath> paths;  ///< the direction there is; or ↑, ↓ and their mean
 
-  std::optional<MotionEstimate> range_both;  ///< over ↑ and ↓ about the line of the mean
+  std::optional<MotionEstimate> range_both;  ///< range over ↑ and ↓ about the line of the mean
   std::optional<MotionEstimate> reversal;    ///< the B_i of largest magnitude, with its sign
   std::optional<double> reversal_mean;       ///< B̄
   std::optional<double> repeatability_up, repeatability_down, repeatability;  ///< maxima of R_i↑, R_i↓, R_i

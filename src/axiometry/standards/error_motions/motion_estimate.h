@@ -19,13 +19,13 @@ struct InstrumentUncertainty {
   double standard(double distance_mm) const { return (a + 1e-3 * b_per_m * distance_mm) / 2.0; }
 };
 
-inline constexpr double rounding = 1e-9;  ///< of a value, or of its unit: what is smaller is none
+inline constexpr double rounding = 1e-9;  ///< share of a value, or of its unit: what is smaller is none
 
 struct MotionEstimate {
   enum class Scatter {
     none,       ///< one run: it cannot be told from the shape of the way
-    runs,       ///< of the runs' own estimates, s/√n with n − 1 degrees of freedom
-    noise,      ///< of the noise within the runs, s_w √(Σ c²/n), where few runs happen to agree better than that
+    runs,       ///< scatter of the runs' own estimates, s/√n with n − 1 degrees of freedom
+    noise,      ///< noise within the runs, s_w √(Σ c²/n), where few runs happen to agree better than that
     residuals,  ///< one run, of the rest about the least-squares line, m − 2 degrees: the shape of the way is in it
   };
 
@@ -34,7 +34,7 @@ struct MotionEstimate {
   double scatter_u = 0.0;                                            ///< standard uncertainty; 0 for none
   double scatter_degrees = std::numeric_limits<double>::infinity();  ///< ν of it
   std::optional<double> instrument_u;                                ///< absent where none is stated
-  std::optional<double> other_u;                                     ///< of an optical square
+  std::optional<double> other_u;                                     ///< standard uncertainty of an optical square
 
   /// GUM 5.1, 6 and G.4 over these parts; absent where neither is known.
   std::optional<double> u;  ///< √(scatter² + instrument² + other²)

@@ -56,7 +56,7 @@ Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const Ax
 /// Squareness as ISO 230-1 names it.
 struct LocationError {
   std::string_view name;  ///< "C0Y", "B0Z" or "A0Z"
-  double sign = 1.0;      ///< of S in it
+  double sign = 1.0;      ///< sign of S in it
   MotionEstimate urad;
 };
 

@@ -13,8 +13,8 @@ namespace axiometry::iso230_2 {
 /// How far a parameter may lie above its limit and still be at it, because binary arithmetic has moved it there
 /// (base/decimal_tie.h). For use with at_most(): at_most(y, T, slack.of(parameter, y)).
 struct ComparisonSlack {
-  double means = 0.0;    ///< of E, E↑, E↓, M, B, B̄: far below the step in which these can differ from a limit
-  double spreads = 0.0;  ///< of A, A↑, A↓, R, R↑, R↓, which hold roots
+  double means = 0.0;  ///< slack of E, E↑, E↓, M, B, B̄: far below the step in which these can differ from a limit
+  double spreads = 0.0;  ///< slack of A, A↑, A↓, R, R↑, R↓, which hold roots
 
   /// For a value y of the parameter, all in its unit; of those with roots at most 1e-9 of the value.
   double of(const ParameterInfo& parameter, double y) const {

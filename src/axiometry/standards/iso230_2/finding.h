@@ -24,8 +24,8 @@ inline constexpr const char* source_clause = "source";
 
 /// A deviation within a message, "2.99 µm", so that whoever shows the message may show it in another unit.
 struct MessageDeviation {
-  std::size_t at = 0;      ///< of its first byte
-  std::size_t length = 0;  ///< in bytes, with its unit
+  std::size_t at = 0;      ///< number of its first byte in the message, from 0
+  std::size_t length = 0;  ///< number of its bytes, unit included
   Deviation value;
 };
 
@@ -35,7 +35,7 @@ struct Finding {
   std::string clause;  ///< "5.3.2"; "source"
   Severity severity = Severity::note;
   std::string message;  ///< what was found and what the clause expects; a whole sentence without full stop
-  std::vector<MessageDeviation> deviations{};  ///< of the message, in its order
+  std::vector<MessageDeviation> deviations{};  ///< deviations in the message, in its order
 };
 
 }  // namespace axiometry::iso230_2

@@ -61,7 +61,7 @@ struct AxisParameters {
 
 /// One row of the parameter vocabulary: everything that names, lists or prints parameters reads it.
 struct ParameterInfo {
-  std::string_view key;     ///< in JSON, CSV and --tolerance: "A_up"
+  std::string_view key;     ///< name in JSON, CSV and --tolerance: "A_up"
   std::string_view symbol;  ///< "A↑"
   std::string_view title;   ///< "Unidirectional positioning error"
   std::string_view clause;  ///< "3.26"
@@ -94,7 +94,7 @@ const ParameterInfo* find_parameter(std::string_view name);
 
 /// One row of the vocabulary of what clause 3 defines at a position.
 struct PositionQuantity {
-  std::string_view key;     ///< in JSON, CSV and conformance cases: "mean_up"
+  std::string_view key;     ///< name in JSON, CSV and conformance cases: "mean_up"
   std::string_view clause;  ///< "3.13"
   std::optional<Deviation> PositionResult::*member;
 };
@@ -148,7 +148,7 @@ class AxisWithoutOne {
   AxisParameters with(std::size_t i, const PositionResult& instead) const;
 
  private:
-  std::vector<AxisExtremes> before_, after_;  // of all positions before, and after, each
+  std::vector<AxisExtremes> before_, after_;  // extremes of all positions before, and after, each
 };
 
 /// The position with other estimators s_i↑ and s_i↓, R_i following 3.19 and 3.20. A.10 corrects so.

@@ -13,10 +13,10 @@ namespace axiometry::iso230_2 {
 
 /// Which of the four tests of clause 5.3 the measured travel calls for.
 enum class Programme {
-  short_linear,  ///< up to 2 000 mm: 5.3.2
-  long_linear,   ///< above: 5.3.3
-  one_turn,      ///< up to 360°: 5.3.4
-  many_turns,    ///< above: 5.3.5
+  short_linear,  ///< linear travel up to 2 000 mm: 5.3.2
+  long_linear,   ///< linear travel above 2 000 mm: 5.3.3
+  one_turn,      ///< rotary travel up to 360°: 5.3.4
+  many_turns,    ///< rotary travel above 360°: 5.3.5
 };
 
 /// A travel longer by 1e-6 mm or ° than a limit is still within it: a sum of rounded targets is no longer axis.

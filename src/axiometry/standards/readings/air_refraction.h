@@ -50,7 +50,7 @@ double unchecked_air_refractivity(AirEquation equation, const Air& air, Length v
 struct AirSensitivities {
   double per_celsius = 0.0;
   double per_pascal = 0.0;
-  double per_percent = 0.0;  ///< of relative humidity
+  double per_percent = 0.0;  ///< derivative by relative humidity
   double per_ppm_co2 = 0.0;
 };
 

@@ -17,8 +17,8 @@ struct TestCourse {
   /// 0 at the first reading, 1 at the last; dense as in Series::make_dense(), NaN for a direction or approach that is
   /// no part of the cycle.
   std::vector<double> share;
-  std::optional<Duration> duration;  ///< from the first reading to the last; absent when no times are known
-  std::size_t steps = 0;             ///< from the first reading to the last, those that are missing counted
+  std::optional<Duration> duration;  ///< time from the first reading to the last; absent when no times are known
+  std::size_t steps = 0;             ///< steps from the first reading to the last, those that are missing counted
   std::string basis;                 ///< "the times of the readings", "readings equally far apart in the … cycle"
   /// Whether times or the cycle tell which reading came before which. Without, what depends on the order is not known:
   /// no drift is (drift.h).

@@ -49,11 +49,11 @@ struct ComparedFigure {
   std::string_view absence;               ///< why there is no value; empty where there is one
   std::optional<double> share_of_travel;  /// value over measured travel, of figures that are stated so
 
-  const iso230_2::ParameterInfo* counterpart = nullptr;  ///< of ISO 230-2:2014; null where there is none
+  const iso230_2::ParameterInfo* counterpart = nullptr;  ///< its like in ISO 230-2:2014; null where there is none
   std::optional<Deviation> counterpart_value;
 
   std::optional<FigureInterval> interval{};
-  std::string no_interval_because{};  ///< of a figure with a value, after trials
+  std::string no_interval_because{};  ///< why a figure with a value has no interval, after trials
 
   /// Value less that of the counterpart, where both exist.
   std::optional<Deviation> difference() const;
@@ -67,7 +67,7 @@ struct ComparedRule {
 };
 
 struct RuleComparison {
-  iso230_2::Assessment iso230_2;  ///< after ISO 230-2:2014
+  iso230_2::Assessment iso230_2;  ///< assessment after ISO 230-2:2014
   std::vector<ComparedRule> rules;
   /// In place of a clause stands the rule: departures from ISO 230-2:2014 with its clauses, remarks of the source,
   /// what the other rules ask of the test as far as that is known; departures first.

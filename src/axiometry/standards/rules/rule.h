@@ -25,10 +25,10 @@ namespace axiometry::standards {
 
 /// Where a formula was found.
 enum class Evidence {
-  text,         ///< in the text of the rule
-  makers_text,  ///< in a maker's manual that says how it applies the rule
-  program,      ///< in the code of another program
-  second_hand,  ///< in descriptions by others that agree
+  text,         ///< read in the text of the rule
+  makers_text,  ///< read in a maker's manual that says how it applies the rule
+  program,      ///< read in the code of another program
+  second_hand,  ///< read in descriptions by others that agree
 };
 
 std::string_view evidence_key(Evidence evidence);  ///< "text", "makers-text", "program", "second-hand"
@@ -49,10 +49,10 @@ struct RuleCase {
 using RuleValue = std::expected<Deviation, std::string_view>;
 
 struct RuleFigure {
-  std::string_view key;     ///< in JSON, unique within a rule: "P_s_max"
+  std::string_view key;     ///< name in JSON, unique within a rule: "P_s_max"
   std::string_view symbol;  ///< as report::symbol() reads it; empty where the rule has none that is known
   std::string_view title;   ///< "Positioning uncertainty"
-  std::string_view clause;  ///< of the rule, or numbers of its terms, in no language; empty where it is not known
+  std::string_view clause;  ///< clause of the rule, or numbers of its terms; empty where it is not known
   Evidence evidence;
   std::string_view counterpart;  ///< key of the parameter of ISO 230-2:2014 that it is taken for; empty for none
   /// In what the formula differs from that parameter's; empty where both always have one value.
@@ -67,14 +67,14 @@ struct RuleFigure {
 /// ISO 230-2:2014 (planned_rule.h).
 struct AskedCycle {
   Evidence evidence;
-  std::size_t approaches = 0;  ///< to each target from each direction, at least
-  std::size_t targets = 0;     ///< over the measurement travel; 0 where it says nothing
-  bool equal_steps = false;    ///< without a random part, from one end of the measurement travel to the other
-  std::optional<TestCycle> order{};  ///< of the approaches; absent where it says nothing
+  std::size_t approaches = 0;        ///< least number of approaches to each target from each direction
+  std::size_t targets = 0;           ///< number of targets over the measurement travel; 0 where it says nothing
+  bool equal_steps = false;          ///< whether targets lie evenly from one end of the measurement travel to the other
+  std::optional<TestCycle> order{};  ///< order of the approaches; absent where it says nothing
 };
 
 struct AxisRule {
-  std::string_view id;      ///< of --standard: "vdi-dgq-3441"
+  std::string_view id;      ///< word of --standard: "vdi-dgq-3441"
   std::string_view name;    ///< "VDI/DGQ 3441"
   std::string_view remark;  ///< what its figures are and are not, a sentence without full stop
   bool linear_only;         ///< no figure of a rotary axis

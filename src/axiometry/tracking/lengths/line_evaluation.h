@@ -28,17 +28,17 @@ namespace axiometry::tracking {
 /// A place where the lengths jump by more than any machine does: the beam was broken and found again.
 struct BeamBreak {
   std::string line;
-  std::size_t before_reading = 0;  ///< in the order of measurement within the line, from 0
-  double jump_mm = 0.0;            ///< of the length shown, against the nominal one
+  std::size_t before_reading = 0;  ///< number of the reading in the order of measurement within the line, from 0
+  double jump_mm = 0.0;            ///< jump of the length shown, against the nominal one
 };
 
 /// A stretch of readings with one dead path c, between two breaks of the beam (found or stated by the file).
 struct DeadPath {
-  std::size_t first_reading = 0;  ///< in the order of measurement within the line, from 0
+  std::size_t first_reading = 0;  ///< number of the reading in the order of measurement within the line, from 0
   std::size_t readings = 0;
   double dead_path_mm = 0.0;    ///< c: what the instrument shows less the nominal distance
   double uncertainty_mm = 0.0;  ///< standard, of c relative to that of the line's first stretch; 0 for that one
-  std::size_t ties = 0;         ///< of its readings, at approaches (or targets) that another stretch has too
+  std::size_t ties = 0;         ///< readings at approaches (or targets) that another stretch has too
   bool tied = true;             ///< false: no reading ties it to the first one, c rests on the assumption of no step
 };
 
@@ -47,12 +47,12 @@ struct EvaluatedLine {
   Test test;  ///< deviations along the line; metadata says the line, the tool and what is known of the station
   /// Nominal, of each target of the test from the station; from the beginning of the line where there is none.
   std::vector<double> distances_mm;
-  OffsetUncertainty offset;                      ///< of the station across this line; 0 when nothing is known
+  OffsetUncertainty offset;                      ///< that of the station across this line; 0 when nothing is known
   std::vector<Length> length_difference_bounds;  ///< 95 %, at each target, relative to the farthest; else empty
   double negligible_from_mm = 0.0;               ///< negligible_from_mm() for a third; 0 when nothing is known
-  double slope_um_per_m = 0.0;                   ///< of the deviations along the line; kept, not removed
+  double slope_um_per_m = 0.0;                   ///< slope of the deviations along the line; kept, not removed
   double slope_uncertainty_um_per_m = 0.0;       ///< standard uncertainty, without the scale that lines share
-  double beam_angle_most_deg = 0.0;              ///< between beam and line, largest: 0 on a line through the station
+  double beam_angle_most_deg = 0.0;              ///< largest angle of beam and line: 0 on a line through the station
   std::vector<BeamBreak> breaks;                 ///< those found in the lengths, not those stated
   std::vector<DeadPath> dead_paths;              ///< one or more, in the order of measurement
 };
@@ -65,13 +65,13 @@ struct LinesEvaluation {
 };
 
 struct LineEvaluationOptions {
-  Metadata metadata = {};                              ///< of all lines; axis and tracking are filled in per line
-  std::optional<Matrix3> station_covariance_mm2 = {};  ///< in place of the plan's
+  Metadata metadata = {};                              ///< metadata of all lines, but for axis and tracking
+  std::optional<Matrix3> station_covariance_mm2 = {};  ///< covariance that takes the place of the plan's
   std::optional<double> break_threshold_mm = {};       ///< a jump above it is a break; else from the scatter
   bool find_breaks = true;                             ///< else only the stated segments part the lengths
   bool reversed = false;                               ///< the instrument counts down when the reflector recedes
   bool in_program_order = false;                       ///< readings were assigned by their order alone
-  std::vector<double> times_s = {};                    ///< of each reading, s; NaN where not known, or empty
+  std::vector<double> times_s = {};                    ///< time of each reading, s; NaN where not known, or empty
 };
 
 /// `readings` stand in the order of measurement. Fails on a plan that is not sound, on readings of lines or targets

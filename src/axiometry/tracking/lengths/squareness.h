@@ -21,10 +21,10 @@ namespace axiometry::tracking {
 /// A measured slope: stretch along a direction.
 struct LineSlope {
   std::string id;
-  Vector3 direction;                  ///< of length 1; its sign does not matter
+  Vector3 direction;                  ///< unit vector; its sign does not matter
   double slope_um_per_m = 0.0;        ///< actual over nominal length, less 1: positive where the machine goes too far
   double uncertainty_um_per_m = 0.0;  ///< standard, of this line alone; not above 0: not known
-  double length_mm = 0.0;             ///< of the part that was measured, for notes; 0: not known
+  double length_mm = 0.0;             ///< length of the part that was measured, for notes; 0: not known
 };
 
 /// One of the six unknowns: "EXX slope", "C0Y", …
@@ -39,9 +39,9 @@ struct Squareness {
   std::array<SquarenessTerm, 6> terms;
   /// Of the terms in (µm/m)², rows and columns of those that are absent 0; all 0 when unweighted.
   std::array<std::array<double, 6>, 6> covariance_um2_per_m2{};
-  std::size_t rank = 0;                    ///< of the 6: how many combinations of the terms the lines tell
-  bool weighted = true;                    ///< by 1/u²; else all lines count alike, because the u of one is not known
-  std::vector<double> residuals_um_per_m;  ///< per line, measured − model
+  std::size_t rank = 0;                    ///< how many of 6 combinations of the terms the lines tell
+  bool weighted = true;                    ///< whether by 1/u²; else all lines count alike, because one u is not known
+  std::vector<double> residuals_um_per_m;  ///< residual of each line, measured − model
   double chi_squared = 0.0;                ///< Σ (residual/u)²; 0 and without meaning when unweighted
   std::size_t degrees_of_freedom = 0;      ///< number of lines − rank
   std::vector<std::string> notes;          ///< limits of the method that concern this result

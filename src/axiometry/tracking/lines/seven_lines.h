@@ -28,13 +28,13 @@ inline constexpr std::array<std::string_view, 7> seven_lines = {"x", "y", "z", "
 
 enum class DiagonalRule {
   equal_increments,  ///< all axes by the same amount: 45° and 54.7°
-  box_corner,        ///< from the station towards the corner of the travels
+  box_corner,        ///< a line from the station towards the corner of the travels
 };
 
 /// What of a line from the station can be measured.
 struct UsableInterval {
   std::string id;
-  Vector3 direction;      ///< of the reflector from the station, the best of its octants
+  Vector3 direction;      ///< direction from the station to the reflector, the best of its octants
   std::string octant;     ///< signs of X, Y, Z: "+0−"
   double begin_mm = 0.0;  ///< distances from the station; overruns are to fit between them, too
   double end_mm = 0.0;
@@ -46,7 +46,7 @@ struct UsableInterval {
 
 struct LineChoice {
   std::vector<UsableInterval> lines;
-  std::vector<LostLine> lost;  ///< with reason and numbers: "the station is 12 mm outside the travel of Y, …"
+  std::vector<LostLine> lost;  ///< lines with reason and numbers: "the station is 12 mm outside the travel of Y, …"
 };
 
 /// Fails, with the numbers, on a set-up in which nothing can be planned: coordinates that are not finite, a travel
@@ -69,7 +69,7 @@ struct LinesRequest {
   std::optional<double> acceleration = {};
   std::size_t warm_up_runs = 1;
   std::array<std::optional<Position>, 3> periods = {};  ///< expected of X, Y, Z
-  double step_mm = 0.001;                               ///< to which the coordinates of targets are rounded
+  double step_mm = 0.001;                               ///< step to which the coordinates of targets are rounded
   std::uint64_t seed = 0;
   std::string title = {}, machine = {}, date = {};
 };
@@ -109,16 +109,16 @@ Duration estimated_duration(const TrackingPlan& plan, double acceleration);
 /// What may be changed to keep more lines.
 struct StationFreedom {
   std::array<bool, 3> may_move = {true, true, false};  ///< X, Y, Z; it stands on the table
-  bool turn_reflector = false;  ///< to the best of the 26 directions along axes, faces' and body's diagonals
+  bool turn_reflector = false;  ///< whether it may turn to the best of 26 directions: axes, faces' and body's diagonals
 };
 
 /// The best found.
 struct StationSuggestion {
   Vector3 position_mm;
-  std::size_t lines = 0;     ///< of those asked for
+  std::size_t lines = 0;     ///< how many of the lines that were asked for
   double shortest_mm = 0.0;  ///< usable length of the shortest of them
-  double total_mm = 0.0;     ///< of all of them
-  Vector3 reflector_axis;    ///< for which this holds
+  double total_mm = 0.0;     ///< usable length of all of them
+  Vector3 reflector_axis;    ///< direction of the reflector for which this holds
 };
 
 /// A station that keeps the most lines, and among such the one with the longest shortest line, then the longest sum:

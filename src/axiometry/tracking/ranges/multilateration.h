@@ -34,7 +34,7 @@ struct MultilaterationOptions {
   bool point_covariances = true;                    ///< also residuals over their own standard uncertainty
   bool find_breaks = true;                          ///< look for breaks of the beam that the readings do not state
   std::size_t threads = 0;                          ///< 0: as many as there are cores. The result does not depend on it
-  std::span<const std::string> station_names = {};  ///< for messages; numbers from 1 when empty
+  std::span<const std::string> station_names = {};  ///< names for messages; numbers from 1 when empty
   std::span<const std::string> point_names = {};
 };
 
@@ -43,10 +43,10 @@ struct MultilaterationRank {
   std::size_t unknowns = 0;         ///< less the gauge
   std::size_t equations = 0;        ///< readings, and priors of scales
   std::size_t gauge = 6;            ///< 7 with a scale that nothing is known about
-  std::size_t null_directions = 0;  ///< beyond the gauge: 0 when it can
+  std::size_t null_directions = 0;  ///< directions beyond the gauge that nothing tells: 0 when it can be solved
   double condition = 0.0;        ///< largest over smallest eigenvalue of the reduced system, scaled, within the gauge
   double weakest_mm = 0.0;       ///< standard uncertainty of a station along the direction known worst
-  std::size_t points_least = 0;  ///< for so many stations, all seeing all points (the true minimum, not eq. 3)
+  std::size_t points_least = 0;  ///< least number for so many stations, all seeing all points (true minimum, not eq. 3)
   bool stations_coplanar = false;
   double stations_off_plane_mm = 0.0;  ///< largest distance of a station from the plane fitted to all
 };
@@ -55,7 +55,7 @@ struct MultilaterationRank {
 struct RangeBreak {
   std::size_t station = 0;
   std::size_t reading = 0;  ///< index among the readings
-  double jump_mm = 0.0;     ///< of the length shown
+  double jump_mm = 0.0;     ///< jump of the length shown
 };
 
 struct MultilaterationFit {
@@ -68,8 +68,8 @@ struct MultilaterationFit {
   std::vector<Matrix3> point_covariances_mm2;  ///< inner constraints: the smallest trace; empty when not asked for
   std::vector<Matrix3> station_covariances_mm2;
   std::vector<double> residuals_mm;          ///< w_ij per reading
-  std::vector<double> normalised_residuals;  ///< over their own standard uncertainty; 0 where nothing checks a reading
-  std::vector<std::size_t> segments;         ///< of each reading, as used: after `breaks`
+  std::vector<double> normalised_residuals;  ///< residuals over their uncertainty; 0 where nothing checks one
+  std::vector<std::size_t> segments;         ///< segment of each reading, as used: after `breaks`
   std::vector<RangeBreak> breaks;
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;

@@ -15,10 +15,10 @@ namespace axiometry::tracking {
 
 /// How a set of points would find a station.
 struct LocationQuality {
-  Matrix3 covariance_mm2{};        ///< of the station, with the stated uncertainty of lengths
+  Matrix3 covariance_mm2{};        ///< covariance of the station, with the stated uncertainty of lengths
   Vector3 amplification{};         ///< standard uncertainty of x, y, z per that of one length (µm per µm)
-  double condition_refined = 0.0;  ///< of the rows [−u, −1], at most 1/ε
-  double condition_linear = 0.0;   ///< of eq. 14, at most 1/ε, which it is on a critical surface and below five points
+  double condition_refined = 0.0;  ///< condition of the rows [−u, −1], at most 1/ε
+  double condition_linear = 0.0;  ///< condition of eq. 14, at most 1/ε: so on a critical surface and below five points
 };
 
 /// Needs four points or more, not all at one place.
@@ -26,7 +26,7 @@ LocationQuality location_quality(std::span<const Vector3> points_mm, Vector3 sta
                                  const RangingUncertainty& ranging);
 
 struct LocationPlan {
-  std::vector<Vector3> points_mm;  ///< of the reflector, rounded to 0.001 mm, in the order in which to drive
+  std::vector<Vector3> points_mm;  ///< positions of the reflector, rounded to 0.001 mm, in the order in which to drive
   LocationQuality quality;
   /// Sentences without full stop: ways on which the beam is lost or the station too near, weak directions.
   std::vector<std::string> remarks;

@@ -29,11 +29,11 @@ namespace axiometry::tracking {
 enum class CriticalSurface {
   none,
   plane,        ///< all points on one plane: the station or its mirror image
-  sphere,       ///< about the station: all lengths are alike
-  ellipsoid,    ///< of revolution, a focus at the station
+  sphere,       ///< a sphere about the station: all lengths are alike
+  ellipsoid,    ///< an ellipsoid of revolution, a focus at the station
   paraboloid,   ///< likewise
   hyperboloid,  ///< likewise; the other focus may be the station as well
-  cone,         ///< about an axis through the station: all beams at one angle to it. No estimator can tell the station
+  cone,         ///< a cone about an axis through it: all beams at one angle to it. No estimator can tell the station
   repeated,     ///< fewer than five different points
   line,         ///< all points on one line: the station anywhere on a circle about it. No estimator can tell it
 };
@@ -43,23 +43,23 @@ struct LinearFit {
   Vector3 station_mm;  ///< 0 where rank < 5, like all that follows from it
   double L0_mm = 0.0;
   double psi_mm2 = 0.0;
-  std::size_t rank = 0;            ///< of the 5 columns after scaling: singular values above what noise may produce
+  std::size_t rank = 0;            ///< rank of the 5 columns after scaling: singular values above possible noise
   std::size_t numerical_rank = 0;  ///< singular values above n ε of the largest: what rounding leaves
-  double rank_tolerance = 0.0;     ///< for the smallest singular value, see docs/theory/station.md
+  double rank_tolerance = 0.0;     ///< bound of the smallest singular value, see docs/theory/station.md
   double condition = 0.0;          ///< largest over smallest singular value of the scaled matrix, at most 1/ε = 4.5e15
   std::vector<double> singular_values;
   std::vector<double> residuals_mm;            ///< |p_i − s| − L0 − ΔL_i with this solution
-  std::vector<double> equation_residuals_mm2;  ///< of eq. 14 itself; of six points one is free: the redundant residual
+  std::vector<double> equation_residuals_mm2;  ///< residuals of eq. 14 itself; of six points one is redundant
   double redundant_residual_mm2 = 0.0;         ///< root of the sum of their squares
   double misclosure_mm2 = 0.0;    ///< ψ − (|s|² − L0²), 0 for exact data; does not depend on the origin
   double misclosure_u_mm2 = 0.0;  ///< its standard uncertainty, from the σ stated
-  Matrix3 covariance_mm2{};       ///< of this s, from the σ stated
+  Matrix3 covariance_mm2{};       ///< covariance of this s, from the σ stated
 };
 
 struct RefinedFit {
   Vector3 station_mm;
   double L0_mm = 0.0;
-  Matrix3 covariance_mm2{};         ///< of s: the one that follows, times the inflation
+  Matrix3 covariance_mm2{};         ///< covariance of s: the one that follows, times the inflation
   Matrix3 covariance_stated_mm2{};  ///< (JᵀWJ)⁻¹, from the σ stated alone
   double inflation = 1.0;           ///< χ²/ν where that is above 1 and ν > 0, else 1
   double L0_variance_mm2 = 0.0;     ///< inflated likewise
@@ -69,7 +69,7 @@ struct RefinedFit {
   std::size_t degrees_of_freedom = 0;  ///< ν = n − 4
   /// Probability of a χ² as large as this or larger, with the σ stated; 1 without degrees of freedom.
   double chance = 1.0;
-  double condition = 0.0;  ///< of the rows [−uᵢ, −1], at most 1/ε
+  double condition = 0.0;  ///< condition of the rows [−uᵢ, −1], at most 1/ε
   std::vector<double> singular_values;
   std::size_t iterations = 0;
   bool converged = false;
@@ -83,7 +83,7 @@ using Finding = NamedFinding;
 struct StationOptions {
   RangingUncertainty ranging = {};
   double machine_sigma_mm = 0.0;     ///< standard uncertainty of the points' positions, per axis
-  std::optional<Vector3> near_mm{};  ///< about where the station stands: chooses between mirror images
+  std::optional<Vector3> near_mm{};  ///< rough place of the station, which chooses between mirror images
 };
 
 struct StationLocation {
@@ -92,7 +92,7 @@ struct StationLocation {
   Vector3 difference_mm;    ///< refined − linear station; 0 where eq. 14 has no unique solution
   Vector3 difference_u_mm;  ///< its standard uncertainty by components, from the σ stated
   CriticalSurface surface = CriticalSurface::none;
-  std::optional<double> eccentricity{};  ///< of ellipsoid, paraboloid, hyperboloid
+  std::optional<double> eccentricity{};  ///< eccentricity of ellipsoid, paraboloid, hyperboloid
   std::vector<Finding> findings;         ///< serious ones first
 
   bool has_linear() const { return linear && linear->rank == 5; }

@@ -59,7 +59,7 @@ class BeamRow {
 
   std::array<Source, 2 * axis_count> sources_;
   std::size_t source_count_ = 0;
-  std::array<Piece, 2 * axis_count + 1> pieces_;  ///< of the sources, then of squareness
+  std::array<Piece, 2 * axis_count + 1> pieces_;  ///< pieces of the sources, then of squareness
   std::size_t piece_count_ = 0;
   Vector3 axes_m_;
   std::size_t value_count_ = 0;

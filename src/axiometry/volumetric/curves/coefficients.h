@@ -36,7 +36,7 @@ class Coefficients {
   std::size_t raw() const { return raw_; }
   std::size_t free() const { return free_.size(); }
   std::size_t curve(std::size_t axis) const { return curve_[axis]; }  ///< first raw place
-  std::size_t squareness() const { return squareness_; }              ///< of C0Y; B0Z and A0Z follow
+  std::size_t squareness() const { return squareness_; }              ///< place of C0Y; B0Z and A0Z follow
   std::size_t half(std::size_t axis) const { return half_[axis]; }
   std::size_t half_functions(std::size_t axis) const;  ///< 0, 1 or as the basis
 

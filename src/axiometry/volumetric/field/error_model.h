@@ -41,11 +41,11 @@ class ErrorModel {
     MachineModel machine;
     Coefficients coefficients;
     std::vector<double> values;      ///< raw coefficients, within the gauge
-    std::vector<double> covariance;  ///< of these, by rows, coefficients.raw() squared
+    std::vector<double> covariance;  ///< covariance of the coefficients by rows, coefficients.raw() squared
     /// Directions of raw coefficients, of length 1, of which the lengths say nothing: what has a share in them has no
     /// number.
     std::vector<std::vector<double>> unseen = {};
-    TravelBox observed = {};  ///< where readings were
+    TravelBox observed = {};  ///< box of the places where readings were
   };
   /// Contract: sizes as said.
   explicit ErrorModel(Parts parts);

@@ -18,7 +18,7 @@ namespace axiometry::volumetric {
 
 /// Whether the dead path of a stretch may change with the readings, from its first to its last.
 enum class DriftModel {
-  automatic,  ///< where the residuals demand it (F test, 1 in 1000)
+  automatic,  ///< drift is looked for where the residuals demand it (F test, 1 in 1000)
   none,
   linear,
 };
@@ -58,8 +58,8 @@ struct IdentifiedStation {
   Vector3 at_mm;
   Matrix3 covariance_um2{};
   std::size_t readings = 0;
-  double rms_um = 0.0;          ///< of its residuals
-  double normalised_rms = 0.0;  ///< over σ
+  double rms_um = 0.0;          ///< root mean square of its residuals
+  double normalised_rms = 0.0;  ///< root mean square of its residuals over σ
 };
 
 struct IdentifiedStretch {
@@ -67,14 +67,14 @@ struct IdentifiedStretch {
   std::size_t segment = 0;
   std::size_t readings = 0;
   double dead_path_mm = 0.0;
-  std::optional<double> drift_um;  ///< over the stretch
+  std::optional<double> drift_um;  ///< drift over the stretch
 };
 
 /// A break that the file does not tell.
 struct FoundBreak {
   std::size_t before_reading = 0;    ///< the likeliest
-  double jump_um = 0.0;              ///< of the length
-  std::size_t earliest_reading = 0;  ///< before one from here ...
+  double jump_um = 0.0;              ///< jump of the length
+  std::size_t earliest_reading = 0;  ///< it was before a reading from this one ...
   std::size_t latest_reading = 0;    ///< ... to here it was: those between tell no more, and are left out
 
   bool is_certain() const { return earliest_reading == latest_reading; }
@@ -88,24 +88,24 @@ struct SetAside {
   };
   std::size_t reading = 0;
   double residual_um = 0.0;  ///< measured less what the others predict
-  double normalised = 0.0;   ///< over its standard uncertainty
+  double normalised = 0.0;   ///< residual over its standard uncertainty
   Why why = Why::outlier;
 };
 
 struct VolumetricRank {
-  std::size_t unknowns = 0;         ///< under the gauge, stations and dead paths included
-  std::size_t errors = 0;           ///< of these, coefficients of errors
-  std::size_t null_directions = 0;  ///< of which the lengths say nothing; 0 when all 21 errors are told
-  double condition = 0.0;           ///< of the scaled rows
+  std::size_t unknowns = 0;         ///< unknowns under the gauge, stations and dead paths included
+  std::size_t errors = 0;           ///< how many of these are coefficients of errors
+  std::size_t null_directions = 0;  ///< directions of which the lengths say nothing; 0 when all 21 errors are told
+  double condition = 0.0;           ///< condition of the scaled rows
 };
 
 /// One of the 18 curves that was taken to be smooth.
 struct SmoothedError {
-  std::size_t error = 0;    ///< in the order of error_names()
+  std::size_t error = 0;    ///< number in the order of error_names()
   double u_ratio = 1.0;     ///< mean standard uncertainty by the lengths alone over that which is stated
   double bias = 0.0;        ///< the most by which the smoothness draws it towards a straight line, µm or µrad
   double bend_ratio = 1.0;  ///< what it was found to bend over what the smoothness lets expect, as a ratio of rms
-  double chance = 1.0;      ///< that it were found to bend as far, if the smoothness held
+  double chance = 1.0;      ///< probability that it were found to bend as far, if the smoothness held
 };
 
 struct SmoothedCurves {
@@ -121,8 +121,8 @@ struct Identification {
   ErrorModel model;
   std::vector<IdentifiedStation> stations;
   std::vector<IdentifiedStretch> stretches;
-  std::vector<double> residuals_um;  ///< per reading, measured less predicted; of those set aside too
-  std::vector<double> sigmas_um;     ///< per reading, as stated
+  std::vector<double> residuals_um;  ///< residual of each reading, measured less predicted; of those set aside too
+  std::vector<double> sigmas_um;     ///< standard uncertainty of each reading, as stated
   std::vector<SetAside> set_aside;
   std::vector<FoundBreak> breaks;
   double chi_squared = 0.0;

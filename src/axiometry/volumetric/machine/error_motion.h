@@ -14,7 +14,7 @@
 namespace axiometry::volumetric {
 
 inline constexpr std::size_t axis_count = 3;
-inline constexpr std::size_t motion_count = 6;  ///< of one axis: X, Y, Z, A, B, C
+inline constexpr std::size_t motion_count = 6;  ///< motions of one axis: X, Y, Z, A, B, C
 inline constexpr std::size_t first_rotation = 3;
 
 /// One of the 18 functions.

@@ -23,7 +23,7 @@ struct Tool {
 /// A station that is planned, or where the instrument is said to stand; its name is that of the lengths.
 struct NamedStation {
   std::string name;
-  Vector3 at_mm;  ///< in the machine's coordinates
+  Vector3 at_mm;  ///< place in the machine's coordinates
 };
 
 struct MachineModel {
@@ -31,12 +31,12 @@ struct MachineModel {
   KinematicChain chain;
   TravelBox travel = {};
   std::vector<Tool> tools = {};
-  std::vector<NamedStation> stations = {};  ///< where they are said to stand; may be empty
-  RangingUncertainty ranging = {};          ///< of a length, independent from one to the next
+  std::vector<NamedStation> stations = {};  ///< places where they are said to stand; may be empty
+  RangingUncertainty ranging = {};          ///< uncertainty of a length, independent from one to the next
   /// Standard uncertainty of what all lengths have in common, as the wavelength of air: adds to the slopes of EXX, EYY
   /// and EZZ. Absent when nothing was said of it.
   std::optional<RelativeLength> scale_uncertainty = {};
-  Length repeatability = {};  ///< of the machine at a stop, standard deviation along the beam
+  Length repeatability = {};  ///< standard deviation of the machine at a stop along the beam
   /// c_a: where the error motions of axis a are stated. Straightness depends on it; at the machine's zero by default.
   std::array<Vector3, 3> functional_point_mm{};
 

@@ -13,10 +13,10 @@ namespace axiometry::volumetric {
 struct VolumetricReading {
   std::size_t station = 0;
   std::size_t tool = 0;
-  std::size_t segment = 0;  ///< of this station with this tool: a beam that was broken begins another
+  std::size_t segment = 0;  ///< segment of this station with this tool: a beam that was broken begins another
   Vector3 axes_mm;          ///< q, where the axes were told to stand
   double length_mm = 0.0;   ///< |p − s| less a dead path that is the same within a segment
-  std::size_t line = 0;     ///< of the file; 0 when there is none
+  std::size_t line = 0;     ///< line of the file; 0 when there is none
 };
 
 /// In the order of measurement.

@@ -16,8 +16,8 @@ namespace axiometry::volumetric {
 
 struct PlannedStop {
   Vector3 axes_mm;
-  std::vector<Vector3> over_mm = {};  ///< where the axes are driven before, in order, from the stop before
-  bool beam_kept = true;              ///< on that way; else the beam must be found again
+  std::vector<Vector3> over_mm = {};  ///< places to which the axes are driven before, in order, from the stop before
+  bool beam_kept = true;              ///< whether the beam is kept on that way; else it must be found again
 
   friend bool operator==(const PlannedStop&, const PlannedStop&) = default;
 };
@@ -31,7 +31,7 @@ struct PlannedRun {
 
 struct CalibrationPlan {
   std::string date = {};
-  MachineModel machine;  ///< with its stations
+  MachineModel machine;  ///< the machine, with its stations
   TrackerLimits limits = {};
   std::vector<Obstacle> obstacles = {};
   double feed_mm_per_min = 3000.0;

@@ -24,7 +24,7 @@ struct ExpectOptions {
 
 /// Standard uncertainties of one of the 21 errors, µm or µrad; absent where it is not told.
 struct ExpectedError {
-  std::optional<double> u_mean;  ///< over 41 positions of the travel, rms
+  std::optional<double> u_mean;  ///< root mean square of u over 41 positions of the travel
   std::optional<double> u_most;
 };
 
@@ -41,9 +41,9 @@ struct Expectation {
   std::size_t readings = 0;
   std::vector<std::size_t> unseen;            ///< places in error_names()
   std::vector<std::string> reasons;           ///< why; empty when all is told
-  std::array<ExpectedError, 21> errors;       ///< in the order of error_names()
-  std::vector<ExpectedTool> tools;            ///< of the machine, in its order
-  std::optional<double> u_rms_um, u_most_um;  ///< over all tools
+  std::array<ExpectedError, 21> errors;       ///< expected errors in the order of error_names()
+  std::vector<ExpectedTool> tools;            ///< tools of the machine, in its order
+  std::optional<double> u_rms_um, u_most_um;  ///< root mean square and largest u over all tools
 };
 
 /// Fails on sizes of curves that are none, no station or reading, places outside of the travel and a station within

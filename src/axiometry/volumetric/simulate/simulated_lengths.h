@@ -35,7 +35,7 @@ struct SimulationChoices {
   DrawnSize size = {};
   Reversal reversal = Reversal::none;
   std::span<const Visit> visits = {};  ///< else spread ones; in any order where there is reversal
-  std::size_t points = 100;            ///< of each station and tool, where they are spread
+  std::size_t points = 100;            ///< points of each station and tool, where they are spread
 };
 
 /// What a simulated machine does, but for faults and noise.
@@ -47,9 +47,9 @@ SimulatedCourse simulated_course(const MachineModel& machine, const SimulationCh
 
 /// What goes wrong; 0 does not.
 struct SimulatedFaults {
-  bool noise = true;              ///< of instrument and machine, as the machine's file states them
+  bool noise = true;              ///< whether instrument and machine scatter as the machine's file states
   double drift_um = 0.0;          ///< standard deviation of what a dead path drifts from its first to its last reading
-  std::size_t told_breaks = 0;    ///< of the beam, which begin a segment
+  std::size_t told_breaks = 0;    ///< breaks of the beam that begin a segment
   std::size_t untold_breaks = 0;  ///< which the file does not tell
   std::size_t lost = 0;           ///< readings that are not there
   std::size_t outliers = 0;       ///< readings that are wrong by 20 µm to 2 mm
@@ -67,13 +67,13 @@ struct SimulatedOutlier {
 struct SimulatedDeadPath {
   std::size_t station = 0;
   std::size_t tool = 0;
-  double dead_path_mm = 0.0;  ///< at its first reading, before any break
-  double drift_um = 0.0;      ///< of the lengths, up to its last reading
+  double dead_path_mm = 0.0;  ///< dead path at its first reading, before any break
+  double drift_um = 0.0;      ///< drift of the lengths up to its last reading
 };
 
 struct SimulatedLengths {
   VolumetricLengths lengths;
-  std::vector<Vector3> displacements_um;  ///< of each reading: where the tool point truly was, less where it should be
+  std::vector<Vector3> displacements_um;  ///< where the tool point truly was at each reading, less where it should be
   std::vector<SimulatedDeadPath> dead_paths;
   std::vector<SimulatedJump> jumps;
   std::vector<SimulatedOutlier> outliers;

@@ -55,7 +55,7 @@ struct TrueErrors {
 /// How large errors are that are drawn.
 struct DrawnSize {
   double displacement_um = 8.0;
-  double rotation_urad = 12.0;  ///< of rotations and squareness
+  double rotation_urad = 12.0;  ///< size of rotations and squareness
 };
 
 /// Which draw: trials of one seed are independent.

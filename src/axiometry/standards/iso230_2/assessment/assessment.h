@@ -37,7 +37,7 @@ std::optional<Finding> find_progression(const Metadata& metadata, const Series& 
 /// remarks of the test's source among them.
 struct Assessment {
   Evaluation evaluation;
-  ResolvedInputs inputs;  ///< of the uncertainty, that of every method
+  ResolvedInputs inputs;  ///< inputs of the uncertainty, which every method takes
   std::optional<AnnexA> annex_a;
   std::optional<GumUncertainty> gum;  ///< this and the next are added by who wants them; assess() leaves them out
   std::optional<MonteCarlo> monte_carlo;
@@ -47,7 +47,7 @@ struct Assessment {
   std::vector<Finding> findings;
   std::optional<Finding> progression;  ///< find_progression(), at every depth: looked for once
   std::string label;  ///< must stand wherever the results do: "step cycle (Annex B), not for acceptance"; else empty
-  bool temperatures_recorded = false;  ///< of the air at the start and the end of the test, by a log beside it
+  bool temperatures_recorded = false;  ///< whether a log tells the air's temperature at start and end of the test
 
   /// Whether no finding is a departure: nothing that is known of the test contradicts the standard. What may be claimed
   /// for it is another question (rules/claims.h).

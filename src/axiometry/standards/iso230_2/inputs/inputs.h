@@ -45,7 +45,7 @@ struct UncertaintyInput {
   Effect effect = Effect::scale;
   /// Of α, ΔT, θ and Δ as they are, so that the means are α̂ and ΔT̂; of all others about zero.
   uncertainty::Distribution distribution;
-  std::string unit;  ///< of the distribution
+  std::string unit;  ///< unit of the distribution
   std::string note;  ///< "assumed", "largest of the sensors", "as given"; empty for an item of the metadata
 };
 

@@ -78,10 +78,10 @@ std::string_view use_key(InputUse use);  ///< "none", "all", "annex-a", "gum-and
 
 /// One statement, used or not.
 struct ResolvedRow {
-  std::string key;     ///< of the vocabulary: "uncertainty.device_error_range_um_per_m", "sensors"
+  std::string key;     ///< key of the vocabulary: "uncertainty.device_error_range_um_per_m", "sensors"
   std::string symbol;  ///< "R_DEVICE"
   std::optional<double> value;
-  std::string word;  ///< in place of a value: "linear", "uniform 10 12"
+  std::string word;  ///< word that stands in place of a value: "linear", "uniform 10 12"
   std::string unit;
   InputOrigin origin = InputOrigin::file;
   std::string
@@ -101,18 +101,18 @@ struct ResolvedInputs {
   ResolvedValue length_m;  ///< L
   std::optional<ResolvedBody> machine;
   std::optional<ResolvedBody> device;      ///< absent: its statement includes its temperature
-  ResolvedCalibration device_calibration;  ///< or nothing, where the error range counts, or an artefact
+  ResolvedCalibration device_calibration;  ///< or nothing, where the error range or an artefact counts
   MaybeResolved device_error_range;        ///< µm/m
   ResolvedCalibration artefact_calibration;
-  MaybeResolved probing;                         ///< of the artefact, µm
+  MaybeResolved probing;                         ///< uncertainty of probing the artefact, µm
   MaybeResolved misalignment_mm;                 ///< R over L; both this and the next or none
   MaybeResolved alignment_deg;                   ///< θ_max
   MaybeResolved environment_sensitivity;         ///< K, µm/(m·°C), together with …
   MaybeResolved environment_difference;          ///< … ΔT_e, °C
   std::vector<InputDistribution> distributions;  ///< those that count
-  std::vector<ResolvedRow> rows;                 ///< in the order of the vocabulary, what follows beside its like
+  std::vector<ResolvedRow> rows;                 ///< rows in the order of the vocabulary, what follows beside its like
   std::vector<ResolvedRemark> remarks;
-  std::vector<std::string> device_notes;  ///< of several statements about the device, for the tables of the methods
+  std::vector<std::string> device_notes;  ///< notes on several statements about the device, for tables of the methods
 };
 
 /// Of several statements about one thing the one with the strongest origin counts (flag, entered, file, instrument); of

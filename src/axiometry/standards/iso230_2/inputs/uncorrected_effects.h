@@ -15,7 +15,7 @@ namespace axiometry::iso230_2 {
 
 struct UncorrectedEffect {
   std::string key;   ///< "expansion", "expansion-coefficient", "air", "dead-path", "gain", "sign", "station"
-  std::string what;  ///< for people: "thermal expansion, about 104.7 µm over the travel,"
+  std::string what;  ///< words for people: "thermal expansion, about 104.7 µm over the travel,"
   /// How much it may change what depends on lengths (A, E, M and their like), and what depends on repetition and
   /// reversal (R, B and their like). Absent where nobody can tell.
   std::optional<Deviation> on_lengths;

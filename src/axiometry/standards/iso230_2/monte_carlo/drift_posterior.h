@@ -41,9 +41,9 @@ struct SeenModes {
   std::vector<double> of_means;     ///< … and their mean in every cell, in the order direction, target
   std::vector<double> sizes;        ///< λ; 0 for what is not seen
   std::vector<double> coordinates;
-  double squares = 0.0;  ///< of the residuals
+  double squares = 0.0;  ///< sum of the squares of the residuals
   double degrees_of_freedom = 0.0;
-  double squares_left = 0.0;  ///< without what shapes of any size can explain of them
+  double squares_left = 0.0;  ///< sum of squares without what shapes of any size can explain
   double degrees_of_freedom_left = 0.0;
   double least_scatter = 0.0;  ///< standard deviation within runs, where the means of runs tell: they scatter by more
 };

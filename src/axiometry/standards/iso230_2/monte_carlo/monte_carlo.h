@@ -38,14 +38,14 @@ struct MonteCarloOptions {
   uncertainty::MonteCarloOptions propagation;
   std::uint64_t seed = 1;
   TypeA type_a = TypeA::pooled;
-  std::size_t contribution_trials = 50'000;  ///< for each input alone, at most what was asked for; 0: none
+  std::size_t contribution_trials = 50'000;  ///< trials for each input alone, at most what was asked for; 0: none
 };
 
 /// What an input, alone, contributes to the standard uncertainty of each parameter, the others at their
 /// estimates. Squares add up to u² only where the model is linear and the inputs are independent. For this_machine the
 /// noise of readings and runs is part of the sampling, and 0 here.
 struct Contribution {
-  std::string key;  ///< of the input, or "sampling"
+  std::string key;  ///< key of the input, or "sampling"
   std::string title;
   std::array<double, std::size(parameters)> u{};  ///< native unit; 0 where the parameter does not exist
 };
@@ -57,7 +57,7 @@ struct ParameterDistribution {
   /// stated
   uncertainty::OutputSummary summary;
   double bias() const { return value - summary.mean; }      ///< what noise has added to the measured value
-  std::vector<uncertainty::OutputSummary> by_hypothesis{};  ///< in the order of those that are not refuted
+  std::vector<uncertainty::OutputSummary> by_hypothesis{};  ///< summaries of the hypotheses not refuted, in their order
   /// The interval that is stated: lowest lower and highest upper end of all hypotheses, and of each moved by
   /// shift_of(). Of a parameter, which is no less than 0 unless it is B̄, neither is its lower end.
   double low = 0.0;
@@ -80,7 +80,7 @@ inline constexpr std::string_view refusal_sentence =
 /// A mean deviation at a target, numbers in the native deviation unit.
 struct MeanInterval {
   double value = 0.0;  ///< measured, clause 3
-  double mean = 0.0;   ///< of the trials, of the hypothesis with the largest u
+  double mean = 0.0;   ///< mean of the trials of the hypothesis with the largest u
   double u = 0.0;
   double low = 0.0;  ///< the interval that is stated, as of a ParameterDistribution
   double high = 0.0;
@@ -108,11 +108,11 @@ struct MonteCarlo {
   std::vector<UncertaintyInput> inputs;
   std::vector<Contribution> contributions;
   std::vector<std::string> notes;
-  std::vector<NoiseHypothesis> hypotheses;  ///< about the noise: all that were considered, those refuted too
+  std::vector<NoiseHypothesis> hypotheses;  ///< all hypotheses about the noise that were considered, those refuted too
   /// Of at most 120 targets, from the first to the last; empty where a refusal stands, and where
   /// MonteCarloOptions::contribution_trials is 0.
   std::vector<MeanDistribution> means{};
-  std::size_t mean_trials = 0;  ///< for each hypothesis
+  std::size_t mean_trials = 0;  ///< how many trials each hypothesis has
 };
 
 /// Nothing when no input was given and the measurand is this test: then nothing is known about its uncertainty.

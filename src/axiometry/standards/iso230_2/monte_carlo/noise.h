@@ -24,7 +24,7 @@ struct NoiseHypothesis {
   std::string key;
   std::string title;  ///< "white noise from reading to reading"
   bool refuted = false;
-  std::optional<double> p;  ///< of what the readings show, were noise of the stated size there; small: it was not
+  std::optional<double> p;  ///< probability of these readings, were noise of the stated size there; small: it was not
   std::string reason;       ///< what p tests, and what follows
 };
 

@@ -32,7 +32,7 @@ struct ReadingNoise {
   double run = 0.0;                  ///< u(d), common to a run
   double target = 0.0;               ///< u(δ), of a target in either direction …
   double up_down_correlation = 1.0;  ///< … with this correlation between the two, −1 to 1
-  double target_direction = 0.0;     ///< of a target in one direction, independent
+  double target_direction = 0.0;     ///< standard uncertainty of a target in one direction, independent
 };
 
 class ReadingPosterior {
@@ -59,7 +59,7 @@ class ReadingPosterior {
   /// from each; it may be empty. Contract: independent_noise(), and trials in whole groups of normal numbers.
   using TakeAway = std::function<void(std::size_t place, numeric::Rows<double> readings)>;
   struct CellMoments {
-    numeric::Rows<double> means, estimators;  ///< of one stride, the number of trials; 0 where a cell has one reading
+    numeric::Rows<double> means, estimators;  ///< rows of one stride, the number of trials; 0: a cell has one reading
   };
   void draw_moments(numeric::RandomKey key, const CellMoments& moments, const TakeAway& take_away = {}) const;
 
@@ -80,8 +80,8 @@ class ReadingPosterior {
     std::size_t target = 0;
     std::size_t count = 0;          ///< n
     double mean = 0.0;              ///< x̄ without the shifts of the runs that it happens to have
-    std::vector<double> readings;   ///< of each run, NaN where missing
-    std::vector<double> residuals;  ///< of each run: x less mean and shift of the run
+    std::vector<double> readings;   ///< readings per run, NaN where missing
+    std::vector<double> residuals;  ///< residuals per run: x less mean and shift of the run
   };
   /// A curve over the targets: the middle of ↑ and ↓, their difference, or one direction alone.
   struct Curve {
@@ -122,19 +122,19 @@ class ReadingPosterior {
   std::size_t targets_ = 0;
   std::size_t runs_ = 0;
   ReadingNoise noise_;
-  double shared_variance_ = 0.0;  ///< of δ as far as ↑ and ↓ share it, with opposite signs where r < 0
-  double own_variance_ = 0.0;     ///< of what either direction of a target has of its own
+  double shared_variance_ = 0.0;  ///< variance of δ that ↑ and ↓ share, with opposite signs where r < 0
+  double own_variance_ = 0.0;     ///< variance of δ that either direction of a target has of its own
   double down_sign_ = 1.0;
   bool exact_ = false;
   std::vector<Cell> cells_;
   double cells_per_run_ = 0.0;      ///< C, on average; 0 where shifts of the runs are not followed
   std::vector<double> run_shifts_;  ///< observed ρ_j + d_j, about their mean
   std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be, draws fill the steps between
-  double run_step_ = 0.0;           ///< of ln σ_ρ
+  double run_step_ = 0.0;           ///< step of ln σ_ρ
   numeric::WeightedChoice run_choice_;
   std::optional<numeric::SpreadPosterior> spread_;
   std::vector<Curve> curves_;
-  std::size_t curve_normals_ = 0;  ///< that one draw of all curves takes
+  std::size_t curve_normals_ = 0;  ///< how many normal numbers one draw of all curves takes
 };
 
 }  // namespace axiometry::iso230_2

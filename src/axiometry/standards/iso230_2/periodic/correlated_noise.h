@@ -10,7 +10,7 @@
 namespace axiometry::iso230_2 {
 
 struct NoiseCorrelation {
-  double lag_one = 0.0;  ///< of the residuals of neighbouring targets, with what the fit took out of it given back
+  double lag_one = 0.0;  ///< correlation of the residuals of neighbouring targets, corrected for what the fit took out
   double most = 0.0;     ///< ρ may be so large: two standard errors more; 0 to 1
   bool told = false;     ///< more than white noise shows in one test of a thousand
 

@@ -34,7 +34,7 @@ struct Estimate {
 
 struct PeriodicOptions {
   std::optional<Position> period{};    ///< λ, when it is known; else it is searched
-  std::optional<Position> shortest{};  ///< of the band that is searched; 2.1 times the mean spacing when not given
+  std::optional<Position> shortest{};  ///< shortest period searched; 2.1 times the mean spacing when not given
   std::optional<Position> longest{};   ///< half the measured travel when not given, so that two periods are covered
 };
 
@@ -43,7 +43,7 @@ struct PeriodicHarmonic {
   std::size_t order = 1;          ///< h; 1 is the fundamental
   Estimate<Deviation> amplitude;  ///< A_h ≥ 0; noise alone gives about 1.3 times its u
   Estimate<Angle> phase;          ///< φ_h in (−180°, 180°], at the first target P_1; u at most 104° (anything)
-  double chance = 1.0;            ///< that noise alone makes this harmonic as large
+  double chance = 1.0;            ///< probability that noise alone makes this harmonic as large
   bool significant = false;       ///< chance below 1 %; then, and the fundamental always, it is part of the curve
 };
 
@@ -81,17 +81,17 @@ struct PeriodicDirection {
   bool period_known = false;                ///< then it has no uncertainty here
   Estimate<Position> period;                ///< λ
   std::vector<PeriodicHarmonic> harmonics;  ///< as many of four as the targets can tell, the fundamental first
-  Estimate<Angle> phase_at_zero;  ///< of the fundamental at position 0, with the uncertainty that λ has on the way
+  Estimate<Angle> phase_at_zero;  ///< phase of the fundamental at position 0, with what λ is uncertain on the way
 
-  Estimate<Deviation> peak_to_valley;  ///< of `curve` over one period; not inflated by the residuals
-  Deviation range_about_line;          ///< of the deviations less the line: what a reader of the raw data sees
-  Deviation range_of_residuals;        ///< of what the curve leaves
-  Deviation residual_sd;               ///< with n − parameters degrees of freedom
+  Estimate<Deviation> peak_to_valley;  ///< range of `curve` over one period; not inflated by the residuals
+  Deviation range_about_line;          ///< range of the deviations less the line: what a reader of the raw data sees
+  Deviation range_of_residuals;        ///< range of what the curve leaves
+  Deviation residual_sd;  ///< standard deviation of the residuals, with n − parameters degrees of freedom
   std::size_t degrees_of_freedom = 0;
   std::optional<Deviation> scatter_of_means;  ///< s/√n pooled over the targets: what the runs let expect as residual_sd
   double coverage_factor = 2.0;               ///< k for a probability of 95.45 %
 
-  double false_alarm = 1.0;  ///< that white noise alone gives such a peak: in the band, or at the known period
+  double false_alarm = 1.0;  ///< probability of such a peak by white noise alone: in the band, or at the known period
   NoiseCorrelation residual_correlation{};
   double curve_times = 1.0;  ///< as uncertain as by white noise are λ, amplitudes, phases and peak to valley
   double line_times = 1.0;   ///< the same of offset and slope, as of a period of twice the travel
@@ -102,7 +102,7 @@ struct PeriodicDirection {
   double periods_covered = 0.0;
   double targets_per_period = 0.0;
   std::optional<FurtherPeriod> further;
-  std::vector<PeriodicSpectrumLine> spectrum;  ///< from long to short periods; also where the period is known
+  std::vector<PeriodicSpectrumLine> spectrum;  ///< lines from long to short periods; also where the period is known
   Deviation noise_level;                       ///< amplitude that noise like the residuals exceeds in 1 % of such bands
   bool peak_at_end = false;                    ///< the highest peak stands at an end of the searched band
 
@@ -116,7 +116,7 @@ struct PeriodicDirection {
 struct PeriodicError {
   std::vector<PeriodicDirection> directions;  ///< one or two
   std::vector<Finding> findings;              ///< departures from the test first
-  std::string label;                          ///< of cycles that do not serve the standard; must stand with the results
+  std::string label;                          ///< of cycles that do not serve the standard: must stand with the results
 
   /// Whether nothing departs from the test of Annex C.
   bool conforming() const;

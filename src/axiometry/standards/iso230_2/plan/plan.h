@@ -60,9 +60,9 @@ struct PlanRequest {
   std::string machine;                 ///< copied, as the next
   std::string date;                    ///< "2026-11-21"
   std::optional<Stretch> measurement;  ///< measurement travel (3.2)
-  std::optional<Stretch> soft_limits;  ///< of the control, where they differ from the axis travel
+  std::optional<Stretch> soft_limits;  ///< soft limits of the control, where they differ from the axis travel
   TestCycle cycle = TestCycle::standard;
-  std::vector<Approach> sequence;    ///< of the user-defined cycle
+  std::vector<Approach> sequence;    ///< approaches of the user-defined cycle
   std::vector<Position> targets;     ///< given by the user, in any order; empty: drawn
   std::optional<std::size_t> count;  ///< m
   std::optional<Position> interval;  ///< p at most
@@ -76,7 +76,7 @@ struct PlanRequest {
   std::optional<std::size_t> warm_up_runs;
   std::optional<Position> segment;  ///< length of the segments of a scale, from the beginning of the travel (5.3.3)
   std::vector<Stretch> areas;       ///< stretches of the normal working area, for the tests that belong to a long one
-  std::optional<Position> step;     ///< of target positions
+  std::optional<Position> step;     ///< step to which target positions are rounded
   std::optional<double> acceleration;    ///< mm/s² or °/s²
   std::optional<PeriodicTest> periodic;  ///< instead of all that clause 5 asks; needs axis.expected_period
   std::uint64_t seed = 0;

@@ -14,15 +14,15 @@ namespace axiometry::iso230_2 {
 
 /// (i − 1)·p with the room that each r has.
 struct TargetGrid {
-  double first = 0.0;          ///< of target 1 without its random part
+  double first = 0.0;          ///< position of target 1 without its random part
   double interval = 0.0;       ///< p
   std::size_t count = 0;       ///< m
   double shift = 0.0;          ///< R
-  double shift_inwards = 0.0;  ///< of the first and the last; both shift as the others do when without_end
+  double shift_inwards = 0.0;  ///< shift of the first and the last; both shift as the others do when without_end
   bool without_end = false;
-  double step = 0.0;  ///< to which targets are rounded
+  double step = 0.0;  ///< step to which targets are rounded
   bool principal_positions = false;
-  double segment = 0.0;  ///< of the scale, counted from segments_from; 0 for none
+  double segment = 0.0;  ///< length of a segment of the scale, counted from segments_from; 0 for none
   double segments_from = 0.0;
 
   double at(std::size_t i) const { return first + static_cast<double>(i) * interval; }

@@ -58,7 +58,7 @@ Rule temperature_without_correction;  // 4.1
 Rule temperature_change;              // 4.1
 Rule ordered_progression;             // 4.3
 
-inline constexpr const char* progression_clause = "4.3";  ///< of an ordered progression of deviations
+inline constexpr const char* progression_clause = "4.3";  ///< clause of an ordered progression of deviations
 
 /// Notes of what the standard forbids but where something allows it that no item states: that the targets could not be
 /// chosen, that another test was made as well. As missing: they speak against a test, and against a plan of one.

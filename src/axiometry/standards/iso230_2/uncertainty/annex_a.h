@@ -23,7 +23,7 @@ struct BudgetInput {
   std::string_view symbol;  ///< "R(θ)"
   double value = 0.0;
   std::string_view unit;  ///< "°C"
-  std::string_view note;  ///< where a value was not given but follows: "assumed", "from the travel"; else empty
+  std::string_view note;  ///< how a value follows that was not given: "assumed", "from the travel"; else empty
 };
 
 /// One line of the budget.
@@ -40,7 +40,7 @@ struct Contributor {
 
 /// Repeatabilities corrected for environmental variation (A.2.6, A.10), beside the measured ones.
 struct CorrectedRepeatability {
-  std::vector<PositionResult> positions;  ///< with s_i and R_i corrected
+  std::vector<PositionResult> positions;  ///< results with s_i and R_i corrected
   AxisParameters parameters;              ///< only R, R↑ and R↓ are meant; the others stay as measured
   std::vector<std::size_t> floored;       ///< targets (index) where s_i² < (U_EVE/2)² and 0 was taken
 };
@@ -58,8 +58,8 @@ struct AnnexAMean {
 struct AnnexAPosition {
   Position target;
   std::optional<double> length_m;                       ///< l_i; absent of rotary axes
-  std::vector<std::optional<Deviation>> contributions;  ///< of AnnexA::budget at l_i, in its order; U_EVE is below
-  std::optional<AnnexAMean> up, down, mean;             ///< of x̄_i↑, x̄_i↓ and x̄_i, as far as they exist
+  std::vector<std::optional<Deviation>> contributions;  ///< parts of AnnexA::budget at l_i, in its order; without U_EVE
+  std::optional<AnnexAMean> up, down, mean;  ///< uncertainties of x̄_i↑, x̄_i↓ and x̄_i, where they exist
 };
 
 struct AnnexA {

@@ -49,14 +49,14 @@ struct PositionComponents {
   Deviation axis_resolution;  ///< u[c_r]
   Deviation instrument;       ///< u[c_s]: resolution, calibration, environment, station
   Deviation other;            ///< inputs of one's own
-  ExpandedUncertainty total;  ///< of x̄_i in this direction
+  ExpandedUncertainty total;  ///< uncertainty of x̄_i in this direction
 };
 
 struct PositionUncertainty {
   Position target;
   std::optional<PositionComponents> up;
   std::optional<PositionComponents> down;
-  std::optional<ExpandedUncertainty> mean;  ///< of x̄_i, eq. 10: Table 6
+  std::optional<ExpandedUncertainty> mean;  ///< uncertainty of x̄_i, eq. 10: Table 6
 };
 
 /// A source of uncertainty, one line of every budget.
@@ -67,7 +67,7 @@ struct GumSource {
   std::string title;
   std::string source;        ///< equation
   std::string distribution;  ///< as uncertainty::Distribution::text(); empty where there is none
-  std::optional<double> u;   ///< of one draw, in `unit`; absent where each target has its own
+  std::optional<double> u;   ///< uncertainty of one draw, in `unit`; absent where each target has its own
   std::string unit;
   std::string note;
 };
@@ -90,7 +90,7 @@ struct GumUncertainty {
   std::vector<PositionUncertainty> positions;  ///< one per target
   std::vector<GumParameter> parameters;        ///< those that exist and on which some source acts
   std::vector<std::string> notes;              ///< what was assumed, and where the method ends
-  std::size_t position_notes = 0;              ///< of these the first ones, which concern `positions` too
+  std::size_t position_notes = 0;              ///< how many of the first notes concern `positions` too
 
   /// nullptr where it has none.
   const GumParameter* find(std::string_view key) const;

@@ -25,13 +25,13 @@ std::string_view method_title(UncertaintyMethod method);  ///< "Annex A"
 /// The uncertainty of one parameter as it is stated.
 struct StatedUncertainty {
   UncertaintyMethod method = UncertaintyMethod::annex_a;
-  std::optional<Measurand> measurand;  ///< whose uncertainty it is; absent for Annex A, which does not ask
+  std::optional<Measurand> measurand;  ///< measurand whose uncertainty it is; absent for Annex A, which does not ask
   Deviation u;                         ///< standard uncertainty: U/2 of Annex A
   std::optional<Deviation> U;          ///< expanded; absent of the Monte Carlo method, which states the interval
   /// Value ± U, or of the Monte Carlo method the interval with its coverage probability, widened to hold the measured
   /// value where it does not.
   uncertainty::Interval interval;
-  std::optional<double> degrees_of_freedom{};  ///< of the GUM, where they are finite: Student's t, else normal
+  std::optional<double> degrees_of_freedom{};  ///< ν of the GUM, where finite: Student's t, else normal
 };
 
 /// The same with what a decision asks: the belief in the parameter with its sign.

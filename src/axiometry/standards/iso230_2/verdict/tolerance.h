@@ -40,8 +40,8 @@ struct Tolerance {
   const ParameterInfo* parameter = nullptr;
   Deviation limit;
   ToleranceSource source = ToleranceSource::user;
-  std::string origin{};  ///< of a table: which one, for people; of an axis in the archive: since which day; else empty
-  std::vector<ReplacedLimit> replaced{};  ///< of the same parameter, in rising precedence
+  std::string origin{};  ///< which table, for people; which day an axis in the archive has it since; else empty
+  std::vector<ReplacedLimit> replaced{};  ///< limits of the same parameter that it replaced, in rising precedence
 };
 
 /// The limits of both, parameter by parameter: one of `over` takes the place of the one below, which it remembers.
@@ -72,7 +72,7 @@ struct Judgement {
 
 /// What a decision asks beside values, limits and rule.
 struct JudgedWith {
-  ParameterUncertainties uncertainties{};            ///< of record
+  ParameterUncertainties uncertainties{};            ///< uncertainties of record
   ComparisonSlack slack{};                           ///< how far rounding may have moved a value off its limit
   std::span<const UncorrectedEffect> uncorrected{};  ///< what the values hold and nobody knows the doubt of
   UncertaintyRefusals refusals{};                    ///< why there is no uncertainty of record
