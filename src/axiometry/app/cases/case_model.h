@@ -21,7 +21,7 @@ struct ModelStatements {
   struct Input {
     std::string name;
     uncertainty::Distribution distribution;
-    std::optional<double> degrees_of_freedom;  ///< for the law of propagation
+    std::optional<double> degrees_of_freedom;  ///< ν for the law of propagation
   };
   struct Pair {
     std::size_t first = 0;

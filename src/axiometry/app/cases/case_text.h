@@ -13,7 +13,7 @@
 namespace axiometry::app {
 
 struct Word {
-  std::string_view text;  ///< without quotes
+  std::string_view text;  ///< the word without quotes
   TextPosition at;
   bool quoted = false;
 

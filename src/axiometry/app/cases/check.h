@@ -44,8 +44,8 @@ std::string to_string(const CaseComparison& comparison);
 
 /// What became of the expectations of one text.
 struct CheckReport {
-  std::string title;                        ///< of the case; empty when it has none
-  std::vector<CaseComparison> comparisons;  ///< at least one, in the order of the lines
+  std::string title;                        ///< title of the case; empty when it has none
+  std::vector<CaseComparison> comparisons;  ///< at least one comparison, in the order of the lines
 
   std::vector<CaseComparison> failures() const;  ///< those that were not met
   bool passed() const { return failures().empty(); }

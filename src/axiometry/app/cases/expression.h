@@ -17,7 +17,7 @@ namespace axiometry::app {
 struct Formula {
   std::string output;
   std::string expression;
-  TextPosition at;  ///< where the expression begins, for messages
+  TextPosition at;  ///< place where the expression begins, for messages
 };
 
 class FormulaModel {
@@ -25,7 +25,7 @@ class FormulaModel {
   /// Fails on an expression that cannot be read or names what is no input, with the place of the word.
   static Result<FormulaModel> make(std::vector<Formula> formulas, std::vector<std::string> inputs);
 
-  uncertainty::ModelFunction function() const;  ///< for one thread
+  uncertainty::ModelFunction function() const;  ///< a function that one thread may call
   uncertainty::BlockModel blocks(uncertainty::JointDistribution distributions, std::uint64_t seed) const;
 
  private:

@@ -20,13 +20,13 @@ namespace axiometry::app {
 struct DynamicOptions {
   AxisKind kind = AxisKind::linear;
   std::string stream{};             ///< id of the layout; empty: recognised by content
-  std::optional<double> rate_hz{};  ///< for layouts that tell no time
+  std::optional<double> rate_hz{};  ///< samples a second, for layouts that tell no time
   std::optional<double> units_per_count{};
-  std::optional<std::size_t> stream_axis{};  ///< of a stream of several, 0 is the first; else as the columns are called
+  std::optional<std::size_t> stream_axis{};  ///< number in a stream of several, from 0; else columns by name
   bool reverse = false;                      ///< it counts up when the axis moves down
   std::optional<double> window_s{};          ///< capture::usual_window_s()
   std::optional<double> from_s{}, to_s{};    ///< only that part of the recording
-  std::optional<double> feed{};              ///< that was asked for, native units per minute
+  std::optional<double> feed{};              ///< feed that was asked for, native units per minute
   double uniform_share = 0.05;
 };
 
@@ -47,7 +47,7 @@ struct DynamicMotion {
   capture::MotionSpectrum spectrum;          ///< amplitudes in µm or ″
   std::optional<double> feed{};
   double uniform_share = 0.05;
-  std::vector<std::string> remarks;  ///< of the file, and what these figures lack
+  std::vector<std::string> remarks;  ///< remarks on the file, and what these figures lack
 };
 
 /// Fails, with the file's name, as the reader of the layout does, on samples that are lost, not evenly spaced (beyond 1
@@ -57,8 +57,8 @@ Result<DynamicMotion> measure_dynamic(const std::string& file, const DynamicOpti
 
 /// Samples at which something is extreme, but for those within half a window of the ends.
 struct DynamicExtremes {
-  std::size_t fastest_up = 0, fastest_down = 0;      ///< of the velocity: the highest and the lowest
-  std::size_t strongest_up = 0, strongest_down = 0;  ///< of the acceleration
+  std::size_t fastest_up = 0, fastest_down = 0;      ///< samples with the highest and the lowest velocity
+  std::size_t strongest_up = 0, strongest_down = 0;  ///< samples with the highest and the lowest acceleration
 };
 DynamicExtremes extremes_of(const DynamicMotion& motion);
 

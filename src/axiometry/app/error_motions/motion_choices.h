@@ -19,11 +19,11 @@ namespace axiometry::app {
 struct MotionChoices {
   std::optional<error_motions::Reference> reference{};
   std::optional<error_motions::InstrumentUncertainty> instrument{};
-  std::optional<MotionName> error{};        ///< of a single file
+  std::optional<MotionName> error{};        ///< error that a single file holds
   std::vector<ReadingSense> positive{};     ///< none, or one of each file
-  std::optional<Vector3> offset_mm{};       ///< of angles
+  std::optional<Vector3> offset_mm{};       ///< offset of a point that angles move, mm
   std::vector<Plan> plans{};                ///< none or one, of squareness one for each line; no options but files
-  error_motions::SquarenessOptions square;  ///< of squareness; whether readings are in axes is found out
+  error_motions::SquarenessOptions square;  ///< how squareness is found; whether readings are in axes is found out
 };
 
 /// "reference": "least-squares", "end-points", "none"; "instrument": [A, B]; "error": "EYX"; "positive": ["+Y", "-X"];

@@ -17,12 +17,12 @@
 namespace axiometry::app {
 
 struct MotionRequest {
-  std::string file;                     ///< or "-"
+  std::string file;                     ///< name of the file, or "-"
   std::optional<MotionName> error{};    ///< what the file holds, where it does not say so itself
   bool error_by_senses = false;         ///< both senses of a squareness tell that
   std::optional<ReadingSense> sense{};  ///< likewise which way its readings are positive
   error_motions::MotionOptions options;
-  std::optional<Plan> plan{};               ///< after which readings alone were taken, read_planned_motion()
+  std::optional<Plan> plan{};               ///< plan after which readings alone were taken, read_planned_motion()
   bool alone_with_plan = true;              ///< no other file is of the same plan: it may tell which error this is
   std::optional<std::string_view> bytes{};  ///< those of `file` where they are at hand; they must outlive the call
 };
@@ -42,9 +42,9 @@ struct MeasuredMotion {
   std::optional<MotionName> error;
   std::optional<ReadingSense> sense;  ///< as read; readings of a negative one are turned, so that `motion` is positive
   Metadata metadata;
-  std::vector<std::string> remarks;  ///< of its reading, and what its figures lack
+  std::vector<std::string> remarks;  ///< remarks on its reading, and what its figures lack
   error_motions::AxisMotion motion;
-  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< in the unit of the readings
+  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< its uncertainty, in the unit of the readings
 
   /// Whether its numbers are stated to be those of the named error, in axes of the machine.
   bool in_axes() const { return error && sense; }
@@ -63,7 +63,7 @@ struct SquarenessRequest {
   std::string first, second;
   std::array<std::optional<std::string_view>, 2> bytes{};  ///< likewise
   std::array<std::optional<Plan>, 2> plans{};              ///< likewise, of each line its own
-  std::optional<std::array<ReadingSense, 2>> senses{};     ///< of both lines; they name the errors too
+  std::optional<std::array<ReadingSense, 2>> senses{};     ///< senses of both lines; they name the errors too
   error_motions::MotionOptions options;
   error_motions::SquarenessOptions square;  ///< whether readings are in axes is found out
 };
@@ -71,7 +71,7 @@ struct SquarenessMeasurement {
   MeasuredMotion first, second;
   error_motions::SquarenessOptions square;
   error_motions::MeasuredSquareness result;
-  std::optional<error_motions::LocationError> location;  ///< where both lines are in axes of the machine
+  std::optional<error_motions::LocationError> location;  ///< by name, where both lines are in axes of the machine
 };
 /// Fails also on files of different machines.
 Result<SquarenessMeasurement> measure_squareness(const SquarenessRequest& request);
@@ -83,7 +83,7 @@ struct AnglesRequest {
 };
 struct AbbeComponent {
   std::string name;                              ///< "EXX"
-  std::optional<std::vector<double>> change_um;  ///< at each position
+  std::optional<std::vector<double>> change_um;  ///< change at each position
   std::string missing;                           ///< "EBX, ECX"; empty where change_um is there
 };
 struct AnglesMeasurement {

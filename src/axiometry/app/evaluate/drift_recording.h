@@ -18,7 +18,7 @@ namespace axiometry::app {
 struct DriftRecording {
   std::vector<double> values;
   Duration interval;
-  std::string sha256{};  ///< of the file's bytes
+  std::string sha256{};  ///< hash of the file's bytes
 };
 
 /// Picks at most 2000 values, equally far apart, out of samples as they come, in memory that does not grow with them.

@@ -50,7 +50,7 @@ class TestsSideBySide {
     std::size_t line = 0;
   };
   struct Done {
-    Result<Evaluated> evaluated;  ///< or why there is none, or no text of it
+    Result<Evaluated> evaluated;  ///< what was found, or why there is nothing, or no text of it
     std::string text;
   };
   class Batch;
@@ -63,8 +63,8 @@ class TestsSideBySide {
   ManyThreads threads_;
   EvaluatedTextSink sink_;
   std::vector<Waiting> waiting_;
-  std::size_t readings_ = 0;      ///< of those that wait
-  std::unique_ptr<Batch> batch_;  ///< that is being evaluated
+  std::size_t readings_ = 0;      ///< readings of those that wait
+  std::unique_ptr<Batch> batch_;  ///< tests that are being evaluated
 };
 
 }  // namespace axiometry::app

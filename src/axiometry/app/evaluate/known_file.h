@@ -11,8 +11,8 @@
 namespace axiometry::app {
 
 struct KnownFormat {
-  const formats::Format& format;  ///< that fits the beginning
-  std::string sha256;             ///< of all bytes
+  const formats::Format& format;  ///< format that fits the beginning
+  std::string sha256;             ///< hash of all bytes
 };
 
 /// read_tests() of a source that was recognised and hashed before: neither is done again.

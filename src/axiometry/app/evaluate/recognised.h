@@ -11,7 +11,7 @@ namespace axiometry::app {
 
 /// What the beginning of a file tells. What is to be done with a recording is said by who was given it.
 struct Recognised {
-  Result<const formats::Format*> format;          ///< of a measured test, or why there is none
+  Result<const formats::Format*> format;          ///< format of a measured test, or why it is none
   const formats::Recording* recording = nullptr;  ///< a continuous one; only where no format but any table fits
 };
 

@@ -16,7 +16,7 @@ namespace axiometry::app {
 Result<Deviation> parse_deviation(std::string_view text, AxisKind kind);
 Result<Position> parse_position(std::string_view text, AxisKind kind);
 Result<Duration> parse_duration(std::string_view text);  ///< us, ms, s, min, h
-Result<Duration> parse_period(std::string_view text);    ///< of a frequency in mHz, Hz or kHz, above 0
+Result<Duration> parse_period(std::string_view text);    ///< period of a frequency in mHz, Hz or kHz, above 0
 Result<RelativeLength> parse_slope(std::string_view text, AxisKind kind);  ///< um/m or ppm; arcsec/deg
 Result<double> parse_probability(std::string_view text);                   ///< "0.02" or "2%", 0 to 1
 Result<Angle> parse_phase(std::string_view text);                          ///< deg

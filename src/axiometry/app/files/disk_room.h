@@ -17,14 +17,14 @@ std::optional<std::uint64_t> free_bytes(const std::string& file);
 /// Asked before every piece, it asks the system once a second and once every MiB.
 class DiskRoom {
  public:
-  static constexpr std::uint64_t little = std::uint64_t{256} << 20;  ///< of which people are told
+  static constexpr std::uint64_t little = std::uint64_t{256} << 20;  ///< bytes left at which people are told
   static constexpr std::uint64_t least = std::uint64_t{16}
                                          << 20;  ///< for the test and what else the disk is needed for
 
   DiskRoom(std::string file, FreeBytes ask) : file_(std::move(file)), ask_(std::move(ask)) {}
 
   struct Answer {
-    bool enough = true;                   ///< for these bytes, and `least` beside them
+    bool enough = true;                   ///< whether there is room for these bytes, and for `least` beside them
     std::optional<std::uint64_t> warn{};  ///< once: so little is left
   };
   Answer before(std::uint64_t bytes);

@@ -24,9 +24,9 @@ struct PlanRequestDraft {
   iso230_2::PlanRequest request;
   std::optional<std::uint64_t> seed;    ///< drawn when not given
   std::vector<std::string> areas;       ///< understood when the kind of the axis is known
-  std::optional<std::string> sequence;  ///< of the user-defined cycle
+  std::optional<std::string> sequence;  ///< list of the user-defined cycle
   std::optional<Position> periodic_at;
-  const standards::AxisRule* rule = nullptr;  ///< whose cycle is kept too
+  const standards::AxisRule* rule = nullptr;  ///< rule whose cycle is kept too
   bool says_cycle = false;                    ///< which no rule changes then
 };
 

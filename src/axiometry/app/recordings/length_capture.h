@@ -14,13 +14,13 @@
 namespace axiometry::app {
 
 struct CapturedLengths {
-  std::vector<LengthReading> readings;  ///< in the order of measurement, as shown
-  std::vector<double> times_s;          ///< of each, since some beginning of the recording
-  std::size_t approaches = 0;           ///< of the plan
+  std::vector<LengthReading> readings;  ///< readings in the order of measurement, as shown
+  std::vector<double> times_s;          ///< time of each, s since some beginning of the recording
+  std::size_t approaches = 0;           ///< approaches of the plan
   std::size_t samples = 0;
   std::vector<std::string> notes;  ///< what could not be matched, where the beam was broken, …; sentences
-  std::string layout;              ///< of the recording
-  std::string sha256;              ///< of its file; empty for a live one
+  std::string layout;              ///< layout of the recording
+  std::string sha256;              ///< hash of its file; empty for a live one
   bool simulated = false;          ///< as the recording says
 };
 

@@ -10,10 +10,10 @@ namespace axiometry::app {
 
 /// Where the readings came from, as far as the session does not know it.
 struct MotionOrigin {
-  std::string from;  ///< file, "tcp://…"
-  std::string raw;   ///< file of all bytes that came; may be empty
-  std::string date;  ///< of the first of them; may be empty
-  std::string simulated{};  ///< of readings that nobody measured: what is to be said of them
+  std::string from;         ///< file, "tcp://…"
+  std::string raw;          ///< file of all bytes that came; may be empty
+  std::string date;         ///< day of the first of them; may be empty
+  std::string simulated{};  ///< what is to be said of readings that nobody measured
 };
 
 /// The table that `straightness`, `angles` and `squareness` evaluate: what is known of the readings above it, a row for

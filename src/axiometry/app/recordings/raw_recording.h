@@ -26,10 +26,10 @@ Result<RawLayout> raw_layout_of(std::string_view name);
 
 struct RawSetting {
   AxisKind kind = AxisKind::linear;
-  std::size_t samples = 0;  ///< that will be written
+  std::size_t samples = 0;  ///< samples that will be written
   double rate = 1.0;        ///< samples a second
-  Length wavelength;        ///< in air; a count of `umd` is half of it
-  bool lengths = false;     ///< of a tracking interferometer, where positions are no coordinates of an axis
+  Length wavelength;        ///< wavelength in air; a count of `umd` is half of it
+  bool lengths = false;     ///< whether positions are lengths of a tracking interferometer, no coordinates of an axis
 };
 
 inline constexpr std::size_t simulated_head_most = 64;  ///< bytes of a recording that says_simulated() looks at
@@ -55,7 +55,7 @@ class RecordingEncoder {
   RawLayout layout_;
   RawSetting setting_;
   std::size_t written_ = 0;
-  long long displacement_ = 0;  // of the sample before, counts
+  long long displacement_ = 0;  // counts of the sample before
 };
 
 class RawRecording {

@@ -33,7 +33,7 @@ bool has_times(const std::string& raw);
 bool is_raw(const std::string& name);
 
 struct RawStamp {
-  std::uint64_t end = 0;               ///< of the piece: bytes of the raw file in front of it and in it
+  std::uint64_t end = 0;               ///< end of the piece: bytes of the raw file in front of it and in it
   std::optional<ArrivalNs> arrival{};  ///< nothing where it is not known
   bool begins_connection = false;
 };
@@ -43,7 +43,7 @@ std::string times_record(const RawStamp& stamp);
 
 /// What is sound of the times of a raw file.
 struct RawTimes {
-  std::vector<RawStamp> stamps;         ///< in order, none beyond the bytes
+  std::vector<RawStamp> stamps;         ///< stamps in order, none beyond the bytes
   std::vector<std::string> remarks;     ///< what was missing or left out, and where; none of a sound file
   std::uint64_t untimed = 0;            ///< bytes behind the last stamp
   std::optional<std::size_t> prefix{};  ///< bytes of the file that hold just these stamps, where nothing else follows

@@ -13,7 +13,7 @@ namespace axiometry::app {
 /// How a person calls the stops of a plan.
 struct StopNames {
   std::function<std::string(std::size_t stop)> group;  ///< "line xy", "part 3"
-  std::function<std::string(std::size_t stop)> name;   ///< within it: "target 1↑ run 1", "point 17"
+  std::function<std::string(std::size_t stop)> name;   ///< name within it: "target 1↑ run 1", "point 17"
 };
 
 /// What a person must know of a recording of lengths, as sentences without full stop: stops without a length and why,

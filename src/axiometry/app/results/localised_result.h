@@ -11,12 +11,12 @@ namespace axiometry::app {
 
 /// What a result is of, as docs/results.md tells their members.
 enum class ResultKind {
-  test,                 ///< of one axis
-  lines,                ///< of a plan of lines
+  test,                 ///< a test of one axis
+  lines,                ///< a plan's lines
   motions,              ///< straightness, angles, squareness
   volumetric,           ///< the 21 errors of a machine, from lengths or measured singly
   volumetric_plan,      ///< what a set-up is expected to tell
-  field_difference,     ///< before and after
+  field_difference,     ///< two fields, before and after
   compensation,         ///< a table of a control, from a test or from the 21 errors
   control,              ///< what is known of a control
   findings_beside_all,  ///< any other, whose sentences are those of its findings

@@ -21,7 +21,7 @@ struct SimulationOutputs {
   std::string test;           ///< a format that can be written, by its extension
   std::string raw;            ///< .csv, .txt, .npy or .umd
   std::string truth;          ///< JSON
-  std::string plan;           ///< that is read, and not to be overwritten
+  std::string plan;           ///< plan that is read, and not to be overwritten
   std::string pitch_table{};  ///< likewise
 };
 
@@ -31,9 +31,9 @@ Result<void> check_simulation_outputs(const SimulationOutputs& outputs);
 struct SimulationSummary {
   std::size_t readings = 0;
   std::size_t targets = 0;
-  std::size_t samples = 0;  ///< of the recording
+  std::size_t samples = 0;  ///< samples of the recording
   Duration duration;
-  iso230_2::AxisParameters true_parameters;  ///< of this test
+  iso230_2::AxisParameters true_parameters;  ///< true parameters of this test
 };
 
 /// Simulates, and writes all outputs or none. Fails as simulate(), record() and the outputs do.

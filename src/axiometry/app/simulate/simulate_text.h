@@ -16,7 +16,7 @@ namespace axiometry::app {
 struct SimulationRequest {
   simulation::Request simulate;
   simulation::RecordingRequest recording;
-  Length wavelength = Length::nm(632.991);  ///< in air, of a stream of counts
+  Length wavelength = Length::nm(632.991);  ///< wavelength in air, of a stream of counts
 };
 
 /// Group of the options that change nothing without a recording.

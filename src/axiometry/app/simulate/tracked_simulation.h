@@ -15,11 +15,11 @@ namespace axiometry::app {
 struct TrackedSimulation {
   TrackedTruth truth;
   std::optional<Vector3> station_mm = {};        ///< true; that of the plan when absent
-  std::vector<Vector3> location_points_mm = {};  ///< of the reflector; chosen for the plan's set-up when empty
+  std::vector<Vector3> location_points_mm = {};  ///< points of the reflector; chosen for the plan's set-up when empty
   std::vector<Vector3> stations_mm = {};         ///< of a multilateration; that of the machine alone when empty
   std::array<std::size_t, 3> grid = {5, 5, 5};   ///< points of a multilateration, over the plan's travels
   std::uint64_t seed = 1;
-  double rate = 100.0;  ///< of a continuous recording, samples a second
+  double rate = 100.0;  ///< rate of a continuous recording, samples a second
 };
 
 /// Empty names are not written; "-" is the standard output.
@@ -38,7 +38,7 @@ struct TrackedSummary {
   std::size_t lengths = 0;
   std::size_t lines = 0;
   std::size_t ranges = 0;
-  std::size_t samples = 0;  ///< of the recording
+  std::size_t samples = 0;  ///< samples of the recording
   Duration duration;
 };
 

@@ -10,7 +10,7 @@ namespace axiometry::app {
 
 /// What a simulation made, as far as it was asked for.
 struct TrackedResults {
-  simulation::VirtualTracker tracker;  ///< with its station
+  simulation::VirtualTracker tracker;  ///< tracker with its station
   std::optional<simulation::SimulatedLocation> location;
   std::optional<TrackingPlan> plan;
   std::optional<simulation::SimulatedLengths> lengths;

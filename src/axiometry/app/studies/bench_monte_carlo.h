@@ -18,7 +18,7 @@
 /// run, c for each trial: 116 for each trial. Every reading is made, and evaluated as evaluate() does.
 namespace axiometry::app {
 
-enum class Precision { both_double, both_single };  ///< of the draws and of the evaluation; summaries are double
+enum class Precision { both_double, both_single };  ///< draws and evaluation; summaries are double
 
 struct MonteCarloBench {
   std::size_t trials = 1'000'000;

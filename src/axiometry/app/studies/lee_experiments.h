@@ -34,7 +34,7 @@ struct Located {
 /// By how much the station was found elsewhere with an error than without.
 struct Shift {
   std::string name;
-  Vector3 printed_mm;  ///< in the paper
+  Vector3 printed_mm;  ///< figure printed in the paper
   Vector3 linear_mm;
   Vector3 refined_mm;
   double largest_residual_mm = 0.0;
@@ -48,7 +48,7 @@ struct CoordinateOffset {
   std::vector<Shift> shifts;
   double worst_linear_mm = 0.0;  ///< largest |shift + offset| of a coordinate
   double worst_refined_mm = 0.0;
-  double worst_printed_mm = 0.0;  ///< of the paper's figures
+  double worst_printed_mm = 0.0;  ///< largest of the paper's figures
 };
 /// Fails as simulate_location() and locate_station() do, and where eq. 14 has no solution.
 Result<CoordinateOffset> coordinate_offset(const Set& set, double offset_mm);
@@ -76,7 +76,7 @@ struct SlopeRequest {
   std::size_t axis = 1;                                    ///< 0 to 2
   RelativeLength base = RelativeLength::um_per_m(-30.0);   ///< of that axis before
   RelativeLength added = RelativeLength::um_per_m(100.0);  ///< "100.01 %": (1 + base)(1 + added)
-  Vector3 origin_mm = {};                                  ///< of the scale
+  Vector3 origin_mm = {};                                  ///< origin of the scale
   Vector3 offset_mm = {};                                  ///< constant displacement, added with the error
   std::vector<double> distances_mm = {300, 400, 500, 600, 700, 800, 900, 1000, 1100};
 };

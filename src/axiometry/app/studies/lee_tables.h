@@ -40,7 +40,7 @@ struct Fixture {
   std::string name;
   double error = 0.0;  ///< e where the paper's row says 1.01
   Vector3 station_mm;
-  Vector3 origin_mm;     ///< of the scale
+  Vector3 origin_mm;     ///< origin of the scale
   bool refined = false;  ///< which estimator it belongs to
   std::vector<Vector3> points_mm;
 };

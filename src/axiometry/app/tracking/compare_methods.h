@@ -21,7 +21,7 @@ struct CompareMethodsRequest {
   /// Of the instrument with angles; needs them.
   tracking::ChosenTracker polar;
   RangingUncertainty polar_changes;  ///< its lengths, taken alone
-  RangingUncertainty ranging;        ///< of the instrument that gives lengths alone
+  RangingUncertainty ranging;        ///< uncertainty of the instrument that gives lengths alone
   std::string ranging_name;          ///< as asked for
   std::size_t trials = 1000;
   std::uint64_t seed = 1;
@@ -34,7 +34,7 @@ struct MethodOutcome {
   std::string failure;              ///< why there is none; then the others are 0
   Vector3 u_um;                     ///< root mean square of the standard uncertainties of a coordinate
   double u_point_um = 0.0;          ///< root mean square of √(u_x² + u_y² + u_z²)
-  double u_point_um_largest = 0.0;  ///< of the point known worst
+  double u_point_um_largest = 0.0;  ///< u of the point known worst
   std::string worst_point;
   double trials_point_um = 0.0;  ///< the same as u_point_um, of the trials' scatter
   double told_by_angles = 0.0;   ///< share of the unknowns, 0 to 1

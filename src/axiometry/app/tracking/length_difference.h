@@ -16,7 +16,7 @@ struct LengthDifferenceRequest {
   Vector3 station_error_mm = {};                       ///< Δ, determined − actual
   std::vector<double> distances_mm = {};               ///< ascending
   std::optional<double> reference_mm = {};             ///< d[n], one of the distances; the last when absent
-  std::optional<Vector3> direction = {};               ///< of a further line; any length but 0
+  std::optional<Vector3> direction = {};               ///< direction of a further line; any length but 0
   std::optional<Vector3> station_uncertainty_mm = {};  ///< standard uncertainties of the station's coordinates
   RangingUncertainty ranging = {};
 };

@@ -21,7 +21,7 @@ struct MultilaterateRequest {
 
 /// A result with the names it speaks of.
 struct Multilaterated {
-  formats::RangesFile ranges;  ///< with its nominal points
+  formats::RangesFile ranges;  ///< readings with their nominal points
   tracking::MultilaterationOptions options;
   tracking::MultilaterationFit fit;
   std::string file, sha256;

@@ -18,17 +18,17 @@ namespace axiometry::app {
 /// What is known of readings whose rows do not state their own uncertainty; each U with k = 2.
 struct PolarUncertainty {
   std::optional<RangingUncertainty> length{};  ///< U = a + b·L
-  std::optional<RangingUncertainty> across{};  ///< of the angles: U at right angles to the beam at the distance L
+  std::optional<RangingUncertainty> across{};  ///< U of the angles at right angles to the beam at the distance L
 };
 
 struct PolarRequest {
-  std::vector<std::string> files;  ///< of readings; "-" is the standard input
+  std::vector<std::string> files;  ///< files of readings; "-" is the standard input
   std::string points;              ///< file of nominal points; may be empty
   /// What counts where a row states nothing, in this order: the instrument of its station, `stated`, the instrument of
   /// all stations. Instruments are kinds of tracker_kinds().
   std::vector<std::pair<std::string, std::string>> instruments;  ///< station (empty: all) and name
   PolarUncertainty stated;
-  bool in_station = false;  ///< with nominal points too, coordinates are those of the first station with angles
+  bool in_station = false;  ///< whether coordinates are those of the first station with angles, with nominal points too
 };
 
 /// What was noticed in a file: a sentence without full stop.
@@ -45,8 +45,8 @@ struct PolarSource {
 /// A result with the names it speaks of.
 struct PolarResult {
   std::vector<std::string> points, stations;
-  std::vector<std::vector<std::string>> segments;  ///< per station
-  std::vector<Vector3> nominal_mm;                 ///< per point, or empty
+  std::vector<std::vector<std::string>> segments;  ///< names of the segments per station
+  std::vector<Vector3> nominal_mm;                 ///< nominal place per point, or empty
   std::vector<tracking::PolarReading> readings;
   std::vector<PolarSource> sources;
   std::optional<PolarSource> points_source;

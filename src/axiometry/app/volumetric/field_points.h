@@ -11,13 +11,13 @@
 namespace axiometry::app {
 
 struct FieldRequest {
-  std::string result;  ///< of `axiometry volumetric identify --out`
+  std::string result;  ///< file of `axiometry volumetric identify --out`
   std::string points;  ///< CSV with tool,x_mm,y_mm,z_mm; "-" is the standard input
 };
 
 struct FieldAtPoints {
   json::Value value;
-  std::vector<NamedFinding> findings;  ///< that stand in it
+  std::vector<NamedFinding> findings;  ///< findings that stand in the result
 };
 
 /// {"points": [{tool, x_mm, y_mm, z_mm, error_um, covariance_um2}], "findings"} in the order of the file. A component

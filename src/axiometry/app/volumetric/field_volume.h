@@ -15,8 +15,8 @@
 namespace axiometry::app {
 
 struct FieldVolumeRequest {
-  std::string result;                           ///< of `axiometry volumetric identify --out`
-  std::size_t nodes = volumetric::field_nodes;  ///< along each axis, 2 to 101
+  std::string result;                           ///< file of `axiometry volumetric identify --out`
+  std::size_t nodes = volumetric::field_nodes;  ///< nodes along each axis, 2 to 101
 };
 
 struct FieldVolume {

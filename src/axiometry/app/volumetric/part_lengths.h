@@ -21,12 +21,12 @@ namespace axiometry::app {
 struct PartLengths {
   PartRange parts;
   volumetric::VolumetricLengths lengths;
-  std::vector<PartStop> places;  ///< of each length
+  std::vector<PartStop> places;  ///< place of each length
   std::size_t planned = 0;       ///< stops of these parts
   std::size_t samples = 0;
   std::vector<std::string> notes;  ///< what could not be matched, where the beam was broken, …; sentences
-  std::string layout;              ///< of the recording
-  std::string sha256;              ///< of its file; empty for a live one
+  std::string layout;              ///< layout of the recording
+  std::string sha256;              ///< hash of its file; empty for a live one
   bool simulated = false;          ///< as the recording says
 };
 

@@ -14,10 +14,10 @@
 namespace axiometry::app {
 
 struct PredictRequest {
-  std::string result;    ///< of `axiometry volumetric identify --out`
+  std::string result;    ///< file of `axiometry volumetric identify --out`
   std::string axis;      ///< "X", "Y" or "Z"; or
   std::string diagonal;  ///< one of volumetric::diagonal_names(); or neither, where plan or test state a line in space
-  std::string at;        ///< of an axis: "y=300,z=-250", where the others stand
+  std::string at;        ///< where the others stand, for a line along an axis: "y=300,z=-250"
   std::string tool;      ///< may be empty where the machine has one
   std::string plan;      ///< file; its targets, and its line where it states one; or
   std::string measured;  ///< file of a test, likewise; it is held against the prediction

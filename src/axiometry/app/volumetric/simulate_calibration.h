@@ -20,11 +20,11 @@ struct SimulateRequest {
   std::string plan;     ///< JSON, formats/volumetric/volumetric_plan_json.h: its machine, stations and points
   std::string errors;   ///< JSON with the member "errors"; empty: drawn by the seed
   volumetric::DrawnSize size = {};
-  std::vector<Vector3> stations_mm = {};  ///< in place of those of the machine's file, S1, S2, …
-  std::size_t points = 100;               ///< of each station and tool
+  std::vector<Vector3> stations_mm = {};  ///< stations in place of those of the machine's file, S1, S2, …
+  std::size_t points = 100;               ///< points of each station and tool
   volumetric::SimulatedFaults faults = {};
   std::uint64_t seed = 1;
-  std::size_t spans = 0;  ///< of curves in trials; 0: as identify chooses
+  std::size_t spans = 0;  ///< spans of curves in trials; 0: as identify chooses
   /// Of errors that are drawn; in trials also what is looked for.
   volumetric::Reversal reversal = volumetric::Reversal::none;
   RecordingNoise recording = {};
@@ -42,7 +42,7 @@ struct SimulatedCalibration {
   volumetric::MachineModel machine;
   volumetric::TrueErrors errors;
   volumetric::SimulatedLengths simulated;
-  std::optional<volumetric::CalibrationPlan> plan;  ///< that was asked for
+  std::optional<volumetric::CalibrationPlan> plan;  ///< plan that was asked for
 };
 
 /// What a request names, read: the machine with its stations, and its errors for a trial.
@@ -50,7 +50,7 @@ struct SimulationInputs {
   volumetric::MachineModel machine;
   bool has_errors = false;  ///< whether a file stated them
   volumetric::TrueErrors errors;
-  std::vector<volumetric::Visit> visits;  ///< of a plan
+  std::vector<volumetric::Visit> visits;  ///< visits of a plan
   std::optional<volumetric::CalibrationPlan> plan;
 };
 /// Fails as the readers do, on neither a machine nor a plan or both, on a machine without stations where none are
@@ -65,7 +65,7 @@ json::Value truth_value(const SimulatedCalibration& calibration);
 
 struct SimulatedSummary {
   std::size_t recordings = 0;
-  std::size_t samples = 0;  ///< of all
+  std::size_t samples = 0;  ///< samples of all recordings
 };
 
 /// Writes all files or none. Fails on no output, on one name twice, on a name that is an input's, and on recordings

@@ -16,7 +16,7 @@
 namespace axiometry::app {
 
 struct RecordingNoise {
-  Length sigma = Length::um(0.1);  ///< of each sample, beside what a length of a stop is off by
+  Length sigma = Length::um(0.1);  ///< σ of each sample, beside what a length of a stop is off by
   double rate = 100.0;             ///< samples a second
 };
 
@@ -44,7 +44,7 @@ class PartsRecording {
   struct LegError {
     Vector3 station_mm;
     double from_mm = 0.0, to_mm = 0.0;
-    double jump_mm = 0.0;  // of that, in the middle of the way; the rest changes evenly
+    double jump_mm = 0.0;  // what of it comes at once in the middle of the way; the rest changes evenly
   };
 
   PartsRecording(const RecordingNoise& noise, std::uint64_t seed) : noise_(noise), seed_(seed) {}
@@ -55,7 +55,7 @@ class PartsRecording {
   RecordingNoise noise_;
   std::uint64_t seed_;
   simulation::ReflectorWay way_;
-  std::vector<LegError> errors_;  // of each leg
+  std::vector<LegError> errors_;  // error of each leg
   simulation::ReflectorWay::Count count_;
 };
 

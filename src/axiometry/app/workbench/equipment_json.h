@@ -20,7 +20,7 @@ struct MachineSummary {
 };
 
 json::Value to_json(const MachineSummary& summary);
-json::Value to_json(const store::Versioned<store::Machine>& machine);  ///< without what only a list has
+json::Value to_json(const store::Versioned<store::Machine>& machine);  ///< JSON without what only a list has
 json::Value to_json(const store::Versioned<store::Axis>& axis);
 json::Value to_json(const store::Versioned<store::Instrument>& instrument);
 json::Value to_json(const store::AuditEntry& entry);

@@ -20,20 +20,20 @@ namespace axiometry::app {
 struct HashedBytes {
   std::string_view bytes;
   std::string sha256;
-  std::optional<Recognised> recognised{};  ///< where it was looked at before
+  std::optional<Recognised> recognised{};  ///< what they were recognised as, where that was looked at before
 
   static HashedBytes of(std::string_view bytes) { return {bytes, axiometry::sha256(bytes)}; }
 };
 
 struct MeasuredTest {
-  std::string name;  ///< of one among many; else empty
+  std::string name;  ///< name of one among many; else empty
   Test test;         ///< as it was measured
 };
 
 struct MeasuredFile {
   std::string sha256;
   std::size_t size = 0;
-  std::size_t memory = 0;           ///< that the tests take, about; what stands above a table is in each of them
+  std::size_t memory = 0;           ///< bytes that the tests take, about; what stands above a table is in each of them
   std::string format;               ///< id
   std::vector<MeasuredTest> tests;  ///< never empty
   /// About the table, where the test was read after one.

@@ -14,7 +14,7 @@ namespace axiometry::app {
 /// What the archive may know a file by.
 struct KnownFile {
   std::string name;
-  std::span<const std::string> sha256s;  ///< of any of these contents
+  std::span<const std::string> sha256s;  ///< hashes of contents, of which any will do
 };
 
 /// The test that it became, be it withdrawn, as that transaction sees the archive.

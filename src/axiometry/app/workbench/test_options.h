@@ -22,7 +22,7 @@ using Changes = std::vector<std::pair<std::string, std::string>>;
 /// A log of temperatures about the test (4.1): a file of the archive, by its bytes.
 struct KeptTemperatures {
   std::string sha256;
-  std::string name;  ///< of the file
+  std::string name;  ///< name of the file
   std::string began{}, ended{};
   formats::SensorRoles roles{};
   std::optional<double> lowest_C{}, highest_C{}, rate_C_per_h{}, gradient_C{};  ///< as the parties agreed (7)

@@ -27,7 +27,7 @@ std::string kept_verdict(std::span<const iso230_2::Judgement> judgements);
 struct KeptOptions {
   TestOptions options{};
   FromArchive from_archive{};
-  std::optional<formats::ImportProfile> profile{};  ///< by which the file is read, where it was received with one
+  std::optional<formats::ImportProfile> profile{};  ///< profile by which the file is read, where it came with one
 };
 
 /// What a version keeps of an evaluation: options, result, figures. `program` is this one.

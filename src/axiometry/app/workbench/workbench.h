@@ -88,7 +88,7 @@ class Workbench {
   Result<std::string> figure(store::Id test, std::optional<int> version, std::size_t index, bool dark,
                              const ReportRequest& request) const;
 
-  struct State;  ///< of the sources behind this header
+  struct State;  ///< state that the sources behind this header share
 
  private:
   std::unique_ptr<State> state_;

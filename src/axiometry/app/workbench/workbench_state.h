@@ -31,8 +31,8 @@ struct Workbench::State {
 
   store::Store& store;
   Recent<std::string, MeasuredFile> files{std::size_t{64} << 20};  ///< by SHA-256 and profile; weighed by their memory
-  Recent<std::string, Evaluated> evaluations{64};                  ///< of kept versions: "12/3"
-  Recent<std::string, std::string> logs{std::size_t{32} << 20};    ///< of temperatures, by SHA-256; their bytes
+  Recent<std::string, Evaluated> evaluations{64};                  ///< evaluations of kept versions: "12/3"
+  Recent<std::string, std::string> logs{std::size_t{32} << 20};    ///< bytes of temperature logs, by SHA-256
   std::mutex monte_carlo;                                          ///< a run takes all processors: one at a time
 
   /// As somebody sends it; what was read a short while ago is not read again, and its tests then go by the name of that

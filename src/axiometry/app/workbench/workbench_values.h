@@ -26,8 +26,8 @@ namespace axiometry::app {
 struct Upload {
   std::string name;  ///< as sent; only its last part counts, and nothing is looked for under it
   std::string_view bytes;
-  std::optional<store::Id> plan{};                  ///< after which the test was made
-  std::optional<formats::ImportProfile> profile{};  ///< by which a table of any layout is read
+  std::optional<store::Id> plan{};                  ///< plan after which the test was made
+  std::optional<formats::ImportProfile> profile{};  ///< profile by which a table of any layout is read
   /// SHA-256 of contents as which the file may have been sent before, nobody knows whether it came: a test that has its
   /// name and one of these is the answer, and nothing is kept.
   std::vector<std::string> perhaps_kept_as{};
@@ -50,25 +50,25 @@ struct Revision {
 /// One evaluation.
 struct Outcome {
   json::Value result;                 ///< docs/results.md; of a version what was kept, and what changed since
-  Series readings;                    ///< that were evaluated
-  std::optional<Series> as_measured;  ///< before corrections, where there were any
+  Series readings;                    ///< readings that were evaluated
+  std::optional<Series> as_measured;  ///< readings before corrections, where there were any
   FromArchive from_archive;           ///< inputs of instruments and limits of the axis that took part
-  double milliseconds = 0.0;          ///< that the evaluation took
+  double milliseconds = 0.0;          ///< time that the evaluation took
 };
 
 /// A test of a file that is only looked at.
 struct PreviewedTest {
-  std::string name;  ///< in a file of many; else empty
+  std::string name;  ///< name in a file of many; else empty
   Metadata metadata;
   Series readings;
-  std::optional<Outcome> outcome;  ///< of the first eight
+  std::optional<Outcome> outcome;  ///< outcome of each of the first eight
 };
 
 /// A table whose columns a person may say the meaning of.
 struct AskedTable {
   formats::ImportProfile profile;                 ///< as guessed, or as given; what is open is null
-  std::vector<formats::GuessDecision> questions;  ///< of the guess
-  std::vector<std::string> names;                 ///< of the columns; empty without a header
+  std::vector<formats::GuessDecision> questions;  ///< questions that the guess leaves open
+  std::vector<std::string> names;                 ///< names of the columns; empty without a header
   std::vector<std::vector<std::string>> rows;     ///< the first ones
 };
 
@@ -108,19 +108,19 @@ struct PreparedTest {
 /// A test of the archive at one of its versions.
 struct KeptTest {
   store::TestRecord record;
-  std::size_t size = 0;                 ///< of the file, bytes
+  std::size_t size = 0;                 ///< bytes of the file
   std::vector<store::Change> versions;  ///< the first is version 1
   std::optional<store::Machine> machine;
   std::optional<store::Axis> axis;
   std::vector<store::Versioned<store::Instrument>> instruments;
   std::vector<store::Document> documents;
-  Draft draft;                                      ///< of this version
-  std::optional<formats::ImportProfile> profile{};  ///< by which its file is read, where it was received with one
+  Draft draft;                                      ///< draft of this version
+  std::optional<formats::ImportProfile> profile{};  ///< profile by which its file is read, where it came with one
   Outcome outcome;
 };
 
 struct ReportRequest {
-  std::string extension;  ///< of a writer, or "json": the result that was kept
+  std::string extension;  ///< ending of a writer's files, or "json": the result that was kept
   report::Options options{};
   language::Language language = language::Language::english;
   std::stop_token stop{};

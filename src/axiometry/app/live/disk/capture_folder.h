@@ -48,7 +48,7 @@ class HeldCapture {
   std::string base_;  ///< path without extension
   store::Id id_;
   CaptureOrder order_;
-  int descriptor_;  ///< of the order, locked
+  int descriptor_;  ///< descriptor of the order, locked
   std::vector<std::string> noted_tests_{};
   std::optional<TableEnd> ended_{};
   bool kept_ = false;  ///< the store has all of it

@@ -18,13 +18,13 @@ namespace axiometry::app {
 /// What is captured and how, enough to go on after a crash.
 struct CaptureOrder {
   store::Id plan = 0;
-  std::size_t part = 1;                                      ///< of the plan
-  Plan walked;                                               ///< that part; none of lengths
-  std::optional<LengthOrder> lengths{};                      ///< in place of both plans
-  std::optional<MotionOrder> motion{};                       ///< where no positions are read at the stops of `walked`
-  std::string source;                                        ///< id
-  std::string layout;                                        ///< empty: recognised
-  std::vector<std::pair<std::string, std::string>> options;  ///< by name, as they were given
+  std::size_t part = 1;                  ///< number of the part in the plan, from 1
+  Plan walked;                           ///< plan of that part; none of lengths
+  std::optional<LengthOrder> lengths{};  ///< what lengths are captured, in place of both plans
+  std::optional<MotionOrder> motion{};   ///< for readings, where no positions are read at stops of `walked`
+  std::string source;                    ///< id
+  std::string layout;                    ///< empty: recognised
+  std::vector<std::pair<std::string, std::string>> options;  ///< options by name, as they were given
   std::string actor;
   std::string started;  ///< RFC 3339, UTC
 };

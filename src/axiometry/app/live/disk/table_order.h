@@ -19,7 +19,7 @@ struct LengthOrder {
   LengthPlanKind kind = LengthPlanKind::lines;
   std::string plan;     ///< SHA-256 of its file in the archive
   std::string plan_id;  ///< LengthTask::plan_id(): captures of one measurement have the same
-  std::string title;    ///< of the part
+  std::string title;    ///< title of the part
   std::size_t stops = 0;
 };
 
@@ -33,7 +33,7 @@ struct MotionOrder {
 struct TableEnd {
   std::string stage;  ///< stage_name()
   std::string raw;
-  std::string times;  ///< of arrival, beside the raw recording
+  std::string times;  ///< file of the times of arrival, beside the raw recording
   std::string keys;   ///< what was said at the stops of a motion, stop_marks.h
   std::string table;
   std::size_t found = 0;           ///< lengths or readings in the table

@@ -18,14 +18,14 @@ namespace axiometry::app {
 /// Where a recording comes from and where it goes.
 struct CaptureRun {
   std::string from;    ///< file, "-", "tcp://…", "serial://…", or of a motion "simulator://…"
-  std::string raw;     ///< of a live source or a pipe: file of all bytes that came; must not exist
+  std::string raw;     ///< file of all bytes that came of a live source or a pipe; must not exist
   std::string resume;  ///< instead: such a file, which is played first and goes on
   std::string out;     ///< test file (.json) or table (.csv, .txt), rewritten after every reading; "-": once, at the
                        ///< end; may be empty
   Duration give_up = Duration::s(60);  ///< how long a source is tried, at first and again, until samples come
-  std::string keys{};                  ///< of a finished recording: file of what was said at its stops, stop_marks.h
-  std::string simulated{};             ///< of readings that nobody measured: what their table says of them
-  Connect connect{};                   ///< where the stream is at hand: in place of `from`, which only names it
+  std::string keys{};                  ///< file of what was said at the stops of a finished recording, stop_marks.h
+  std::string simulated{};             ///< what a table says of readings that nobody measured
+  Connect connect{};                   ///< in place of `from`, which then only names it, where the stream is at hand
   std::function<void(CaptureSession&)> beside{};  ///< then: as that of LiveCapture
 };
 
@@ -44,7 +44,7 @@ struct CaptureObserver {
 
 struct CaptureOutcome {
   bool complete = false;  ///< every approach has come or was missed
-  bool stopped = false;   ///< by the observer
+  bool stopped = false;   ///< whether the observer stopped it
   Test test;
   capture::CaptureResult result;
   std::size_t samples = 0;
@@ -63,8 +63,8 @@ Result<CaptureOutcome> run_capture(const CaptureRun& run, const CaptureOptions& 
 /// What a source gave to a session.
 struct HeardSource {
   bool complete = false;  ///< the last stop of the plan has come
-  bool stopped = false;   ///< by the observer
-  std::string date;       ///< on which the first bytes of a live source arrived
+  bool stopped = false;   ///< whether the observer stopped it
+  std::string date;       ///< day on which the first bytes of a live source arrived
   CaptureSession session;
 };
 
@@ -75,13 +75,13 @@ Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, c
 
 /// A live capture whose plan and stream are at hand.
 struct LiveCapture {
-  std::string name;                      ///< where the test says that it comes from
+  std::string name;                      ///< where the test says that it comes from, by name
   Connect connect;                       ///< none: what was recorded is played, and that is all
   std::string raw;                       ///< file of all bytes that come; must not exist
   std::string resume{};                  ///< instead: such a file, which is played first and goes on
   Duration give_up = Duration::s(60);    ///< how long a source is tried, at first and again, until samples come
   std::uint64_t raw_limit = UINT64_MAX;  ///< bytes that come at most; then the capture stops
-  FreeBytes free = free_bytes;           ///< of the disk of the raw file; DiskRoom says when the capture stops
+  FreeBytes free = free_bytes;           ///< room on the disk of the raw file; DiskRoom says when the capture stops
   std::function<void(CaptureSession&)> beside{};  ///< what source and capture tell each other between its pieces
   Duration for_undo = Duration::s(0);             ///< heard behind the last reading that a key took, to take it back
 };

@@ -13,9 +13,9 @@ namespace axiometry::app {
 
 struct LengthOutcome {
   bool complete = false;  ///< the last approach has come
-  bool stopped = false;   ///< by the observer
+  bool stopped = false;   ///< whether the observer stopped it
   CapturedLengths lengths;
-  std::string date;  ///< on which the first bytes of a live source arrived
+  std::string date;  ///< day on which the first bytes of a live source arrived
 };
 
 /// Of the lines of a tracking plan. Fails as hear_source() and captured_lengths() do.
@@ -24,7 +24,7 @@ Result<LengthOutcome> run_length_capture(const CaptureRun& run, const CaptureOpt
 
 struct PartOutcome {
   bool complete = false;  ///< the last point has come
-  bool stopped = false;   ///< by the observer
+  bool stopped = false;   ///< whether the observer stopped it
   PartLengths lengths;
 };
 

@@ -10,7 +10,7 @@ namespace axiometry::app {
 
 struct MotionOutcome {
   bool complete = false;    ///< every approach has its reading or was left without one
-  bool stopped = false;     ///< by the observer
+  bool stopped = false;     ///< whether the observer stopped it
   std::size_t found = 0;    ///< readings
   std::size_t planned = 0;  ///< approaches
   std::size_t samples = 0;

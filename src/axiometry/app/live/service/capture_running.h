@@ -20,7 +20,7 @@ struct CaptureService::Begun {
   CaptureSession session;
   LiveCapture live;
   std::optional<SimulatedCapture> simulated;
-  std::optional<LengthTask> task{};  ///< of lengths
+  std::optional<LengthTask> task{};  ///< task of a capture of lengths
 };
 
 /// One capture in its thread. Its state is read from others.
@@ -76,13 +76,13 @@ class CaptureService::Running {
   std::atomic<bool> stop_ = false;
   std::atomic<bool> interrupt_ = false;
 
-  mutable std::mutex mutex_;  // of the state
+  mutable std::mutex mutex_;  // guards the state
   std::condition_variable changed_;
   CaptureState state_;
   std::size_t notices_left_out_ = 0;
   CaptureRevision anew_at_ = 0;  // readings before it hold no longer
-  std::size_t standstills_ = 0;  // of lengths, that the state knows
-  std::size_t told_ = 0;         // of a motion, readings given and events, which change what is read
+  std::size_t standstills_ = 0;  // standstills that the state of a capture of lengths knows
+  std::size_t told_ = 0;         // readings and events of a motion that were told, which change what is read
   std::vector<capture::StopKey> keys_;
   bool listens_ = true;  // whether it listens to keys
   std::jthread thread_;  // last: it uses all of the above

@@ -61,12 +61,12 @@ struct CaptureKeeping {
 };
 
 struct CaptureSettings {
-  std::string folder;                                  ///< for what arrives, until it is in the store
-  std::vector<CaptureSource> sources;                  ///< beside the simulator
+  std::string folder;                                  ///< folder for what arrives, until it is in the store
+  std::vector<CaptureSource> sources;                  ///< sources beside the simulator
   std::size_t most_at_once = 8;                        ///< captures that run
   std::size_t most_concluding = 2;                     ///< interrupted ones that are read to their end to be kept
   std::uint64_t raw_limit = std::uint64_t{256} << 20;  ///< bytes of one recording
-  Duration for_undo = Duration::s(10);                 ///< of the last reading that a key took, before its capture ends
+  Duration for_undo = Duration::s(10);  ///< time to undo a reading that a key took, before its capture ends
 };
 
 /// What is asked of a new capture of lengths.
@@ -84,7 +84,7 @@ struct CaptureWish {
   Plan whole;                                                ///< the plan, with its further ones
   std::string source;                                        ///< id
   std::string layout;                                        ///< empty: recognised
-  std::vector<std::pair<std::string, std::string>> options;  ///< by the names of flags; speed, preset, seed, give-up
+  std::vector<std::pair<std::string, std::string>> options;  ///< flags by name; speed, preset, seed, give-up
   std::string actor;
 };
 
@@ -165,11 +165,11 @@ class CaptureService {
 
   CaptureSettings settings_;
   CaptureKeeping keeping_;
-  mutable std::mutex mutex_;  // of all below
+  mutable std::mutex mutex_;  // guards all below
   CaptureFolder folder_;
   std::vector<std::string> beginning_;            // sources of captures that are about to run
   std::map<store::Id, CaptureState> restarting_;  // captures whose source is being reached again
-  std::set<store::Id> about_to_conclude_;         // of those that are restarting
+  std::set<store::Id> about_to_conclude_;         // captures that are restarting
   std::map<store::Id, std::shared_ptr<Running>> captures_;
 };
 

@@ -24,7 +24,7 @@ namespace axiometry::app {
 using CaptureRevision = std::uint64_t;
 
 struct StampedReading {
-  CaptureRevision revision = 0;  ///< with which it came
+  CaptureRevision revision = 0;  ///< revision with which it came
   capture::CapturedReading reading;
 };
 
@@ -32,7 +32,7 @@ struct StampedReading {
 struct LengthsState {
   LengthOrder order;
   std::optional<std::size_t> due;                           ///< the stop that comes next, from 0
-  CaptureRevision caught_at = 0;                            ///< with which the following changed
+  CaptureRevision caught_at = 0;                            ///< revision with which the following changed
   std::shared_ptr<const std::vector<CaughtLength>> caught;  ///< nullptr where it is known already
   std::vector<std::size_t> broken_before;  ///< stops before which the beam was broken though the plan keeps it
 };
@@ -40,11 +40,11 @@ struct LengthsState {
 /// Of a straightness or a rotation, in place of readings of positions.
 struct MotionState {
   MotionOrder order;
-  std::optional<MotionUnit> unit{};  ///< of all values; nothing before the first reading
+  std::optional<MotionUnit> unit{};  ///< unit of all values; nothing before the first reading
   std::optional<double> now{};       ///< the last reading
-  bool is_reading = false;           ///< within a window behind a key or a trigger
-  bool waits_for_key = false;        ///< for somebody to say whose a late reading is
-  CaptureRevision read_at = 0;       ///< with which the following changed
+  bool is_reading = false;           ///< whether a window behind a key or a trigger is open
+  bool waits_for_key = false;        ///< whether somebody must say whose a late reading is
+  CaptureRevision read_at = 0;       ///< revision with which the following changed
   std::shared_ptr<const std::vector<capture::PlannedValue>> values{};  ///< nullptr where they are known already
 };
 
@@ -53,7 +53,7 @@ struct CaptureState {
     waiting,  ///< no byte has come yet
     running,
     complete,     ///< every approach has come or was missed
-    stopped,      ///< by a person, or because the source came to its end
+    stopped,      ///< ended by a person, or because the source came to its end
     failed,       ///< what came could not be understood, or not be kept
     interrupted,  ///< the program ended while it ran; what came is on the disk
   };
@@ -67,7 +67,7 @@ struct CaptureState {
   Stage stage = Stage::waiting;
   AxisKind kind = AxisKind::linear;
   std::vector<Position> targets;
-  std::size_t approaches = 0;  ///< of the plan
+  std::size_t approaches = 0;  ///< approaches of the plan
   std::optional<Approach> due;
   std::optional<capture::StandstillDetector::Now> now;
   std::size_t taken = 0;                 ///< readings so far
@@ -79,14 +79,14 @@ struct CaptureState {
   std::optional<store::Id> test;  ///< it was kept as
   std::optional<LengthsState> lengths{};
   std::optional<MotionState> motion{};
-  std::optional<TableEnd> came_to{};  ///< of both, when it has ended
+  std::optional<TableEnd> came_to{};  ///< table of lengths or readings, when it has ended
   std::string error;
 };
 
 std::string_view stage_name(CaptureState::Stage stage);
 std::optional<CaptureState::Stage> stage_named(std::string_view name);
 bool has_ended(CaptureState::Stage stage);
-std::string_view table_role(const CaptureState& state);  ///< of the file that came_to has: "lengths" or "readings"
+std::string_view table_role(const CaptureState& state);  ///< role of the file that came_to has: "lengths" or "readings"
 
 /// Capture and Source of apps/server/openapi.json.
 json::Value to_json(const CaptureState& state, const Reader& reader);

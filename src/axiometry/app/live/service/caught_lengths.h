@@ -10,11 +10,11 @@ namespace axiometry::app {
 
 /// A length at a stop, as far as is known: a later standstill may show that one belongs elsewhere.
 struct CaughtLength {
-  std::size_t stop = 0;         ///< of the part, from 0
+  std::size_t stop = 0;         ///< number within the part, from 0
   double length_mm = 0.0;       ///< as shown, mean over the rest
   double scatter_um = 0.0;      ///< standard deviation of its samples
   double time_s = 0.0;          ///< when it came to rest
-  bool begins_segment = false;  ///< with another dead path than the one before
+  bool begins_segment = false;  ///< whether the dead path is another one than before
 
   friend bool operator==(const CaughtLength&, const CaughtLength&) = default;
 };

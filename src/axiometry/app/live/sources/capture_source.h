@@ -18,8 +18,8 @@ namespace axiometry::app {
 struct CaptureSource {
   std::string id;  ///< "laser"
   enum class Kind { simulator, tcp, serial } kind = Kind::simulator;
-  std::string title;    ///< for people: its name
-  LiveAddress address;  ///< of tcp and serial
+  std::string title;    ///< name that people read
+  LiveAddress address;  ///< address of tcp and serial
 };
 
 std::string_view kind_name(CaptureSource::Kind kind);  ///< "simulator", "tcp", "serial"

@@ -17,7 +17,7 @@ namespace axiometry::app {
 /// which nothing can be connected: simulated_motion.h.
 struct LiveAddress {
   enum class Kind { tcp, serial, simulator } kind = Kind::tcp;
-  std::string host;  ///< or the device of a serial port, or what stands behind "simulator://?"
+  std::string host;  ///< host, or the device of a serial port, or what stands behind "simulator://?"
   std::string port;  ///< a number or a name
   unsigned baud = 115'200;
   std::string request{};  ///< bytes that make an instrument at a serial port begin; empty: nothing is sent to it
@@ -40,7 +40,7 @@ class LiveStream {
   struct Got {
     State state = State::idle;
     std::size_t count = 0;
-    std::string reason{};  ///< of the end: "connection reset by peer"
+    std::string reason{};  ///< reason of the end: "connection reset by peer"
   };
 
   LiveStream() = default;

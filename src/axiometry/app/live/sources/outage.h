@@ -54,7 +54,7 @@ class Outage {
  private:
   Clock::time_point since_ = Clock::now();
   Clock::time_point last_moment_;
-  Clock::duration pause_ = first_pause;  ///< before the next attempt
+  Clock::duration pause_ = first_pause;  ///< time before the next attempt
   std::size_t samples_;
   std::size_t attempts_;
 };

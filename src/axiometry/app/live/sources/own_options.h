@@ -21,7 +21,7 @@ struct OwnOptions {
   std::optional<std::uint64_t> seed;
   std::optional<double> size{};  ///< µm or µrad, of an error of motion
   Duration give_up = Duration::s(60);
-  std::vector<std::pair<std::string, std::string>> others{};  ///< of its recording: capture_options_from()
+  std::vector<std::pair<std::string, std::string>> others{};  ///< options of its recording: capture_options_from()
 };
 
 /// By the names of flags; empty texts are fields that were left empty. Fails, naming it, on one of the simulator with

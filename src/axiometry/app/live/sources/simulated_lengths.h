@@ -23,7 +23,7 @@ std::span<const LengthPreset> length_presets();  ///< `good` first
 struct SimulatedLengthCapture {
   const LengthTask& task;
   std::string_view preset = "good";
-  std::uint64_t seed = 1;  ///< of the machine, and with the part of all that is drawn
+  std::uint64_t seed = 1;  ///< seed of the machine, and with the part of all that is drawn
   SimulatedPace pace = {};
 };
 

@@ -27,7 +27,7 @@ inline constexpr double usual_motion_size = 5.0, largest_motion_size = 1000.0;  
 
 struct SimulatedMotionCapture {
   std::string preset = "good";
-  double size = usual_motion_size;  ///< of the bow, above 0 up to largest_motion_size
+  double size = usual_motion_size;  ///< size of the bow, above 0 up to largest_motion_size
   std::uint64_t seed = 1;
   SimulatedPace pace = {};
 };

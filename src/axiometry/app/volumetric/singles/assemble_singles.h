@@ -17,9 +17,9 @@ namespace axiometry::app {
 
 struct SingleItem {
   std::string name;                                                  ///< "EYX", "C0Y"
-  std::string file;                                                  ///< of squareness empty where it is a number
-  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< of its readings, in µm or µrad
-  double urad = 0.0;                                                 ///< of squareness as a number
+  std::string file;                                                  ///< file of readings; empty for a number
+  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< uncertainty of the instrument, in µm or µrad
+  double urad = 0.0;                                                 ///< squareness that is a number
   double U_urad = 0.0;                                               ///< k = 2
 };
 
@@ -27,14 +27,14 @@ struct SingleItem {
 struct SingleStand {
   Vector3 axes_mm;
   std::string tool;                     ///< empty: the only one
-  volumetric::Approaches approaches{};  ///< in which direction the others came to rest there; 0: not stated
+  volumetric::Approaches approaches{};  ///< direction in which the others came to rest there; 0: not stated
 };
 
 struct AssembleRequest {
   std::string machine;  ///< file
   std::vector<SingleItem> items;
-  std::array<std::optional<SingleStand>, 3> stands{};            ///< of X, Y, Z
-  volumetric::Reversal reversal = volumetric::Reversal::curves;  ///< or none: means of both directions
+  std::array<std::optional<SingleStand>, 3> stands{};            ///< places of X, Y, Z
+  volumetric::Reversal reversal = volumetric::Reversal::curves;  ///< how directions are modelled; none: means of both
 };
 
 struct AssembledItem {
@@ -42,10 +42,10 @@ struct AssembledItem {
   std::string file;        ///< empty of squareness as a number
   std::string sha256;      ///< likewise
   std::size_t runs = 0;    ///< likewise 0; of squareness the larger of both lines
-  double u_largest = 0.0;  ///< of its readings, or of the squareness, µm or µrad, k = 1
+  double u_largest = 0.0;  ///< largest u of its readings, or of the squareness, µm or µrad, k = 1
   std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< µm or µrad: as given, or as its file states
-  std::string directions{};  ///< in which its readings were: "both", "up", "down"; empty of squareness
-  double reversal = 0.0;     ///< of both the largest |up − down| of its means, µm or µrad
+  std::string directions{};  ///< directions of its readings: "both", "up", "down"; empty of squareness
+  double reversal = 0.0;     ///< largest |up − down| of its means of both directions, µm or µrad
   std::string equipment{};   ///< maker, type and serial number of what it was measured with; empty where not named
 };
 
@@ -53,7 +53,7 @@ struct Assembled {
   AssembleRequest request;
   std::string machine_sha256;
   std::vector<AssembledItem> items;
-  std::vector<std::string> remarks;  ///< of reading
+  std::vector<std::string> remarks;  ///< remarks on reading
   volumetric::SingleModel made;
 };
 

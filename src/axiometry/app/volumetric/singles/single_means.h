@@ -29,7 +29,7 @@ struct PositionMeans {
 struct SingleMeans {
   volumetric::SingleMotion motion;  ///< positions ascending; with reversal where both directions were read
   std::string directions;           ///< "both", "up", "down"
-  double reversal = 0.0;            ///< of both the largest |up − down|
+  double reversal = 0.0;            ///< largest |up − down| of both directions
   std::vector<std::string> remarks;
 };
 

@@ -14,7 +14,7 @@ namespace axiometry::app {
 
 /// One error motion with the standard uncertainty of its means.
 struct ReadSingle {
-  volumetric::SingleMotion motion;  ///< in axes of the machine, positions ascending
+  volumetric::SingleMotion motion;  ///< motion in axes of the machine, positions ascending
   AssembledItem item;
   std::vector<std::string> remarks;
   bool is_sense_stated = true;  ///< whether anybody said which way its readings are positive
@@ -28,7 +28,7 @@ Result<ReadSingle> read_single(const SingleItem& item, volumetric::ErrorMotion e
 /// All of them, with `reversal` as in SingleErrors, squareness after the motions that it is counted over. Fails on an
 /// error named twice.
 struct ReadSingles {
-  volumetric::SingleErrors errors;  ///< without places
+  volumetric::SingleErrors errors;  ///< errors without places
   std::vector<AssembledItem> items;
   std::vector<std::string> remarks;
 };

@@ -14,10 +14,10 @@
 namespace axiometry::app {
 
 struct ExportRequest {
-  std::string result;      ///< of `axiometry volumetric identify --out`
+  std::string result;      ///< file of `axiometry volumetric identify --out`
   std::string table;       ///< id of a formats::Compensation
-  std::string tool;        ///< for which tables of one axis are made; may be empty where the machine has one
-  std::size_t nodes = 21;  ///< along each axis, 2 to 401
+  std::string tool;        ///< tool for tables of one axis; may be empty where the machine has one
+  std::size_t nodes = 21;  ///< nodes along each axis, 2 to 401
 };
 
 struct ExportedTable {

@@ -19,7 +19,7 @@
 namespace axiometry::app {
 
 struct VolumeCompensationRequest {
-  std::string result;         ///< of `axiometry volumetric identify --out`
+  std::string result;         ///< file of `axiometry volumetric identify --out`
   std::string tool;           ///< may be empty where the machine has one
   std::size_t along = 0;      ///< the axis at whose positions the table stands, 0 to 2
   std::size_t component = 0;  ///< the direction in which the tool point is moved, 0 to 2
@@ -48,7 +48,7 @@ struct VolumeCompensation {
   std::size_t along = 0, component = 0;  ///< as they were asked for
   LineOfVolume line;
   double line_before_um = 0.0, line_after_um = 0.0;  ///< range of the displacements on the line
-  volumetric::TableEffect effect;                    ///< on the error of the tool point over the volume
+  volumetric::TableEffect effect;                    ///< effect on the error of the tool point over the volume
   std::vector<NamedFinding> findings;
 };
 

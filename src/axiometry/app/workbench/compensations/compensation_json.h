@@ -11,7 +11,7 @@
 /// Tables of compensation as the API spells them (apps/server/openapi.json), and its requests as values.
 namespace axiometry::app {
 
-json::Value controls_to_json(const Reader& reader);  ///< of every control, with its texts in the reader's language
+json::Value controls_to_json(const Reader& reader);  ///< JSON of every control, with its texts in the reader's language
 json::Value to_json(std::span<const ListedCompensation> listed, const Reader& reader);
 json::Value to_json(const MadeCompensation& made, const Reader& reader);
 json::Value to_json(const KeptCompensation& kept, const Reader& reader);

@@ -38,30 +38,30 @@ struct MadeCompensation {
 struct CompensationRevision {
   int base_version = 0;
   std::string reason;
-  std::optional<std::optional<store::Id>> retest{};  ///< in its latest version
+  std::optional<std::optional<store::Id>> retest{};  ///< re-test in its latest version
   std::optional<std::string> notes{};
 };
 
 /// A test as a compensation speaks of it, and what became of it since.
 struct TestOfCompensation {
   store::Id id = 0;
-  int version = 0;         ///< that was used
-  int latest = 0;          ///< that there is
+  int version = 0;         ///< version that the compensation rests on
+  int latest = 0;          ///< latest version that there is
   bool withdrawn = false;  ///< now
   bool revised = false;    ///< the latest version differs from the one that was used in metadata, options or axis
-  std::string title;       ///< of the version that was used, as the rest
+  std::string title;       ///< title of the version that was used, as the rest
   std::string measured_on;
 };
 
 /// What a list says of a compensation.
 struct ListedCompensation {
   store::Versioned<store::Compensation> compensation;
-  std::string made_at;  ///< of its first version
+  std::string made_at;  ///< time of its first version
   TestOfCompensation test;
   std::optional<TestOfCompensation> retest;
   std::optional<store::Versioned<store::Axis>> axis;        ///< as they are called now
-  std::optional<store::Versioned<store::Machine>> machine;  ///< of the axis
-  std::optional<NamedFinding> former{};  ///< its table is in a form that is not read any more
+  std::optional<store::Versioned<store::Machine>> machine;  ///< machine of the axis
+  std::optional<NamedFinding> former{};                     ///< its table is in a form that is not read any more
   int serious = 0;  ///< findings after which the table should not be used as it is: those that count, and those since
 
   /// Whether what was found with a re-test is of record: there is one, neither withdrawn nor revised since.
