@@ -7,7 +7,7 @@ namespace axiometry {
 
 /// A file that was built into the program (axiometry_embed() in cmake/AxiometryHelpers.cmake).
 struct EmbeddedFile {
-  std::string_view name;  ///< without folders
+  std::string_view name;  ///< name without folders
   std::string_view bytes;
 };
 

@@ -32,8 +32,8 @@ class Text {
     end_at(at + 1);
   }
   void append(std::string_view s);         ///< as it is
-  void append_quoted(std::string_view s);  ///< with what must be escaped; bytes that are not UTF-8 as U+FFFD
-  void append_name(std::string_view name, bool behind_another);  ///< of a member
+  void append_quoted(std::string_view s);  ///< quotes and escapes; bytes that are not UTF-8 as U+FFFD
+  void append_name(std::string_view name, bool behind_another);  ///< name of a member
   void append_number(double x);                                  ///< contract: finite
 
   std::string take();

@@ -12,7 +12,7 @@
 /// Small text tools, all independent of the locale and working on bytes (UTF-8 where it matters).
 namespace axiometry::text {
 
-std::string_view trim(std::string_view s);  ///< without blanks, tabs, CR and LF at both ends
+std::string_view trim(std::string_view s);  ///< the text without blanks, tabs, CR and LF at both ends
 std::string to_lower(std::string_view s);   ///< ASCII letters only
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 
