@@ -19,7 +19,7 @@ namespace axiometry::capture {
 /// Positions at equal intervals, in the native unit of the axis (mm or °).
 struct MotionRecord {
   double rate_hz = 0.0;
-  double begin_s = 0.0;  ///< of the first sample
+  double begin_s = 0.0;  ///< time of the first sample
   std::vector<double> positions;
 
   double time_s(std::size_t k) const { return begin_s + static_cast<double>(k) / rate_hz; }

@@ -15,20 +15,20 @@ namespace axiometry::capture {
 
 struct SpectrumPeak {
   double frequency_hz = 0.0;
-  double amplitude = 0.0;  ///< in the unit of the values
+  double amplitude = 0.0;  ///< amplitude in the unit of the values
 };
 
 struct MotionSpectrum {
-  double step_hz = 0.0;            ///< between two amplitudes
+  double step_hz = 0.0;            ///< step between two amplitudes
   double resolution_hz = 0.0;      ///< 2/T: nearer ones cannot be told apart
-  std::vector<double> amplitudes;  ///< from 0 Hz to half the rate
+  std::vector<double> amplitudes;  ///< amplitudes from 0 Hz to half the rate
   double floor = 0.0;              ///< median of the amplitudes above the resolution
   double threshold =
       0.0;  ///< √log₂(100 N) floors, of N amplitudes: white noise is beyond it in 1 of 100; and the least
   /// Highest first: above the threshold, 2/T, and twice what a drift and higher peaks may leave beside themselves.
   std::vector<SpectrumPeak> peaks;
   std::size_t peaks_more = 0;    ///< lower ones; counted up to nine times as many as were asked for
-  std::size_t peaks_beside = 0;  ///< above the threshold and 2/T, but not above what others may leave there
+  std::size_t peaks_beside = 0;  ///< peaks above the threshold and 2/T, but not above what others may leave there
 };
 
 struct SpectrumOptions {

@@ -18,15 +18,15 @@ struct UniformStretch {
   double intercept = 0.0;           ///< a, at the first sample
   double velocity_deviation = 0.0;  ///< standard deviation of the smoothed velocity about its mean
   double velocity_range = 0.0;      ///< highest less lowest smoothed velocity
-  double deviation_range = 0.0;     ///< of the residuals, native
-  double deviation_rms = 0.0;       ///< of the residuals, native
+  double deviation_range = 0.0;     ///< range of the residuals, native
+  double deviation_rms = 0.0;       ///< root mean square of the residuals, native
   double acceleration_rms = 0.0;    ///< native per s²
 
   std::size_t count() const { return last - first + 1; }
 };
 
 struct UniformOptions {
-  double share = 0.05;  ///< by which the velocity may leave its median
+  double share = 0.05;  ///< share by which the velocity may leave its median
 };
 
 /// The longest stretch of every movement in one direction, in order of time, from where it first has its median
