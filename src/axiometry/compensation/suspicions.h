@@ -29,7 +29,7 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
                                             bool rolls_over = false);
 
 struct RetestContext {
-  bool sign_inferred = false;   ///< of the control: a sign mistake names the way out
+  bool sign_inferred = false;   ///< whether the control's sign is inferred: a sign mistake then names the way out
   bool above_expected = false;  ///< more is left than 95 % of re-tests would show
 };
 
