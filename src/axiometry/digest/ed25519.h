@@ -15,7 +15,7 @@ class SigningKey {
   /// As pem() spells it; nothing where it is none.
   static std::optional<SigningKey> from_pem(std::string_view pem);
 
-  std::string pem() const;                              ///< of the private key, PKCS #8 without a password
+  std::string pem() const;                              ///< private key, PKCS #8 without a password
   std::string public_key() const;                       ///< 64 lower-case hexadecimal digits
   std::string signature(std::string_view bytes) const;  ///< 128 of them
 
