@@ -15,13 +15,13 @@ namespace axiometry::formats {
 
 struct CompensationRequest {
   const volumetric::ErrorModel& model;
-  std::size_t tool = 0;    ///< of the machine; for tables of single axes
+  std::size_t tool = 0;    ///< tool of the machine, for tables of single axes
   std::size_t nodes = 21;  ///< positions of each axis, over the travel that was observed
 };
 
 struct Compensation {
   std::string_view id;       ///< "general-csv", for --for
-  std::string_view title;    ///< in lists
+  std::string_view title;    ///< title in lists
   std::string_view takes;    ///< "all 21 errors", "positioning"
   bool of_one_tool = false;  ///< whether it needs one
   std::string_view comment;  ///< what a line of comment begins with

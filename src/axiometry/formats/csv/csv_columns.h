@@ -28,7 +28,7 @@ struct Column {
   std::string name;           ///< as it stands in the header
   std::size_t at_column = 1;  ///< byte of the line
   Measured measured = Measured::deviation;
-  const Unit* unit = nullptr;          ///< of targets and readings; null when not stated or unknown
+  const Unit* unit = nullptr;          ///< unit of targets and readings; null when not stated or unknown
   std::string unit_text;               ///< as it stands in the name, empty when there is none
   std::optional<Direction> direction;  ///< stated in the name of a reading
   std::optional<std::size_t> run;      ///< stated in the name of a reading, from 1

@@ -58,8 +58,8 @@ class LongRows {
   /// Deviations beside measured positions, in native units.
   struct Comparison {
     std::size_t count = 0;
-    double apart = 0.0;     // at most, from measured minus target
-    double mirrored = 0.0;  // at most, from target minus measured
+    double apart = 0.0;     // largest difference from measured minus target
+    double mirrored = 0.0;  // largest difference from target minus measured
     double largest = 0.0;   // deviation
     double last_digits = 0.0;
   };
@@ -112,10 +112,10 @@ class LongRows {
   bool rows_repeat_;               // the test comes first and the reading last, so that what is between may repeat
   RowMemory memory_;
 
-  std::size_t line_;  // of the row at hand
+  std::size_t line_;  // line of the row at hand
   bool in_test_ = false;
   std::string test_name_;
-  std::string row_begin_;  // of every plain row of the test: its name and a delimiter
+  std::string row_begin_;  // beginning of every plain row of the test: its name and a delimiter
   std::size_t test_line_ = 0;
   TestNames names_;
   TargetIndex targets_;

@@ -15,7 +15,7 @@
 namespace axiometry::formats {
 
 struct MetadataLine {
-  std::string key;  ///< of a field
+  std::string key;  ///< key of a field
   std::string value;
   TextPosition at;
 };
@@ -24,7 +24,7 @@ struct Preamble {
   std::vector<MetadataLine> metadata;
   DefaultUnits default_units;  ///< `# unit: um`, `# target unit: mm`
   char delimiter = ',';
-  std::vector<Column> columns;  ///< of the header; empty when there is none
+  std::vector<Column> columns;  ///< columns of the header; empty when there is none
   std::size_t header_line = 0;
   std::size_t size = 0;  ///< bytes up to and with the line break of the header
 };

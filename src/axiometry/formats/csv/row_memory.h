@@ -12,7 +12,7 @@ namespace axiometry::formats {
 struct PlainRow {
   double target = 0.0;
   double reading = 0.0;
-  std::uint16_t run = 0;  ///< from 0
+  std::uint16_t run = 0;  ///< number of the run, from 0
   std::uint8_t direction = 0;
 };
 

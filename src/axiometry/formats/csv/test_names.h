@@ -28,11 +28,11 @@ class TestNames {
     std::size_t first_line = 0;
     std::size_t lines_each = 0;  // 0 while the run has one name
   };
-  using Runs = std::map<std::uint64_t, Run>;  // by first number
+  using Runs = std::map<std::uint64_t, Run>;  // runs by first number
 
   static std::optional<std::size_t> add_to(Runs& runs, std::uint64_t number, std::size_t line);
 
-  std::map<std::string, Runs, std::less<>> numbered_;  // by the text before the number and the digits' width
+  std::map<std::string, Runs, std::less<>> numbered_;  // runs by the text before the number and the digits' width
   std::unordered_map<std::string, std::size_t> others_;
 };
 

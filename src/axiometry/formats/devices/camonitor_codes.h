@@ -14,8 +14,8 @@ namespace axiometry::formats {
 
 struct TestCode {
   Direction direction = Direction::up;
-  std::size_t cycle = 0;   ///< from 1
-  std::size_t target = 0;  ///< from 1
+  std::size_t cycle = 0;   ///< number of the cycle, from 1
+  std::size_t target = 0;  ///< number of the target, from 1
 };
 
 /// Whether a value can be such a number: at least three digits, the first 1 (↑) or 2 (↓).

@@ -18,14 +18,14 @@ struct LogState {
   std::string_view value;
   std::string_view time;      ///< "2022-04-06 12:48:22.148376"
   std::string_view previous;  ///< the last value that differed; empty when there was none
-  std::size_t line = 0;       ///< of its last change; 0 when it has said nothing yet
+  std::size_t line = 0;       ///< line of its last change; 0 when it has said nothing yet
 };
 
 /// A change of the test number, and what all variables had said before it.
 struct LogEvent {
   std::string_view code;
   std::size_t line = 0;
-  std::vector<LogState> states;  ///< by the number of the variable; later variables are missing
+  std::vector<LogState> states;  ///< states by the number of the variable; later variables are missing
 };
 
 /// A line `# KEY=value`, by which a user states what a log leaves out.
@@ -39,19 +39,19 @@ struct LogDirective {
 /// connects.
 struct LogBacksteps {
   std::size_t count = 0;
-  std::size_t line = 0;         ///< of the first
-  std::string_view time;        ///< of the first
+  std::size_t line = 0;         ///< line of the first
+  std::string_view time;        ///< time of the first
   std::string_view time_above;  ///< the newest above it
 };
 
 struct Log {
   std::vector<std::string_view> variables;  ///< names, in the order of their appearance
-  std::vector<LogBacksteps> backsteps;      ///< by the number of the variable
+  std::vector<LogBacksteps> backsteps;      ///< steps back by the number of the variable
   std::optional<std::size_t> test_number;   ///< the variable whose changes are the events
   std::vector<LogEvent> events;
   std::vector<LogDirective> directives;
   std::size_t lines = 0;
-  std::size_t skipped_lines = 0;  ///< that are no value at a time: lost connections, messages of the shell
+  std::size_t skipped_lines = 0;  ///< lines that are no value at a time: lost connections, messages of the shell
   std::size_t first_skipped = 0;  ///< line
 };
 

@@ -14,8 +14,8 @@ namespace axiometry::formats {
 /// One line of a file in the layout of Renishaw's laser software: run, target, deviation.
 struct RtlReading {
   std::size_t run = 0;     ///< one way, from 1
-  std::size_t target = 0;  ///< from 1, in the order of the list of targets
-  double value = 0.0;      ///< in the unit of the file
+  std::size_t target = 0;  ///< number in the order of the list of targets, from 1
+  double value = 0.0;      ///< deviation in the unit of the file
   TextPosition at;
 };
 
@@ -25,7 +25,7 @@ std::size_t rtl_run_count(std::span<const RtlReading> rows);
 /// How the runs of a file are to be taken, and what must be told about it.
 struct RtlRunRule {
   bool one_way = false;        ///< every run goes along the list
-  std::vector<bool> absent{};  ///< per run: filled with zeros and never measured
+  std::vector<bool> absent{};  ///< whether a run is filled with zeros and was never measured
   std::vector<SourceRemark> remarks{};
 };
 

@@ -18,7 +18,7 @@ struct MotionFile {
   MotionUnit unit = MotionUnit::um;   ///< lengths as µm, ″ and ° as ″, µrad, mrad and rad as µrad
   std::optional<MotionName> error;    ///< stated by `# error: EYX` or the column's name
   std::optional<ReadingSense> sense;  ///< stated by `# positive: -Y`
-  Metadata metadata;                  ///< of `# key: value` lines
+  Metadata metadata;                  ///< metadata of `# key: value` lines
   bool may_be_positions = false;      ///< lengths in a column "deviation", as those of positions are called
   std::vector<SourceRemark> remarks{};
 };

@@ -24,11 +24,11 @@ struct MotionResult {
   bool has_up = false, has_down = false;
   std::vector<double> positions_mm;  ///< ascending
   std::vector<double> means;
-  std::vector<double> halves;        ///< of both directions half of up less down at each position, else empty
-  std::vector<double> s_up, s_down;  ///< over the runs; empty with one run, or without that direction
+  std::vector<double> halves;        ///< half of up less down at each position, of both directions, else empty
+  std::vector<double> s_up, s_down;  ///< scatter over the runs; empty with one run, or without that direction
   std::optional<double> instrument_U, instrument_U_per_m;  ///< k = 2, in `unit`; both or none
   std::vector<std::string> remarks;
-  std::vector<Equipment> equipment;  ///< of its metadata, as far as named
+  std::vector<Equipment> equipment;  ///< equipment of its metadata, as far as named
 };
 
 /// The location error of a squareness: C0Y, B0Z or A0Z with what is known of its uncertainty.
@@ -41,7 +41,7 @@ struct LocationResult {
 
 struct MotionResults {
   std::string result;                 ///< "straightness", "angles", "squareness"
-  std::vector<MotionResult> motions;  ///< of squareness the two lines, the first one first
+  std::vector<MotionResult> motions;  ///< its motions; of squareness the two lines, the first one first
   std::optional<LocationResult> location;
   std::optional<double> square_error_arcsec, square_U_arcsec;
 };

@@ -34,11 +34,11 @@ struct Weather {
 /// What a frame says.
 struct Frame {
   FrameKind kind = FrameKind::other;
-  double distance_mm = 0.0;    ///< of kind distance: steps of 10⁻¹⁰ m
+  double distance_mm = 0.0;    ///< distance of kind distance: steps of 10⁻¹⁰ m
   bool too_fast = false;       ///< the counter overflowed since this was cleared
   bool weak = false;           ///< the light was too weak to count since this was cleared
   bool laser_settled = false;  ///< the state of the laser; what 0 means is not known for sure
-  Weather weather = {};        ///< of kind weather
+  Weather weather = {};        ///< weather of kind weather
 };
 
 /// Of the first 16 bytes; nothing when these are no frame: another beginning, or a wrong check. Needs 16 bytes

@@ -14,7 +14,7 @@
 namespace axiometry::formats {
 
 struct RtxHeader {
-  std::size_t data_at = 0;    ///< where the numbers begin
+  std::size_t data_at = 0;    ///< byte where the numbers begin
   std::uint64_t samples = 0;  ///< "Sample no"
   double rate_hz = 0.0;       ///< "Actual sample rate"; "Sample rate" where that is not stated
   bool rate_is_actual = true;

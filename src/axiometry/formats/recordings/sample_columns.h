@@ -18,11 +18,11 @@ struct SampleColumns {
   std::size_t time = 0;
   std::size_t position = 1;
   bool stamps = false;            ///< the time is a point in time, else a number
-  double seconds_per_unit = 1.0;  ///< of a time that is a number
+  double seconds_per_unit = 1.0;  ///< seconds of a time that is a number
   double position_factor = 1.0;   ///< mm or ° per unit
   double position_divisor = 1.0;  ///< so that 0.1 µm is exactly 0.0001 mm
   bool by_header = false;
-  const Unit* unit = nullptr;  ///< that the header names
+  const Unit* unit = nullptr;  ///< unit that the header names
 };
 
 /// The cells of a line; with blanks as delimiter, date and time of day that a blank parts are one cell.

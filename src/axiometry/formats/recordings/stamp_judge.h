@@ -62,7 +62,7 @@ class StampJudge {
   double shift_of_new_clock() const;
 
   Kind kind_;
-  double shift_ = 0.0;  // of times, since the clock was set
+  double shift_ = 0.0;  // shift of times since the clock was set
   std::optional<StampedLine> last_, waiting_;
   std::vector<StampedLine> doubtful_, settled_;
   std::size_t rejected_ = 0, rejected_in_a_row_ = 0, first_rejected_ = 0;

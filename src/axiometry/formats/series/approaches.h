@@ -16,9 +16,9 @@ namespace axiometry::formats {
 struct ListedReading {
   Position target{};
   Direction direction = Direction::up;
-  std::size_t run = 1;  ///< from 1
+  std::size_t run = 1;  ///< number of the run, from 1
   Deviation deviation{};
-  double time_s = std::numeric_limits<double>::quiet_NaN();  ///< since any epoch; NaN when not known
+  double time_s = std::numeric_limits<double>::quiet_NaN();  ///< time since any epoch; NaN when not known
   TextPosition at{};
 };
 

@@ -41,7 +41,7 @@ class TargetIndex {
   std::uint32_t search(double target);
 
   std::vector<double> targets_;
-  std::vector<double> previous_;  // of the test before
+  std::vector<double> previous_;  // positions of the test before
   bool repeats_ = false;          // targets_ is the beginning of previous_, whose numbers are distinct
   std::uint32_t last_ = 0;
   std::map<double, std::uint32_t> numbers_;  // filled only when there are many targets

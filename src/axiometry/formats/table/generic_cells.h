@@ -21,8 +21,8 @@ namespace axiometry::formats::generic {
 Result<DecodedText> decode(std::string_view bytes, TextEncoding encoding);
 
 struct PlainLine {
-  std::string_view text;   ///< without its line break and blanks at its end
-  std::size_t number = 0;  ///< from 1
+  std::string_view text;   ///< line without its break and blanks at its end
+  std::size_t number = 0;  ///< number of the line, from 1
 };
 
 /// Lines end in LF, CRLF or CR.

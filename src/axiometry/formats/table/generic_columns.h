@@ -15,7 +15,7 @@ struct ColumnFacts {
   std::size_t numbers = 0;
   std::size_t missing = 0;
   std::size_t words = 0;               ///< other cells
-  std::vector<std::string> spellings;  ///< of the words, each once, at most five
+  std::vector<std::string> spellings;  ///< spellings of the words, each once, at most five
   bool whole = true;                   ///< every number is whole
   std::size_t distinct = 0;            ///< different numbers
   double least = 0.0;

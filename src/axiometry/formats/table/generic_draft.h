@@ -19,7 +19,7 @@ struct Draft {
   TableShape shape;
   std::vector<Head> heads;         ///< one per column; all unknown without a header
   std::vector<ColumnFacts> facts;  ///< likewise
-  DefaultUnits stated;             ///< for the whole file, above the table
+  DefaultUnits stated;             ///< units for the whole file, above the table
   Guess guess;
 
   ImportColumn& column(std::size_t c) { return guess.profile.columns[c]; }

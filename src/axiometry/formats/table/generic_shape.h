@@ -17,17 +17,17 @@ struct TableShape {
   char decimal_mark = '.';
   bool mark_seen = false;  ///< some number has a decimal mark
   std::size_t columns = 0;
-  std::size_t first_line = 0;                  ///< of the rows, number in the file
-  std::size_t row_count = 0;                   ///< up to the last row
+  std::size_t first_line = 0;                  ///< line of the file where the rows begin
+  std::size_t row_count = 0;                   ///< rows up to the last one
   std::vector<std::vector<std::string>> rows;  ///< the first of them, at most rows_looked_at, without blank lines
   std::vector<PlainLine> row_lines;            ///< theirs
   std::vector<std::string> names;              ///< one per column; empty without a header
-  std::vector<const Unit*> units;              ///< of a line of units below the names; empty without one
+  std::vector<const Unit*> units;              ///< units below the names; empty without such a line
   std::span<const PlainLine> above;            ///< lines above header and rows
   std::size_t header_lines = 0;
   std::string comment = "#";
   std::string end;                       ///< beginning of the first line below the rows
-  std::vector<GuessDecision> questions;  ///< about delimiter and decimal mark
+  std::vector<GuessDecision> questions;  ///< questions about delimiter and decimal mark
 };
 
 inline constexpr std::size_t rows_looked_at = 5000;

@@ -20,7 +20,7 @@ std::vector<std::string> names_in(std::string_view line, Delimiter delimiter, st
 struct TableRegion {
   std::span<const PlainLine> above;  ///< the header, when there is one
   std::vector<PlainLine> header;     ///< its lines, without a comment mark before them
-  std::vector<PlainLine> rows;       ///< without blank lines and comments
+  std::vector<PlainLine> rows;       ///< rows without blank lines and comments
 };
 
 /// The table that the profile describes. Fails when no line holds the names of its columns.

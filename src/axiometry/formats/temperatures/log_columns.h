@@ -15,14 +15,14 @@ namespace axiometry::formats {
 
 enum class LogTime {
   moment,        ///< date and time of day in one column
-  date_and_day,  ///< in two
+  date_and_day,  ///< date and time of day, in two columns
   time_of_day,   ///< alone: no date is known
   number,        ///< seconds or another unit
 };
 
 struct LogColumn {
   std::size_t place = 0;
-  std::string name;     ///< without its unit; "column 2" where there is no header
+  std::string name;     ///< name without its unit; "column 2" where there is no header
   double factor = 1.0;  ///< °C = factor · value + shift
   double shift = 0.0;
 };
@@ -31,11 +31,11 @@ struct LogColumns {
   char delimiter = ' ';
   LogTime kind = LogTime::number;
   std::size_t time = 0;
-  std::size_t time_of_day = 0;    ///< of date_and_day
-  double seconds_per_unit = 1.0;  ///< of a number
+  std::size_t time_of_day = 0;    ///< column of the time of day, of date_and_day
+  double seconds_per_unit = 1.0;  ///< seconds of a number
   std::vector<LogColumn> temperatures;
   std::vector<std::string> passed_over;    ///< heads of columns that are neither
-  std::vector<std::string> other_numbers;  ///< of these, heads above a number
+  std::vector<std::string> other_numbers;  ///< heads above a number, of these
   bool units_assumed = false;              ///< no head tells a unit: °C
   std::vector<std::string> without_unit;   ///< temperatures by their names where other heads tell a unit: °C
   struct LetterUnit {

@@ -14,7 +14,7 @@
 namespace axiometry::formats {
 
 struct CsvCell {
-  std::string text;        ///< without quotes and, when not quoted, without blanks around it
+  std::string text;        ///< text without quotes and, when not quoted, without blanks around it
   std::size_t column = 1;  ///< byte at which the field begins, from 1
 };
 
@@ -27,9 +27,9 @@ std::unexpected<Error> fail_row_cells(TextPosition at);
 
 struct RowShape {
   std::size_t expected = 0;  ///< cells in the header
-  std::size_t needed = 0;    ///< up to the last column that is read; spreadsheets cut off empty cells behind it
+  std::size_t needed = 0;    ///< cells up to the last column that is read; spreadsheets cut off empty cells behind it
   std::size_t header_line = 0;
-  std::size_t line = 0;  ///< of the row
+  std::size_t line = 0;  ///< line of the row
   char delimiter = ',';
   bool cut_off = false;  ///< the row is the last and has no line break
 };

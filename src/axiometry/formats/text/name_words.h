@@ -9,14 +9,14 @@ namespace axiometry::formats {
 
 enum class WordPlace {
   whole,          ///< "dew" in "dew point", not in "sidewall"
-  front,          ///< of a word: "air" in "airflow", not in "fairing"
+  front,          ///< at the front of a word: "air" in "airflow", not in "fairing"
   front_or_back,  ///< as in German compounds: "luft" in "Luftfilter" and "Hallenluft"
   back,
   anywhere,
 };
 
 struct NameWord {
-  std::string_view word;  ///< in lower case
+  std::string_view word;  ///< word in lower case
   WordPlace place = WordPlace::whole;
 };
 

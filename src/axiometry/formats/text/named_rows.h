@@ -26,17 +26,17 @@ struct ColumnWord {
 };
 
 struct TableWords {
-  std::span<const std::string_view> canonical;  ///< per role: "x_mm"
+  std::span<const std::string_view> canonical;  ///< name per role: "x_mm"
   std::span<const ColumnWord> words;
   std::size_t texts = 0;                              ///< roles before this are names, the others lengths
   std::size_t angles = static_cast<std::size_t>(-1);  ///< but from this on angles
 };
 
 struct NamedColumns {
-  std::vector<std::optional<std::size_t>> at;  ///< per role
-  std::vector<const Unit*> unit;               ///< per role
+  std::vector<std::optional<std::size_t>> at;  ///< column per role
+  std::vector<const Unit*> unit;               ///< unit per role
   std::size_t count = 0;
-  std::size_t needed = 0;  ///< up to the last one that is read
+  std::size_t needed = 0;  ///< cells up to the last one that is read
   std::size_t line = 0;
   char delimiter = ',';
   std::vector<std::string> passed_over;

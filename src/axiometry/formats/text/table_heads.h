@@ -47,9 +47,9 @@ Result<double> length_in_mm(const Unit& unit, double value, std::string_view cel
 std::string passed_over(std::span<const std::string> columns);
 
 struct TableLine {
-  std::string_view text;     ///< with the blanks at its ends, since a tab there parts cells
-  std::string_view content;  ///< without them, never empty
-  std::size_t number = 0;    ///< from 1
+  std::string_view text;     ///< line with the blanks at its ends, since a tab there parts cells
+  std::string_view content;  ///< line without them, never empty
+  std::size_t number = 0;    ///< number of the line, from 1
   bool has_break = true;     ///< false for the last line of a file that ends within it
 };
 

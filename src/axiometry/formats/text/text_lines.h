@@ -13,9 +13,9 @@
 namespace axiometry::formats {
 
 struct TextLine {
-  std::string_view text;   ///< without blanks at its ends, never empty
-  std::size_t number = 0;  ///< from 1
-  std::size_t column = 1;  ///< of the first byte of `text`
+  std::string_view text;   ///< line without blanks at its ends, never empty
+  std::size_t number = 0;  ///< number of the line, from 1
+  std::size_t column = 1;  ///< column of the first byte of `text`
   bool has_break = true;   ///< false for the last line of a file that ends within it
 
   /// Where a part of `text` stands; the beginning of the line for a part that is empty.
@@ -28,7 +28,7 @@ std::vector<TextLine> content_lines(std::string_view text);
 /// "Air temp : 20.1 C": what stands on both sides of the first mark.
 struct TaggedValue {
   std::string tag;  ///< lower case, parts separated by one blank, also where the file has hyphens and underscores
-  std::string_view value;  ///< without blanks at its ends; may be empty
+  std::string_view value;  ///< value without blanks at its ends; may be empty
 };
 
 /// Nothing when the line has no mark.

@@ -12,8 +12,8 @@
 namespace axiometry::formats {
 
 struct PolarAngles {
-  double azimuth_deg = 0.0;                                        ///< from x towards y
-  double elevation_deg = 0.0;                                      ///< above the plane of x and y
+  double azimuth_deg = 0.0;                                        ///< angle from x towards y
+  double elevation_deg = 0.0;                                      ///< angle above the plane of x and y
   std::optional<double> azimuth_u_arcsec{}, elevation_u_arcsec{};  ///< standard uncertainties, where the file has them
 };
 

@@ -15,10 +15,10 @@ namespace axiometry::formats {
 struct RangesFile {
   std::vector<std::string> points;
   std::vector<std::string> stations;
-  std::vector<RangeReading> readings;              ///< in the order of the file, which is that of measurement
-  std::vector<std::size_t> lines;                  ///< of each point's first reading
-  std::vector<std::size_t> reading_lines;          ///< of each reading
-  std::vector<Vector3> nominal_mm;                 ///< per point; empty when the file has no coordinates
+  std::vector<RangeReading> readings;              ///< readings in the order of the file, which is that of measurement
+  std::vector<std::size_t> lines;                  ///< line of each point's first reading
+  std::vector<std::size_t> reading_lines;          ///< line of each reading
+  std::vector<Vector3> nominal_mm;                 ///< nominal place per point; empty when the file has no coordinates
   std::vector<std::vector<std::string>> segments;  ///< names, per station
   std::vector<std::string> remarks;  ///< sentences without full stop: the encoding, columns and rows passed over
 };

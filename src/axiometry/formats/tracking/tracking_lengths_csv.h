@@ -15,8 +15,8 @@
 namespace axiometry::formats {
 
 struct LengthRow {
-  LengthReading reading;  ///< in program order without line and approach, which its place alone tells
-  bool missing = false;   ///< in program order: no reading was taken there
+  LengthReading reading;  ///< a reading in program order has no line and approach, which its place tells
+  bool missing = false;   ///< whether no reading was taken there, in program order
   double time_s = std::numeric_limits<double>::quiet_NaN();
   TextPosition at{};
 };
@@ -24,7 +24,7 @@ struct LengthRow {
 struct TrackingLengths {
   bool in_program_order = false;  ///< the table has no labels: rows belong to the plan's approaches in their order
   std::vector<LengthRow> rows;
-  Metadata metadata;                    ///< of `# key: value` lines
+  Metadata metadata;                    ///< metadata of `# key: value` lines
   std::vector<SourceRemark> remarks{};  ///< the encoding, columns passed over
 };
 
