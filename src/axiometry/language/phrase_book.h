@@ -36,7 +36,7 @@ struct Capture {
   std::size_t at = 0;
   std::size_t length = 0;
 };
-using Captures = std::array<Capture, 12>;  ///< by number of the place
+using Captures = std::array<Capture, 12>;  ///< what stands at each place, by its number
 
 /// What a language does to words that meet.
 struct Grammar {

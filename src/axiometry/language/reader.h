@@ -26,7 +26,7 @@ class Reader {
   Found whole(std::string_view packed, int depth);    ///< an entry, all of whose places are known
   Found variant(std::string_view packed, int depth);  ///< the same as a sentence or as a title within one
   Found by_sentence(std::string_view packed, int depth);
-  Found by_item(std::string_view packed, int depth);  ///< of a list
+  Found by_item(std::string_view packed, int depth);  ///< looks up a list
   Found known(std::string_view packed, int depth);    ///< any of these
   Found set(const Pattern& pattern, const std::string& blanks, std::string_view packed, int depth, bool strict);
   bool fits(const Pattern& pattern, const std::string& blanks, std::size_t piece, std::size_t at, Captures& captures);
@@ -36,7 +36,7 @@ class Reader {
 
   const PhraseBook& book_;
   NumberStyle numbers_;
-  long work_left_ = 3'000'000;  ///< for one text, in bytes looked at
+  long work_left_ = 3'000'000;  ///< work for one text, in bytes looked at
 };
 
 }  // namespace axiometry::language
