@@ -43,18 +43,18 @@ struct Remark {
 };
 /// Where an axis goes.
 struct AxisWord {
-  std::string axis;        ///< in capitals
+  std::string axis;        ///< name in capitals
   std::string coordinate;  ///< "-12.5000", with a decimal point
   AxisWay way = AxisWay::position;
 };
 /// To a position, straight and with all axes at once, at a feed along the path.
 struct Move {
   std::vector<AxisWord> axes;
-  std::string feed;  ///< without a decimal point when it is a whole number
+  std::string feed;  ///< number without a decimal point when it is whole
   std::string remark;
 };
 struct Dwell {
-  long steps = 0;  ///< of ControlLimits::dwell_step
+  long steps = 0;  ///< number of ControlLimits::dwell_step
 };
 struct Trigger {
   unsigned m_code = 0;

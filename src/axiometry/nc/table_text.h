@@ -29,8 +29,8 @@ double position_per_unit(const AxisTableOptions& options);
 int table_decimals(const AxisTableOptions& options);
 
 struct TableLine {
-  std::size_t number = 0;  ///< from 1
-  std::string_view text;   ///< without its end
+  std::size_t number = 0;  ///< number of the line, from 1
+  std::string_view text;   ///< line without its end
 };
 /// Lines as they stand, empty ones too; a last one without content is none.
 std::vector<TableLine> lines_of(std::string_view text);

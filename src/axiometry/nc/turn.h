@@ -15,15 +15,15 @@ namespace axiometry::nc {
 
 enum class RolloverWords {
   none,        ///< none are needed: the control's rotary axes count on through 0° and 360°
-  increments,  ///< by how much, with a sign: the way is the same however the rollover is set
+  increments,  ///< distances with a sign: the way is the same however the rollover is set
   directed,    ///< an angle of one turn, and upwards or downwards
 };
 
 enum class AxisWay {
-  position,   ///< to where the number says, by the control's own rule
-  increment,  ///< by so much
-  short_way,  ///< of the two ways to an angle the shorter
-  upwards,    ///< to an angle, and less than a turn
+  position,   ///< a position to which the control goes by its own rule
+  increment,  ///< an increment by which it goes
+  short_way,  ///< an angle to which it goes the shorter way
+  upwards,    ///< an angle to which it goes upwards, less than a turn
   downwards,
 };
 
@@ -52,7 +52,7 @@ class Turn {
   int decimals_needed() const { return decimals_needed_; }
 
  private:
-  std::int64_t units(Position position) const;  ///< of the last decimal
+  std::int64_t units(Position position) const;  ///< units of the last decimal
   std::string text_of(std::int64_t units) const;
 
   RolloverWords words_;

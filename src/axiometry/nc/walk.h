@@ -11,7 +11,7 @@ namespace axiometry::nc {
 /// Consecutive moves that are driven `times` times over. Read one after another, stretches are the moves of the plan.
 struct Stretch {
   std::size_t times = 1;
-  std::vector<PlannedMove> moves;  ///< of the first time; later times have other runs, nothing else
+  std::vector<PlannedMove> moves;  ///< moves of the first time; later times have other runs, nothing else
   std::size_t last_run = 0;        ///< index of the run of the last reading of the last time
 };
 

@@ -50,18 +50,18 @@ struct WordControl {
 
   Lines head = {};                              ///< {number}; before the comments, never numbered
   Lines start_mm = {};                          ///< the safe start
-  Lines start_inch = {};                        ///< in an inch program
+  Lines start_inch = {};                        ///< lines that begin an inch program
   bool rotary_in_mm = false;                    ///< whether the program of a rotary axis has the metric start always
   std::string_view move = "G1 {axes} F{feed}";  ///< {axes}: "X1.0 Y2.0", "X1=1.0", "C=ACP(1.0)"
   bool feed_point = true;                       ///< whether a whole feed has a decimal point
   std::string_view dwell = {};                  ///< {seconds}, with a point, or {steps} of the control
   Lines stop = {"M0 ({message})"};              ///< {message}
-  Lines declare = {};                           ///< before the start when there are loops, never numbered
+  Lines declare = {};                           ///< lines before the start when there are loops, never numbered
   Lines loop_begin = {};       ///< {loop} = 1, 2, …, {times}, {more} = times − 1, {label}, {end_label}
   Lines loop_end = {};         ///< likewise
   unsigned label_highest = 0;  ///< labels of the loops are numbers below it
   Lines end = {};              ///< numbered
-  Lines tail = {};             ///< after it, never numbered
+  Lines tail = {};             ///< lines after it, never numbered
   bool crlf = false;           ///< whether lines end with CR LF
   unsigned block_number_highest = 99'999;
   std::size_t line_length = 79;  ///< comments are wrapped to it

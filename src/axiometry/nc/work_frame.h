@@ -13,7 +13,7 @@ namespace axiometry::nc {
 
 /// Work offsets whose names differ by a number; none when `last` is less than `first`.
 struct WorkOffsets {
-  std::string_view word;  ///< with {} for the number: "G54.1 P{}"
+  std::string_view word;  ///< word with {} for the number: "G54.1 P{}"
   unsigned first = 1;
   unsigned last = 0;
 };

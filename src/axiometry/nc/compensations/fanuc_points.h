@@ -9,7 +9,7 @@
 /// Stored pitch errors of Fanuc: increments from point to point, in detection units times a magnification.
 namespace axiometry::nc::fanuc {
 
-inline constexpr unsigned largest_increment = 7;  ///< of the older controls
+inline constexpr unsigned largest_increment = 7;  ///< largest increment of the older controls
 inline constexpr unsigned largest_of_any = 127;   ///< one signed byte
 inline constexpr long long number_most = 9999;
 

@@ -12,7 +12,7 @@ namespace axiometry::nc::increments {
 /// What a control takes of one number.
 struct Range {
   long long lowest = 0, highest = 0;
-  std::string_view unit = "";     ///< of a number, for messages: "times 2 µm"
+  std::string_view unit = "";     ///< unit of a number, for messages: "times 2 µm"
   std::string_view way_out = "";  ///< what can be done about it: "a larger magnification or a shorter spacing"
 };
 
