@@ -11,13 +11,13 @@ namespace axiometry::numeric {
 struct AdditiveFit {
   std::size_t columns = 0;
   std::vector<double> residuals;        ///< as the table; NaN where it has no value
-  std::vector<double> levels;           ///< of the rows; NaN for one without a value
-  std::vector<double> shifts;           ///< of the columns; NaN for one without a value
+  std::vector<double> levels;           ///< level per row; NaN for one without a value
+  std::vector<double> shifts;           ///< shift per column; NaN for one without a value
   std::vector<std::size_t> row_counts;  ///< values there are
   std::vector<std::size_t> column_counts;
-  std::size_t count = 0;  ///< of all values
+  std::size_t count = 0;  ///< number of all values
   double squares = 0.0;   ///< sum of the squares of the residuals
-  double degrees = 0.0;   ///< of freedom of that sum; may be 0
+  double degrees = 0.0;   ///< degrees of freedom of that sum; may be 0
 
   std::span<const double> row(std::size_t i) const { return {residuals.data() + i * columns, columns}; }
   /// Variance of a residual by that of a value: (1 − 1/n_row)(1 − 1/n_column), exact for a full table.

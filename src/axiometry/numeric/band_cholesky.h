@@ -32,7 +32,7 @@ class BandMatrix {
   void solve(std::span<double> b) const;
 
  private:
-  std::vector<std::array<double, width + 1>> rows_;  // of row i: columns i, i − 1, i − 2
+  std::vector<std::array<double, width + 1>> rows_;  // columns i, i − 1, i − 2 of row i
 };
 
 }  // namespace axiometry::numeric

@@ -16,9 +16,9 @@ struct CurveFrame {
   std::vector<double> places;
   std::size_t terms = 0;
   std::vector<double> trend;                        ///< columns, one after the other
-  std::vector<CurveAxes> axes;                      ///< of every length; empty where there are filters
-  std::size_t stride = 0;                           ///< from one column to the next, in what follows
-  std::vector<std::vector<double>> padded_columns;  ///< of the axes of every length (curve_kernel_types.h)
+  std::vector<CurveAxes> axes;                      ///< axes of every length; empty where there are filters
+  std::size_t stride = 0;                           ///< distance from one column to the next, in what follows
+  std::vector<std::vector<double>> padded_columns;  ///< axes of every length (curve_kernel_types.h)
   std::shared_ptr<const std::vector<MaternFilter>> filters;
 
   MaternFilter::Trend filter_trend() const { return {trend, terms}; }

@@ -27,7 +27,7 @@ class LeaveOneOut {
   double deviation(std::size_t begin, std::size_t end, std::size_t left_out) const;
 
   std::vector<double> sorted_;
-  std::vector<std::size_t> ranks_;  // of the values as they were given
+  std::vector<std::size_t> ranks_;  // ranks of the values as they were given
   // Sums of the differences from the middle one, and of their squares, of those between it and a rank: so summed, no
   // value far out takes digits from those nearer.
   std::vector<double> sums_, squares_;

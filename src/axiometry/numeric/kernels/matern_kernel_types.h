@@ -20,16 +20,16 @@ struct MaternStep {
 };
 
 struct MaternCurve {
-  const MaternStep* steps = nullptr;  ///< of every place
+  const MaternStep* steps = nullptr;  ///< step to every place
   std::size_t places = 0;
   const double* trend[2] = {nullptr, nullptr};  ///< columns of so many numbers; zeros where there is one alone
 };
 
 /// Sums over the places of products of innovations over their variances: xᵀ(λK + 1)⁻¹ z.
 struct MaternSums {
-  double values[matern_lanes];           ///< of the values with themselves
-  double values_trend[2][matern_lanes];  ///< of them with each column of the trend
-  double trend[3][matern_lanes];         ///< of the columns: 00, 01, 11
+  double values[matern_lanes];           ///< sums of the values with themselves
+  double values_trend[2][matern_lanes];  ///< sums of the values with each column of the trend
+  double trend[3][matern_lanes];         ///< sums of the columns: 00, 01, 11
 };
 
 /// Places whose variances of innovations are multiplied before their logarithm is taken: λ up to 1e37 does not

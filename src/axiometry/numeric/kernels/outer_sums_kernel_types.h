@@ -9,12 +9,12 @@ namespace axiometry::numeric {
 
 /// Two neighbouring blocks, or one and itself, of numbers that lie in the same rows.
 struct OuterBlocks {
-  const double* left = nullptr;  ///< of the first row
+  const double* left = nullptr;  ///< begin of the first row
   std::size_t left_count = 0;
   const double* right = nullptr;
   std::size_t right_count = 0;
   std::size_t rows = 0;
-  std::size_t stride = 0;  ///< from one row to the next
+  std::size_t stride = 0;  ///< distance from one row to the next
 };
 
 struct OuterSumsKernel {

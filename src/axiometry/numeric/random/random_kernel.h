@@ -50,7 +50,7 @@ template <typename Make>
 [[gnu::always_inline]] inline void for_each_group(RandomState& state, size_t groups, Make make) {
   for (size_t lane = 0; lane < random_lanes; lane += lanes<Doubles>) {
     Generator generator(state, lane);
-#pragma GCC unroll 8  // whose scheduling puts independent groups side by side: a fifth faster
+#pragma GCC unroll 8  // its scheduling puts independent groups side by side: a fifth faster
     for (size_t group = 0; group < groups; ++group) make(generator, lane, group);
     generator.save(state, lane);
   }
