@@ -20,13 +20,13 @@ namespace axiometry::report {
 /// What a control says of its tables.
 struct ControlWords {
   std::string_view title, sign, loading, verified, inferred;
-  bool rolls_over = false;  ///< beyond its ends it goes on to the value of the other one
+  bool rolls_over = false;  ///< whether it goes on beyond its ends to the value of the other one
 };
 
 /// In one direction with the table, native deviation unit.
 struct KnownMean {
   double residual = 0.0;    ///< mean deviation that is left, about the mean of all
-  std::optional<double> U;  ///< of the position that one approach ends at
+  std::optional<double> U;  ///< U of the position that one approach ends at
 };
 
 /// To within what positions are known that the table corrects (compensation/compensated_positions.h).
@@ -36,7 +36,7 @@ struct KnownPositions {
     std::optional<KnownMean> up, down;
   };
   std::vector<Row> targets;
-  double zero = 0.0;                           ///< by which the zero is shifted that positions are against
+  double zero = 0.0;                           ///< shift of the zero that positions are against
   std::optional<double> at_targets, anywhere;  ///< the largest |r| + U
   std::vector<std::string> notes;              ///< sentences without full stop
 };
@@ -44,17 +44,17 @@ struct KnownPositions {
 struct CompensationSubject {
   const Test& test;  ///< as it was measured
   ControlWords control;
-  const AxisCorrection& applied;   ///< by the file, as the control reads it
+  const AxisCorrection& applied;   ///< what the file makes the control add, as it reads it
   const AxisCorrection* existing;  ///< active while the test was measured; may be none
   const iso230_2::Evaluation& before;
   const iso230_2::Evaluation& predicted;
-  const iso230_2::AxisParameters* expected;  ///< of a re-test, below in 95 %; none where nothing scatters
+  const iso230_2::AxisParameters* expected;  ///< parameters of a re-test, below in 95 %; none where nothing scatters
   const iso230_2::Evaluation* retest;        ///< may be none
   const iso230_2::AxisParameters& scatter;   ///< what no table removes
   const KnownPositions& known;
   std::span<const NamedFinding> findings;
   double smoothing = 0.0;
-  std::string_view notes{};  ///< of who made it, in lines; may be none
+  std::string_view notes{};  ///< notes of who made it, in lines; may be none
 };
 
 /// Before, predicted and re-test as parameters and curves over each other, the table, what no table removes, how the

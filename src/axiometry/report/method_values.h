@@ -20,7 +20,7 @@ struct ShownDistribution {
   std::string mean;
   std::string u;
   std::string bias;            ///< value − mean
-  std::string lower, upper;    ///< of the interval that is stated, which holds the value
+  std::string lower, upper;    ///< ends of the interval that is stated, which holds the value
   std::string tolerance;       ///< δ of JCGM 101, 7.9.2; the half of the last place shown where it is met
   bool stable = false;         ///< whether δ is met
   bool value_outside = false;  ///< whether the interval had to be widened to hold the measured value
@@ -96,10 +96,10 @@ double standard_uncertainty(const iso230_2::Assessment& assessment, std::size_t 
 
 /// The input that it pays most to improve.
 struct Leading {
-  const iso230_2::Contribution* contribution = nullptr;  ///< of the list that was given
+  const iso230_2::Contribution* contribution = nullptr;  ///< contribution of the list that was given
   double share = 0.0;
-  double u = 0.0;          ///< of the parameter, native unit
-  double u_without = 0.0;  ///< about what would remain without it: u √(1 − share)
+  double u = 0.0;          ///< u of the parameter, native unit
+  double u_without = 0.0;  ///< what would about remain without it: u √(1 − share)
 };
 
 /// Of `all`, which must be contributions() of the assessment or made of them. Nothing when nothing contributes.

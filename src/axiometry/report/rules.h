@@ -21,17 +21,17 @@ struct RulesSubject {
 struct RuleRow {
   std::string title;              ///< "Positioning uncertainty"
   std::string symbol;             ///< as document.h's symbol() reads it: "P_s,max"
-  std::string clause;             ///< of the rule
-  std::string value;              ///< in the native unit: "12.3"
+  std::string clause;             ///< clause of the rule
+  std::string value;              ///< value in the native unit: "12.3"
   std::string share_of_travel;    ///< "0.0013 %", of figures that are stated so
   std::string interval;           ///< "10.1 to 11.2", after trials
   std::string no_interval;        ///< why there is none, after trials
   std::string absence;            ///< why there is no value
   std::string counterpart;        ///< symbol of the parameter of ISO 230-2:2014: "A"
   std::string counterpart_value;  ///< "9.6"
-  std::string difference;         ///< of the unrounded values: "+2.7"
+  std::string difference;         ///< difference of the unrounded values: "+2.7"
   std::string relative;           ///< "+28 %"
-  std::string departs_by;         ///< in what the formula differs from the counterpart's
+  std::string departs_by;         ///< what differs from the counterpart's formula
   std::string evidence;           ///< "second-hand, not checked against the text of the rule"
 };
 

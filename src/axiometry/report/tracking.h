@@ -26,16 +26,16 @@ struct Layout {
     Vector3 end_mm;
     std::string label;  ///< "xyz"; may be empty
     bool lost = false;  ///< shown, but as something that is not there
-    bool beam = false;  ///< from a station to a point: nothing moves along it
+    bool beam = false;  ///< whether it is a beam from a station to a point: nothing moves along it
   };
-  std::optional<TravelBox> box{};  ///< of the reflector
+  std::optional<TravelBox> box{};  ///< travels of the reflector
   std::vector<Vector3> stations_mm{};
   std::optional<double> safe_radius_mm{};
   std::vector<Item> lines{};
   std::vector<Vector3> points_mm{};  ///< numbered from 1 when there are no more than 20
   /// Of the stations and of the points, in their place: used where as many are given as there are.
   std::vector<std::string> station_names{}, point_names{};
-  std::vector<Vector3> way_mm{};  ///< of the reflector, from point to point; may be empty
+  std::vector<Vector3> way_mm{};  ///< way of the reflector, from point to point; may be empty
   std::vector<Obstacle> obstacles{};
   std::string title{};
   std::string description{};
@@ -54,7 +54,7 @@ struct StationSubject {
   const tracking::StationLocation& location;
   const tracking::StationOptions& options;
   std::string file;    ///< as the user gave it
-  std::string sha256;  ///< of its bytes
+  std::string sha256;  ///< hash of its bytes
 };
 Document compose(const StationSubject& subject, const Options& options);
 

@@ -33,7 +33,7 @@ Figure with_words_translated(Figure figure, const Options& options);
 /// own, and what the user wrote, are arguments between its words.
 struct TextWithArguments {
   language::TextPieces pieces;
-  std::vector<RichText> arguments;  ///< by number
+  std::vector<RichText> arguments;  ///< arguments by number
 };
 TextWithArguments with_arguments(const RichText& text);
 

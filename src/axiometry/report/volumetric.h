@@ -18,8 +18,8 @@ namespace axiometry::report {
 struct VolumetricLengthsFile {
   std::string file, sha256;
   std::size_t lengths = 0;
-  std::string parts = {};   ///< of a continuous recording, "3" or "3–5"; empty for a table
-  std::size_t planned = 0;  ///< of a recording: stops of these parts
+  std::string parts = {};   ///< parts of a continuous recording, "3" or "3–5"; empty for a table
+  std::size_t planned = 0;  ///< stops of the parts of a recording
 };
 
 struct VolumetricSubject {

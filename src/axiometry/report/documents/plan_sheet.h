@@ -15,9 +15,9 @@ namespace axiometry::report {
 struct PlanSubject {
   const Plan& plan;
   std::span<const iso230_2::Finding> findings;  ///< plan_findings()
-  double acceleration = 0.0;                    ///< on which the durations rest, mm/s² or °/s²
-  Duration duration;                            ///< of the plan alone
-  Duration duration_in_all;                     ///< with its further plans
+  double acceleration = 0.0;                    ///< acceleration on which the durations rest, mm/s² or °/s²
+  Duration duration;                            ///< time of the plan alone
+  Duration duration_in_all;                     ///< time with its further plans
 };
 
 /// A plan as a sheet to take to the machine: programme, targets, findings, and the items of clause 8.1 that only the

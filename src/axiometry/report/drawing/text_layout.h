@@ -11,7 +11,7 @@ namespace axiometry::report {
 struct PlacedRun {
   const TextRun* run = nullptr;
   double x = 0.0;      ///< left end, points
-  double rise = 0.0;   ///< above the base line, points
+  double rise = 0.0;   ///< height above the base line, points
   double size = 0.0;   ///< font size, points
   double width = 0.0;  ///< points
 };

@@ -36,7 +36,7 @@ void draw(const Drawing& drawing, cairo_t* cairo);
 /// Where a section begins, for the outline of the file.
 struct Bookmark {
   std::string title;
-  std::size_t page = 0;  ///< from 0
+  std::size_t page = 0;  ///< number of the page, from 0
   double y = 0.0;
 };
 

@@ -24,7 +24,7 @@ struct TextStyle {
 };
 
 struct Line {
-  double top = 0.0;       ///< from the top of the block
+  double top = 0.0;       ///< distance from the top of the block
   double baseline = 0.0;  ///< likewise
   double bottom = 0.0;
 };
@@ -36,7 +36,7 @@ struct SetText;
 class TextBlock {
  public:
   const std::vector<Line>& lines() const;
-  double width() const;  ///< of the widest line
+  double width() const;  ///< width of the widest line
   double height() const { return lines().back().bottom; }
 
   /// Draws lines first … last − 1, the first base line at (x, y).

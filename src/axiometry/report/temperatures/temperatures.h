@@ -16,7 +16,7 @@ namespace axiometry::report {
 struct TemperatureSubject {
   std::string file;  ///< name of the log, without folders
   std::string sha256;
-  std::string began;  ///< of the test, as the user said it; may be empty
+  std::string began;  ///< beginning of the test, as the user said it; may be empty
   std::string ended;
   const TemperatureLog& log;
   const std::optional<TimeStretch>& test;

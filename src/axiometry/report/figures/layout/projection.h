@@ -39,7 +39,7 @@ struct Window {
 struct Projection {
   Sight sight;
   Window window;             ///< what is shown
-  Point corner;              ///< of paper, upper left of the window
+  Point corner;              ///< upper left of the window, on paper
   double points_per_mm = 1;  ///< scale
 
   Point operator()(Vector3 p) const {

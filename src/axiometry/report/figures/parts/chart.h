@@ -15,7 +15,7 @@ namespace axiometry::report::plot {
 struct ChartAxis {
   double low = 0.0;
   double high = 1.0;
-  AxisUnit unit;      ///< in which it is labelled
+  AxisUnit unit;      ///< unit in which it is labelled
   std::string title;  ///< "Deviation"; the unit follows
   Division division = Division::decimal;
   bool logarithmic = false;

@@ -15,8 +15,8 @@ struct LabelWish {
   double size = 7.0;
   Colour colour{};
   Point at;            ///< what it names
-  Point away;          ///< where it had best stand from there, of any length; {0, 0} for no preference
-  double gap = 3.0;    ///< between the place and the label
+  Point away;          ///< direction in which it had best stand, of any length; {0, 0}: no preference
+  double gap = 3.0;    ///< gap between the place and the label
   double most = 12.0;  ///< how far off it may stand
 };
 

@@ -17,7 +17,7 @@ struct Pane {
   Range across, up;
   bool x_labels = true;
   bool y_labels = true;
-  bool x_ticks = true;  ///< and a grid; else what stands there has names instead of numbers
+  bool x_ticks = true;  ///< whether there are ticks and a grid; else names instead of numbers
 
   double x(double value) const { return left + (value - across.low) / across.size() * (right - left); }
   double y(double value) const { return bottom - (value - up.low) / up.size() * (bottom - top); }
@@ -39,8 +39,8 @@ void draw_pane_remark(Operations& operations, const Pane& pane, std::string text
 /// Upright, left of everything.
 void draw_upright_title(Operations& operations, Runs runs, Point middle);
 
-inline constexpr double pane_title_room = 12.0;  ///< above a pane
-inline constexpr double pane_label_room = 13.0;  ///< of the x labels, below it
-inline constexpr double pane_axis_room = 25.0;   ///< of the x labels and the title of the axis
+inline constexpr double pane_title_room = 12.0;  ///< room above a pane
+inline constexpr double pane_label_room = 13.0;  ///< room of the x labels, below it
+inline constexpr double pane_axis_room = 25.0;   ///< room of the x labels and the title of the axis
 
 }  // namespace axiometry::report::plot

@@ -14,9 +14,9 @@ namespace axiometry::report::plot {
 
 /// A dimension line beside one target, such as R_i; its label stands above the plot.
 struct TargetDimension {
-  Extent extent;  ///< of one target: low_at == high_at
+  Extent extent;  ///< extent at one target: low_at == high_at
   Runs label;
-  enum class Side { left, right } side = Side::right;  ///< of the target
+  enum class Side { left, right } side = Side::right;  ///< side of the target
 
   std::size_t target() const { return extent.high_at; }
 };
@@ -33,9 +33,9 @@ struct Plate {
   const iso230_2::Evaluation& evaluation;
   const Options& options;
   std::string_view label;                   ///< Assessment::label: stands wherever results do
-  std::vector<Direction> directions;        ///< whose means, bands and readings are drawn
+  std::vector<Direction> directions;        ///< directions whose means, bands and readings are drawn
   bool bidirectional_mean = false;          ///< also x̄_i
-  std::vector<TargetDimension> at_targets;  ///< at most 4
+  std::vector<TargetDimension> at_targets;  ///< dimensions, at most 4
   std::vector<MarginDimension> at_margin;   ///< innermost first
 };
 

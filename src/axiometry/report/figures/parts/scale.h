@@ -14,7 +14,7 @@ namespace axiometry::report::plot {
 /// Straight line from values to points on paper.
 struct Scale {
   double value_low = 0.0, value_high = 1.0;  ///< value_low < value_high
-  double paper_low = 0.0, paper_high = 1.0;  ///< where they stand, points
+  double paper_low = 0.0, paper_high = 1.0;  ///< places where they stand, points
 
   double operator()(double value) const {
     return paper_low + (value - value_low) / (value_high - value_low) * (paper_high - paper_low);
@@ -35,8 +35,8 @@ AxisUnit position_axis_unit(AxisKind kind, double largest);
 /// Divisions of an axis at round numbers, in the axis' unit.
 struct Ticks {
   std::vector<double> major;
-  std::vector<double> minor;  ///< without the major ones
-  int decimals = 0;           ///< that the labels of the major ones need
+  std::vector<double> minor;  ///< ticks without the major ones
+  int decimals = 0;           ///< decimals of the labels of the major ones
 };
 
 enum class Division {

@@ -21,8 +21,8 @@ struct DistanceCurve {
 };
 
 struct DistanceSubject {
-  std::span<const double> distances_mm;  ///< from the station, above 0, ascending
-  std::vector<DistanceCurve> curves;     ///< at most seven can be told apart
+  std::span<const double> distances_mm;  ///< distances from the station, above 0, ascending
+  std::vector<DistanceCurve> curves;     ///< curves, of which at most seven can be told apart
   std::string title{};
   std::string description{};
 };
