@@ -49,9 +49,9 @@ class AxisErrors {
   double first_, travel_, fixed_;
   SlowProcess walk_;
   std::vector<Reversal> begins_;
-  std::vector<double> stick_;      ///< of each leg's end
+  std::vector<double> stick_;      ///< what sticks at each leg's end
   std::vector<double> quantised_;  ///< likewise: to the axis's resolution
-  std::vector<double> phase_;      ///< of hunting, turns
+  std::vector<double> phase_;      ///< phase of hunting, turns
   std::vector<double> rest_;
 };
 

@@ -39,7 +39,7 @@ class InstrumentErrors {
   double air_phase_ = 0.0, vibration_phase_ = 0.0;  ///< turns
   bool air_ = false;
   SlowProcess drift_, air_random_;
-  std::vector<double> slipped_;  ///< since the beginning of each leg, all slips so far
+  std::vector<double> slipped_;  ///< shift since the beginning of each leg, all slips so far
   std::vector<double> outlier_;
 };
 

@@ -14,7 +14,7 @@
 namespace axiometry::simulation {
 
 struct VirtualMotion {
-  double size = 5.0;    ///< of the bow, above 0
+  double size = 5.0;    ///< size of the bow, above 0
   bool drifts = false;  ///< readings move by half the size over the time of the plan
 };
 
@@ -35,13 +35,13 @@ class MotionWalk {
     double to_s = 0.0;
     double middle_s() const { return 0.5 * (from_s + to_s); }
   };
-  const std::vector<Rest>& rests() const { return rests_; }  ///< in the order of approaches()
+  const std::vector<Rest>& rests() const { return rests_; }  ///< rests in the order of approaches()
   double duration_s() const { return timeline_.duration(); }
 
   struct Moment {
     double position_mm = 0.0;
     double value = 0.0;    ///< read: true, 0.03 · size · z of each approach, the drift, noise of each sample
-    bool at_rest = false;  ///< where a reading is taken
+    bool at_rest = false;  ///< whether a reading is taken there
     bool trigger = false;  ///< on for a tenth of a second, three tenths of the rest behind its beginning
   };
   /// The noise is min(0.02 · size, 1), three times that on the way, and depends on the number of the sample alone. What
@@ -58,7 +58,7 @@ class MotionWalk {
   Timeline timeline_;
   std::vector<Rest> rests_;
   std::vector<std::size_t> rest_of_leg_;  // the one that it leads to
-  std::vector<double> scatter_;           // of each rest
+  std::vector<double> scatter_;           // scatter of each rest
   std::vector<double> noise_;             // two for each sample of a block
   std::uint64_t block_ = UINT64_MAX;
 };

@@ -54,7 +54,7 @@ struct TrackedMachine {
 
 /// The beam is broken before a reading: from then on the lengths have another dead path.
 struct TrueBreak {
-  std::size_t before_reading = 0;  ///< in the order of measurement, from 0
+  std::size_t before_reading = 0;  ///< number in the order of measurement, from 0
   double jump_mm = 0.0;            ///< what is added to all lengths from then on
   bool told = false;               ///< whether the readings say so, by another segment
 };
@@ -66,8 +66,8 @@ struct VirtualTracker {
   Length noise = {};  ///< standard deviation of one reading: noise + noise_per_length·L
   RelativeLength noise_per_length = {};
   RelativeLength scale_error = {};     ///< κ: air, wavelength
-  Length resolution = {};              ///< of what is shown; 0: all digits
-  std::vector<TrueBreak> breaks = {};  ///< in the lengths of lines; ascending
+  Length resolution = {};              ///< step of what is shown; 0: all digits
+  std::vector<TrueBreak> breaks = {};  ///< breaks in the lengths of lines; ascending
 };
 
 /// Fails, naming what is wrong, on what is not finite, on negative sizes, displacements beyond 1e4 mm, relative ones
@@ -84,7 +84,7 @@ RelativeLength stretch(const TrackedMachine& machine, Vector3 direction);
 /// Where the reflector was and what was shown there.
 struct TrueLength {
   Vector3 reflector_mm = {};
-  double distance_mm = 0.0;  ///< from the station
+  double distance_mm = 0.0;  ///< distance from the station
   double shown_mm = 0.0;
   Duration time;
 };
@@ -110,8 +110,8 @@ Result<SimulatedLocation> simulate_location(const TrackedMachine& machine, const
                                             std::uint64_t seed);
 
 struct SimulatedLengths {
-  std::vector<LengthReading> readings = {};  ///< in the order of measurement
-  std::vector<TrueLength> truth = {};        ///< of each
+  std::vector<LengthReading> readings = {};  ///< readings in the order of measurement
+  std::vector<TrueLength> truth = {};        ///< truth of each reading
   Duration end;                              ///< time of the last move
 };
 
@@ -123,7 +123,7 @@ Result<SimulatedLengths> simulate_lengths(const TrackedMachine& machine, const V
 
 struct SimulatedRanges {
   std::vector<RangeReading> readings;      ///< l = (1 + κ) L − L_0
-  std::vector<TrueLength> truth = {};      ///< of each
+  std::vector<TrueLength> truth = {};      ///< truth of each reading
   std::vector<double> dead_paths_mm = {};  ///< L_0 of each station, before a beam was broken
 };
 

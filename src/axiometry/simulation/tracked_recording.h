@@ -38,8 +38,8 @@ class TrackedRecording {
  private:
   /// What happens to the length on a leg.
   struct LegLength {
-    double jump_mm = 0.0;       // in the middle of the way
-    double dead_path_mm = 0.0;  // at its begin
+    double jump_mm = 0.0;       // jump in the middle of the way
+    double dead_path_mm = 0.0;  // dead path at its begin
   };
   TrackedRecording(const VirtualTracker& tracker, double rate, std::uint64_t seed)
       : tracker_(tracker), rate_(rate), seed_(seed) {}
@@ -50,7 +50,7 @@ class TrackedRecording {
   double rate_;
   std::uint64_t seed_;
   ReflectorWay way_;
-  std::vector<LegLength> lengths_;  // of each leg
+  std::vector<LegLength> lengths_;  // length of each leg
   ReflectorWay::Count count_;
 };
 
