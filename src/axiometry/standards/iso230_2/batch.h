@@ -31,7 +31,7 @@ class BatchLayout {
   /// The parameters that exist, in the order of `parameters`; a row of the output for each.
   std::span<const ParameterInfo* const> outputs() const { return outputs_; }
 
-  BatchView view() const;  ///< for the kernels
+  BatchView view() const;  ///< what the kernels see
 
  private:
   std::size_t targets_ = 0;

@@ -16,7 +16,7 @@ struct BatchView {
   const std::uint32_t* begins = nullptr;  ///< 2m + 1; the readings of cell c are rows[begins[c]] to rows[begins[c + 1]]
   const std::uint32_t* rows = nullptr;
   std::size_t complete_runs = 0;           ///< n when every cell has all of n readings, else 0
-  int output_rows[batch_parameters] = {};  ///< in the order of `parameters`; −1 where one does not exist
+  int output_rows[batch_parameters] = {};  ///< rows in the order of `parameters`; −1 where one does not exist
 };
 
 template <typename Number>

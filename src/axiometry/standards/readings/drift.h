@@ -12,7 +12,7 @@ namespace axiometry {
 /// A drift of the readings in time, as far as it is a straight line that all targets and directions share: what grows
 /// from run to run. Derivation: docs/theory/reading-corrections.md.
 struct Drift {
-  Deviation over_test;                 ///< from the first reading to the last, b
+  Deviation over_test;                 ///< drift from the first reading to the last, b
   std::optional<Deviation> u;          ///< standard uncertainty of it; absent with fewer than three runs
   std::size_t degrees_of_freedom = 0;  ///< runs less two
   TestCourse course;

@@ -15,7 +15,7 @@ struct ReadingAt {
   double target = 0.0;     ///< P_i, mm or °
   double deviation = 0.0;  ///< x_ij, µm or ″
   double length = 0.0;     ///< displayed, from the datum: P_i + x_ij less the datum, µm or ″
-  double share = 0.0;      ///< of the course of the test (test_course.h)
+  double share = 0.0;      ///< share of the course of the test (test_course.h)
 };
 
 /// What is added to a reading, µm or ″.
@@ -23,7 +23,7 @@ using ReadingChange = std::function<double(const ReadingAt&)>;
 
 struct ChangedTest {
   Test test;
-  Deviation smallest;  ///< of what was added
+  Deviation smallest;  ///< smallest amount that was added
   Deviation largest;
 };
 

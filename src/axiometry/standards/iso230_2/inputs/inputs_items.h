@@ -18,7 +18,7 @@ struct KnownInput {
   std::string_view symbol;
   std::string_view title;
   std::string_view source;
-  Effect effect;  ///< on a rotary axis `target` stands for `scale`
+  Effect effect;  ///< effect; on a rotary axis `target` stands for `scale`
   std::string_view unit_linear;
   std::string_view unit_rotary;  ///< empty: for linear axes only
 };

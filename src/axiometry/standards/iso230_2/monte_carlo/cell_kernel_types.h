@@ -15,12 +15,12 @@ struct CellShare {
   double observed_mean = 0.0;     ///< x̄
   double count = 0.0;             ///< n
   double noise_variance = 0.0;    ///< u²
-  double own_variance = 0.0;      ///< of what the direction has of its own
+  double own_variance = 0.0;      ///< variance that the direction has of its own
   const double* sds = nullptr;    ///< σ
   const double* shift = nullptr;  ///< δ with the sign that it has here; null where there is none
   const double* direction_normals = nullptr;
   const double* reading_normals = nullptr;
-  double* means = nullptr;     ///< in and out
+  double* means = nullptr;     ///< means, read and written
   double* machines = nullptr;  ///< out
 };
 
@@ -44,7 +44,7 @@ struct NoisyCell {
   std::size_t trials = 0;
   std::size_t count = 0;              ///< n
   double noise_sd = 0.0;              ///< u
-  const double* residuals = nullptr;  ///< of each reading
+  const double* residuals = nullptr;  ///< residual of each reading
   const double* means = nullptr;
   const double* machines = nullptr;
   const double* const* shifts = nullptr;  ///< a row for each reading

@@ -15,7 +15,7 @@ struct GrossError {
   std::size_t target = 0;
   Direction direction = Direction::up;
   std::size_t run = 0;
-  Deviation departure;  ///< from the median of the other approaches of its target and direction
+  Deviation departure;  ///< distance from the median of the other approaches of its target and direction
   double factor = 0.0;  ///< |departure| over its standard deviation
 };
 

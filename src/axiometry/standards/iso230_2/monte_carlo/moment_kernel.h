@@ -17,7 +17,7 @@ struct KnownCount {
   constexpr operator size_t() const { return n; }
 };
 
-constexpr size_t factors_at_once = 8;  // of a product whose logarithm is taken: below 2^512 of 64 bits each
+constexpr size_t factors_at_once = 8;  // factors of a product whose logarithm is taken: below 2^512 of 64 bits each
 
 template <typename Count>
 [[gnu::always_inline]] inline void about_mean_of(const CellShifts& cell, Count count) {

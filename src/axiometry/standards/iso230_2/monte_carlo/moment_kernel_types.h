@@ -52,7 +52,7 @@ struct MomentsInNoise {
   const double* shift = nullptr;         ///< q̄
   const double* normals = nullptr;       ///< moment_numbers().normals rows
   const std::uint64_t* bits = nullptr;   ///< moment_numbers().bits rows
-  const double* own_means = nullptr;     ///< without q̄
+  const double* own_means = nullptr;     ///< means without q̄
   double* means = nullptr;               ///< out: with q̄
   double* estimators = nullptr;          ///< out: √(S/(n − 1)), 0 for n = 1
 };

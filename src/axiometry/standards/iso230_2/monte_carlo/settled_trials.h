@@ -22,7 +22,7 @@ class SettledTrials {
   void operator()(std::uint64_t block, uncertainty::BlockOutputs outputs) const;
 
  private:
-  static constexpr double rounding = 1e-12;  // of the largest number: thousands of roundings, nothing that is measured
+  static constexpr double rounding = 1e-12;  // share of the largest number: thousands of roundings, nothing measured
   TrialModel model_;
   std::vector<double> measured_;
   double slack_ = 0.0;

@@ -17,7 +17,7 @@
 namespace axiometry::iso230_2 {
 
 struct TrialFigure {
-  double value = 0.0;  ///< of the measured test, native deviation unit
+  double value = 0.0;  ///< value of the measured test, native deviation unit
   /// Whether it is a distance between two places, so that an input by which any two positions differ acts on it
   /// (Effect::displacement).
   bool between_places = false;

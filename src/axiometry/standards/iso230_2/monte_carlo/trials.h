@@ -28,7 +28,7 @@ struct TrialModelOptions {
   std::uint64_t seed = 1;
   bool sampling = true;                   ///< whether approaches and their noise vary from trial to trial
   std::optional<std::size_t> only_input;  ///< the others stay at their estimates
-  const TrialFigures* figures = nullptr;  ///< in place of the parameters; must outlive the model
+  const TrialFigures* figures = nullptr;  ///< figures in place of the parameters; must outlive the model
 };
 
 class TrialModel {
@@ -61,7 +61,7 @@ class TrialModel {
   /// A relative error of length, made of one input, or of α and ΔT of one body.
   struct LengthError {
     Effect effect = Effect::scale;
-    std::size_t input = 0;                   ///< of UncertaintyInputs; α where there are two
+    std::size_t input = 0;                   ///< number in UncertaintyInputs; α where there are two
     std::optional<std::size_t> temperature;  ///< ΔT
   };
 
@@ -85,7 +85,7 @@ class TrialModel {
                         const WantedFigures& wanted, numeric::Rows<double> outputs) const;
   void draw_figures(std::uint64_t place, numeric::Rows<double> outputs) const;
   bool draws_readings_alone() const;  ///< runs are resampled
-  bool draws_moments_alone() const;   ///< of the long run
+  bool draws_moments_alone() const;   ///< whether it draws nothing but moments of the long run
   /// What the axis did in the trials of a chunk: readings, or what evaluate_batch() takes of cells.
   struct DrawnCells {
     std::vector<double> readings;                     ///< empty where means are drawn

@@ -26,8 +26,8 @@ struct OutlyingReading {
   Direction direction = Direction::up;
   std::size_t run = 0;
   Deviation deviation;
-  Deviation distance;  ///< from what the others let expect, signed
-  double p = 1.0;      ///< that any reading of the test lies so far out by chance
+  Deviation distance;  ///< distance from what the others let expect, signed
+  double p = 1.0;      ///< probability that any reading of the test lies so far out by chance
 };
 
 /// Targets or a direction with a larger s_i (3.18) than the rest.
@@ -36,25 +36,25 @@ struct UnevenScatter {
   std::size_t last = 0;                ///< … to here
   std::optional<Direction> direction;  ///< both when absent
   Deviation within;                    ///< root mean square of the s_i of these
-  Deviation elsewhere;                 ///< and of the rest
-  double p = 1.0;                      ///< that any part of the test stands out so by chance
+  Deviation elsewhere;                 ///< scatter of the rest
+  double p = 1.0;                      ///< probability that any part of the test stands out so by chance
 };
 
 /// Runs whose readings lie higher or lower as a whole.
 struct RunShifts {
   bool ordered = false;  ///< a drift: they rise or fall from run to run
-  Deviation drift;       ///< from the first run to the last, of the straight line through their means
+  Deviation drift;       ///< change from the first run to the last, of the straight line through their means
   std::size_t run = 0;   ///< the one that lies farthest from the others …
   Deviation shift;       ///< … by this from the mean of all
   Deviation between;     ///< standard deviation of the shifts, freed of what scatter does to means
   Deviation within;      ///< standard deviation of the readings about target and run
-  double p = 1.0;        ///< that scatter alone makes such shifts
+  double p = 1.0;        ///< probability that scatter alone makes such shifts
 };
 
 struct ScatterStudy {
-  std::vector<OutlyingReading> outliers;  ///< in the order of direction, target, run
+  std::vector<OutlyingReading> outliers;  ///< readings in the order of direction, target, run
   std::optional<UnevenScatter> uneven;    ///< what stands out most
-  std::optional<RunShifts> shifts;        ///< where they make at least a third of s_i²
+  std::optional<RunShifts> shifts;        ///< shifts where they make at least a third of s_i²
 };
 
 /// What all readings are whole multiples of: 0.1, 0.02, 1. 0 where that is finer than 1e-4 or nothing.

@@ -14,7 +14,7 @@ namespace axiometry::iso230_2 {
 struct MeasuredLength {
   double L_m = 0.0;
   AxisKind kind = AxisKind::linear;
-  const ResolvedCalibration& calibration;  ///< of the device, or of the artefact in its place
+  const ResolvedCalibration& calibration;  ///< calibration of the device, or of the artefact in its place
 };
 
 /// Of `annex` the budget and the datum are read.

@@ -14,7 +14,7 @@ namespace axiometry::iso230_2 {
 /// A weighted sum of readings: Σ w_r x_r.
 struct WeightedReadings {
   struct Term {
-    std::size_t place = 0;  ///< of the reading, dense as in Series::make_dense()
+    std::size_t place = 0;  ///< place of the reading, dense as in Series::make_dense()
     double weight = 0.0;
   };
   std::vector<Term> terms;
@@ -38,7 +38,7 @@ class EnvironmentEffect {
   struct Possibility {
     double white_sd = 0.0;
     EnvironmentModes slow;
-    double scale = 1.0;  ///< of the shapes
+    double scale = 1.0;  ///< scale of the shapes
   };
 
   std::vector<Possibility> possibilities_;

@@ -44,8 +44,8 @@ class ComponentSum {
 /// counts as one more source (GUM, F.2.4.5).
 struct StationModel {
   StationErrors errors;
-  double mean_mm2 = 0.0;       ///< of Δ⊥²
-  std::vector<double> sd_mm2;  ///< of Δ² of each input; 0 of those that are no station
+  double mean_mm2 = 0.0;       ///< mean of Δ⊥²
+  std::vector<double> sd_mm2;  ///< standard deviation of Δ² of each input; 0 of those that are no station
 
   double sensitivity(std::size_t target) const { return errors.slope_um_per_mm2(target, mean_mm2); }
   double mean_error(std::size_t target) const { return errors.error_um(target, mean_mm2); }
@@ -64,7 +64,7 @@ struct GumModel {
   double alignment_mean = 0.0;
   bool expansion_in_readings = false;            ///< nobody says that the readings were corrected for it
   double run_noise = 0.0;                        ///< standard uncertainty of what a run has in common
-  std::optional<EnvironmentEffect> environment;  ///< where E_VE is an input
+  std::optional<EnvironmentEffect> environment;  ///< effect where E_VE is an input
 
   double thermal_factor() const { return machine_thermal ? 1.0 + 1e-6 * machine_thermal->departure : 1.0; }
   double alignment_factor() const { return alignment ? 1.0 + 1e-6 * alignment->departure : 1.0; }
