@@ -13,7 +13,7 @@ namespace axiometry::store {
 
 /// Counted from 1 without gaps in each table, so that a missing number would be a lost record.
 using Id = std::int64_t;
-inline constexpr Id id_max = 0x7fff'ffff;  ///< of what a column of PostgreSQL holds; no record has a greater one
+inline constexpr Id id_max = 0x7fff'ffff;  ///< largest number in a column of PostgreSQL; no record has a greater one
 
 /// Who changes something, and why.
 struct By {
@@ -35,7 +35,7 @@ template <typename Asset>
 struct Versioned {
   Id id = 0;
   int version = 1;
-  Change change;  ///< of this version
+  Change change;  ///< change that made this version
   Asset value;
 };
 
@@ -119,7 +119,7 @@ struct Calibration {
   std::string program;  ///< "axiometry 0.1.0", which evaluated it
   std::string options;  ///< JSON object: what the result depends on beside the files
   std::string result;   ///< SHA-256 of the result document (JSON, docs/results.md)
-  std::string verdict;  ///< of all tolerances together; empty without any
+  std::string verdict;  ///< verdict on all tolerances together; empty without any
   int serious = 0;      ///< findings after which the result should not be used as it is
   std::vector<KeptFigure> figures;
 };
@@ -130,7 +130,7 @@ struct Compensation {
   int test_version = 0;
   std::optional<Id> retest;           ///< the test with the table active
   std::optional<int> retest_version;  ///< present with `retest`
-  std::optional<Id> axis;             ///< of the test when the table was made
+  std::optional<Id> axis;             ///< axis of the test when the table was made
   std::string control;                ///< "linuxcnc"
   std::string notes;
   bool withdrawn = false;       ///< kept, but out of lists

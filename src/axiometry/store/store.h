@@ -26,7 +26,7 @@
 namespace axiometry::store {
 
 struct Opening {
-  bool create = true;      ///< where there is no store yet
+  bool create = true;      ///< whether a store is made where there is none yet
   bool read_only = false;  ///< also taken when the place turns out to be read-only (Info::writable)
 };
 
@@ -35,22 +35,22 @@ struct Info {
   std::string location;  ///< file or address, never with a password
   int schema = 0;        ///< number of the last migration
   bool writable = true;
-  std::string why_not;  ///< of a store that cannot be written: "the file system is mounted read-only"
+  std::string why_not;  ///< why a store cannot be written: "the file system is mounted read-only"
 };
 
 /// What verify() looked at and what is wrong; nothing is when `problems` is empty.
 struct Verification {
-  std::int64_t contents = 0;  ///< whose bytes have the hash they are called by
-  std::int64_t tests = 0;     ///< whose versions are complete
-  std::int64_t entries = 0;   ///< of the audit trail, chained
-  std::int64_t parts = 0;     ///< of the schema: tables, constraints, triggers …, as they must be; 0: not compared
+  std::int64_t contents = 0;  ///< contents whose bytes have the hash they are called by
+  std::int64_t tests = 0;     ///< tests whose versions are complete
+  std::int64_t entries = 0;   ///< entries of the audit trail, chained
+  std::int64_t parts = 0;     ///< sound parts of the schema: tables, constraints, triggers …; 0: not compared
   Head head;
   std::vector<std::string> problems;
-  std::vector<std::string> missing_indexes;  ///< of the problems: what costs time alone, and no row depends on
+  std::vector<std::string> missing_indexes;  ///< problems that cost time alone, and no row depends on
   std::vector<std::string> notes;            ///< nothing wrong by themselves, but worth to be known
   std::vector<std::string> extras;    ///< parts of the schema that are somebody's own, and guard or change nothing
   std::vector<std::string> proved;    ///< sentences, of what nothing speaks against
-  std::vector<std::string> unproved;  ///< and of what nothing that was looked at can prove
+  std::vector<std::string> unproved;  ///< what nothing that was looked at can prove
 };
 
 /// What restore() has filled.
@@ -125,7 +125,7 @@ class Store {
   Result<std::string> keep(const Content& content, const By& by);
   /// Fails with `damaged` when the bytes no longer have that hash.
   Result<Content> content(const std::string& sha256) const;
-  Result<std::int64_t> content_size(const std::string& sha256) const;  ///< to be asked before they are read
+  Result<std::int64_t> content_size(const std::string& sha256) const;  ///< size, to be asked before they are read
 
   Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
   Result<std::vector<Document>> documents(Id test) const;

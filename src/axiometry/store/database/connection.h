@@ -61,7 +61,7 @@ class Row {
   bool flag(std::size_t column) const;  ///< 0 or 1
   double real(std::size_t column) const;
   std::optional<double> optional_real(std::size_t column) const;
-  const std::string& text(std::size_t column) const;  ///< or the bytes of a blob
+  const std::string& text(std::size_t column) const;  ///< text, or the bytes of a blob
   bool null(std::size_t column) const;
 
  private:

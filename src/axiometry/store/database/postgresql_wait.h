@@ -48,7 +48,7 @@ class PostgresqlWatch {
   PostgresqlWatch(const PostgresqlSettings& settings, int backend) : settings_(settings), backend_(backend) {}
 
   enum class Found {
-    working,  ///< or nothing is known against it
+    working,  ///< it works, or nothing is known against it
     idle,     ///< as if it had not heard what was sent
     silent,   ///< the server as a whole does not answer
   };

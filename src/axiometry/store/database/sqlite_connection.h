@@ -59,7 +59,7 @@ class SqliteConnection final : public Connection {
   };
 
   SqliteDatabase database_;
-  std::map<std::string, SqliteStatement, std::less<>> statements_;  // by their SQL; before the database is closed
+  std::map<std::string, SqliteStatement, std::less<>> statements_;  // by their SQL; end before the database is closed
   std::optional<Expected> expected_;
   bool stale_ = false;
 };

@@ -17,7 +17,7 @@ struct FileStamp {
   std::uint64_t size = 0;
   std::int64_t changed_s = 0;
   std::int64_t changed_ns = 0;
-  std::uint64_t size_of_log = 0;  ///< of SQLite's "-wal" beside it; 0 without one
+  std::uint64_t size_of_log = 0;  ///< bytes of SQLite's "-wal" beside it; 0 without one
 
   bool is_same_file(const FileStamp& other) const { return device == other.device && number == other.number; }
   friend bool operator==(const FileStamp&, const FileStamp&) = default;

@@ -25,19 +25,19 @@ struct CalibrationFilter {
   enum class Order { received, measured, title } order = Order::received;
   bool descending = true;
   std::int64_t offset = 0;
-  std::int64_t limit = 50;  ///< at most largest_page
+  std::int64_t limit = 50;  ///< most records, at most largest_page
 };
 
 /// One line of a list: its result is not read for it.
 struct CalibrationRow {
   Versioned<Calibration> calibration;  ///< the latest version
-  std::string received_at;             ///< of the first version
+  std::string received_at;             ///< time of the first version
   std::string machine_name;            ///< as it is called now; empty without a machine
 };
 
 struct CalibrationPage {
   std::vector<CalibrationRow> rows;
-  std::int64_t total = 0;  ///< without limit and offset
+  std::int64_t total = 0;  ///< number without limit and offset
 };
 
 /// Reads a line of every calibration that the filter's columns fit. Ties are broken by arrival.

@@ -18,12 +18,12 @@ struct CompensationFilter {
   std::optional<Id> test{};  ///< made from it or proved by it
   std::optional<Id> axis{};
   bool withdrawn = false;   ///< show withdrawn ones too
-  std::int64_t limit = 50;  ///< at most largest_page
+  std::int64_t limit = 50;  ///< most records, at most largest_page
 };
 
 struct CompensationRow {
   Versioned<Compensation> compensation;  ///< the latest version
-  std::string made_at;                   ///< of the first version
+  std::string made_at;                   ///< time of the first version
 };
 
 /// The newest first.

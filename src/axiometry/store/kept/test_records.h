@@ -17,11 +17,11 @@ struct Figure {
   std::string parameter;  ///< key: "A"
   double value = 0.0;
   std::optional<double> U;      ///< expanded; absent where none was found, and of a method that states an interval
-  std::optional<double> limit;  ///< of the tolerance
+  std::optional<double> limit;  ///< limit of the tolerance
   std::string verdict;          ///< "conforms", "does not conform", "undecided" or empty without limit
-  std::optional<double> low{};  ///< of the interval that is stated: value ± U, or one that is not symmetric
+  std::optional<double> low{};  ///< low end of the stated interval: value ± U, or one that is not symmetric
   std::optional<double> high{};
-  std::string method{};  ///< of record: "annex_a", "gum", "monte_carlo"; empty of versions from before it was kept
+  std::string method{};  ///< method of record: "annex_a", "gum", "monte_carlo"; empty in versions older than that
 };
 
 /// What was computed of one version of a test.
@@ -29,11 +29,11 @@ struct Evaluation {
   std::string program;                ///< "axiometry 0.1.0"
   std::string standard;               ///< "ISO 230-2:2014"
   std::string options;                ///< JSON: all that the result depends on beside data and metadata
-  std::optional<std::uint64_t> seed;  ///< where random numbers were drawn
+  std::optional<std::uint64_t> seed;  ///< seed where random numbers were drawn
   std::string result;                 ///< JSON (docs/results.md)
   std::string unit;                   ///< "um" or "arcsec"
-  bool conforming = false;            ///< to the standard
-  std::string verdict;                ///< of all tolerances together; empty without any
+  bool conforming = false;            ///< whether it conforms to the standard
+  std::string verdict;                ///< verdict on all tolerances together; empty without any
   std::string label;                  ///< must stand wherever the results do; mostly empty
   std::vector<Figure> figures;
 };
@@ -67,7 +67,7 @@ struct Content {
 
 /// One test of a file that arrives.
 struct NewTest {
-  std::string name_in_file;  ///< of one among many; else empty
+  std::string name_in_file;  ///< name of one among many; else empty
   TestState state;
 };
 
@@ -79,8 +79,8 @@ struct TestRecord {
   std::string file_name;
   std::string format;
   std::string name_in_file;
-  Change received;         ///< of the data
-  Change change;           ///< of this version
+  Change received;         ///< change that received the data
+  Change change;           ///< change that made this version
   bool withdrawn = false;  ///< kept, but out of lists and trends
   std::optional<Id> machine;
   std::optional<Id> axis;
@@ -110,7 +110,7 @@ struct TestRow {
 };
 
 struct TestFilter {
-  std::string text;  ///< in title, file, machine or axis name; any case
+  std::string text;  ///< words in title, file, machine or axis name; any case
   std::optional<Id> machine;
   std::optional<Id> axis;
   std::optional<Id> instrument;
@@ -122,21 +122,21 @@ struct TestFilter {
   enum class Order { received, measured, title, machine, A, E, R, B } order = Order::received;
   bool descending = true;
   std::int64_t offset = 0;
-  std::int64_t limit = 50;  ///< at most largest_page
+  std::int64_t limit = 50;  ///< most records, at most largest_page
 };
 
 /// The tests of a machine that are not withdrawn.
 struct MachineTests {
   Id machine = 0;
   std::int64_t total = 0;  ///< never 0
-  Id latest = 0;           ///< by the date of measurement, then of arrival
+  Id latest = 0;           ///< latest by the date of measurement, then of arrival
   std::string measured_on;
-  std::string verdict;  ///< of the latest, like its date
+  std::string verdict;  ///< verdict on the latest, like its date
 };
 
 struct TestPage {
   std::vector<TestRow> rows;
-  std::int64_t total = 0;  ///< without limit and offset
+  std::int64_t total = 0;  ///< number without limit and offset
 };
 
 /// A test's place in the history of its axis.
@@ -149,8 +149,8 @@ struct TrendPoint {
   std::string unit;
   bool conforming = false;
   std::string label;
-  std::string verdict{};         ///< of all tolerances together; empty without any
-  std::vector<Figure> figures;   ///< of the parameters that were asked for
+  std::string verdict{};         ///< verdict on all tolerances together; empty without any
+  std::vector<Figure> figures;   ///< figures of the parameters that were asked for
   std::vector<Id> same_bytes{};  ///< kept of the same bytes too: one measurement, which counts once
 };
 
@@ -158,11 +158,11 @@ struct TrendPoint {
 struct Document {
   Id id = 0;
   Id test = 0;
-  int version = 1;  ///< of the test
+  int version = 1;  ///< version of the test
   enum class Kind { report, attachment } kind = Kind::report;
-  std::string name;        ///< of the file
+  std::string name;        ///< name of the file
   std::string media_type;  ///< "application/pdf"
-  std::string language;    ///< of a report; else empty
+  std::string language;    ///< language of a report; else empty
   std::string sha256;
   std::int64_t size = 0;
   Change change;

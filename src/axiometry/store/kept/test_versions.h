@@ -53,7 +53,7 @@ Result<TestVersion> version_of(Connection& connection, const TestState& state, c
 Result<void> write_version(Connection& connection, TestVersion& version);
 
 Result<TestHead> read_head(Connection& connection, Id test);
-Result<std::vector<TestHead>> read_heads(Connection& connection, Id first, Id last);  ///< in their order
+Result<std::vector<TestHead>> read_heads(Connection& connection, Id first, Id last);  ///< heads in their order
 Result<TestVersion> read_version(Connection& connection, Id test, int version);
 
 /// Versions of the tests from `first` to `last`, in their order.

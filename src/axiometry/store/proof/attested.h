@@ -20,7 +20,7 @@ struct Keeping {
 
 /// Where a test came from.
 struct Origin {
-  std::string sha256;  ///< of the file's bytes
+  std::string sha256;  ///< hash of the file's bytes
   std::string file_name;
   std::string name_in_file;
   std::optional<std::string> format;  ///< absent likewise

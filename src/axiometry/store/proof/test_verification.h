@@ -13,7 +13,7 @@ namespace axiometry::store {
 
 struct VerifiedTests {
   std::int64_t tests = 0;
-  std::int64_t without_format = 0;  ///< that the trail tells: received before it did
+  std::int64_t without_format = 0;  ///< tests of whose format the trail tells nothing: received before it did
 };
 
 /// All tests in all versions against what the trail attests, and the lists against the latest versions.

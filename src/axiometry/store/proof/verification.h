@@ -13,9 +13,9 @@ namespace axiometry::store {
 
 /// What an archive is held against.
 struct Expectations {
-  Result<SchemaParts> schema;  ///< or why nobody can say what it must be
+  Result<SchemaParts> schema;  ///< parts, or why nobody can say what they must be
   std::span<const Seal> seals{};
-  std::span<const Head> heads{};  ///< whose hashes may be cut short
+  std::span<const Head> heads{};  ///< heads whose hashes may be cut short
 };
 
 /// Of an archive in that place. Fails only where the place cannot be used.
