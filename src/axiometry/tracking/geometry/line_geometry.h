@@ -14,12 +14,12 @@ namespace axiometry::tracking {
 inline constexpr double deg_per_rad = 180.0 / std::numbers::pi;
 
 struct LineGeometry {
-  Vector3 direction;                 ///< of the reflector, where position grows; of length 1
-  Position foot;                     ///< of the point of the line that is next to the station
+  Vector3 direction;                 ///< unit vector of the reflector, where position grows
+  Position foot;                     ///< point of the line that is next to the station
   double miss_mm = 0.0;              ///< distance of the station from the line
   std::vector<double> distances_mm;  ///< d(q_i) = |q_i + t − s| of each target
   std::vector<double> cosines;       ///< κ_i = ∂d/∂P at each target, signed
-  double angle_most_deg = 0.0;       ///< between beam and line, over the targets
+  double angle_most_deg = 0.0;       ///< largest angle between beam and line, over the targets
 };
 
 /// Fails on a line not stated in space, on a target within 1 mm of the station, on a line that runs past the station

@@ -29,9 +29,9 @@ struct TrackerKind {
   std::string_view id;                             ///< "leica-at901"
   std::string_view title;                          ///< "Leica AT901"
   std::string_view range_m;                        ///< as printed: "50/160", by its models
-  std::optional<StatedAccuracy> across{};          ///< of its angles: at right angles to the beam, over the distance
-  std::optional<StatedAccuracy> absolute{};        ///< of lengths by absolute distance measurement (ADM)
-  std::optional<StatedAccuracy> interferometer{};  ///< of lengths by interferometer (IFM), or both together (AIFM)
+  std::optional<StatedAccuracy> across{};          ///< its angles, at right angles to the beam, over the distance
+  std::optional<StatedAccuracy> absolute{};        ///< lengths by absolute distance measurement (ADM)
+  std::optional<StatedAccuracy> interferometer{};  ///< lengths by interferometer (IFM), or both together (AIFM)
 };
 
 /// Those of Table 1, in its order.
@@ -39,7 +39,7 @@ std::span<const TrackerKind> tracker_kinds();
 
 /// Which lengths are asked for.
 enum class LengthMode {
-  changes,   ///< from a zero that is not known: of the interferometer where it has one
+  changes,   ///< changes from a zero that is not known: by the interferometer where it has one
   absolute,  ///< distances (eq. 1): absolute where it has them
 };
 

@@ -23,7 +23,7 @@ struct LineSample {
 
 struct Jump {
   std::size_t before = 0;  ///< the sample that is the first after it
-  double size_mm = 0.0;    ///< of the excess
+  double size_mm = 0.0;    ///< size of the excess
 };
 
 struct Jumps {

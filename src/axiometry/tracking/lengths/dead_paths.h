@@ -26,7 +26,7 @@ struct StretchFit {
   double shift_mm = 0.0;        ///< c less that of stretch 0
   double uncertainty_mm = 0.0;  ///< standard, from the scatter of the readings; 0 for stretch 0
   std::size_t ties = 0;  ///< readings at approaches (or, where not `by_approach`, targets) of another stretch too
-  bool tied = true;      ///< to stretch 0, directly or by others
+  bool tied = true;      ///< whether it is tied to stretch 0, directly or by others
 };
 
 struct DeadPathFit {

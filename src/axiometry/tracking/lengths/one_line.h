@@ -12,15 +12,15 @@ namespace axiometry::tracking {
 
 struct LineInput {
   const TrackingLine& line;
-  const TrackingSetup& setup;               ///< with the station's covariance that counts
-  std::span<const LengthReading> readings;  ///< of this line, in the order of measurement, at approaches of the plan
-  std::span<const double> times_s;          ///< of each reading, or empty
+  const TrackingSetup& setup;               ///< set-up with the station's covariance that counts
+  std::span<const LengthReading> readings;  ///< readings of this line at approaches of the plan, as they were measured
+  std::span<const double> times_s;          ///< time of each reading, or empty
   const LineEvaluationOptions& options;
 };
 
 struct LineOutcome {
   EvaluatedLine line;
-  Vector3 direction;  ///< where position grows
+  Vector3 direction;  ///< direction in which position grows
   std::vector<Finding> findings;
 };
 

@@ -16,7 +16,7 @@ struct LineDescription {
   const TrackingSetup& setup;
   const LineGeometry& geometry;
   double travel_mm = 0.0;  ///< measured
-  const Metadata& given;   ///< by the user, of all lines
+  const Metadata& given;   ///< what the user gave for all lines
 };
 
 /// What the user gave, and from the plan: axis (its name is the id in capitals when it has none), cycle, feed, dwell,

@@ -17,10 +17,10 @@ namespace axiometry::tracking {
 /// A line as it is to be driven, before its targets are chosen.
 struct LineTask {
   std::string id;
-  SpatialLine line;              ///< of the axes; position as TrackingLine says
+  SpatialLine line;              ///< line of the axes; position as TrackingLine says
   iso230_2::Stretch usable{};    ///< positions; overruns included
   iso230_2::Stretch travel{};    ///< positions that the travels allow
-  std::string measurement_line;  ///< for people
+  std::string measurement_line;  ///< words for people
   std::string octant;            ///< "+0−"; empty for diagonals of the box
   std::uint64_t seed = 0;
 };

@@ -43,7 +43,7 @@ inline TrackingPlan two_lines(std::size_t runs = 5, TestCycle cycle = TestCycle:
   plan.setup.tool_offset_mm = tool();
   plan.setup.station.position_mm = station();
   plan.setup.station.covariance_mm2 = Matrix3{{{4e-6, 0, 0}, {0, 9e-6, 0}, {0, 0, 25e-6}}};
-  const Vector3 axes = station() - tool();  // where the axes stand when the reflector is at the station
+  const Vector3 axes = station() - tool();  // place of the axes when the reflector is at the station
   std::vector<double> along_x;
   for (const double d : distances()) along_x.push_back(axes.x + d);
   plan.lines.push_back({"x", line_plan({{0.0, axes.y, axes.z}, {1.0, 0.0, 0.0}}, along_x, runs, cycle)});
@@ -53,15 +53,15 @@ inline TrackingPlan two_lines(std::size_t runs = 5, TestCycle cycle = TestCycle:
 
 /// Linear errors, lost motion along the way, and noise.
 struct Machine {
-  double scale = 25e-6;        ///< of all axes: the machine goes too far
+  double scale = 25e-6;        ///< scale of all axes: the machine goes too far
   double reversal_mm = 0.004;  ///< it stays behind by half of it, whichever way it comes
-  double wave_mm = 0.002;      ///< of the positioning along the line
+  double wave_mm = 0.002;      ///< wave of the positioning along the line
   double noise_mm = 0.0004;
   unsigned seed = 1;
 };
 
 struct Beam {
-  std::function<double(const std::string&, std::size_t)> dead_path_mm;  ///< by line and reading in it
+  std::function<double(const std::string&, std::size_t)> dead_path_mm;  ///< dead path by line and reading in it
 };
 
 inline double deviation_mm(const Machine& machine, double position_mm, Direction direction) {

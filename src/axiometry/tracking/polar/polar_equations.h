@@ -14,11 +14,11 @@ namespace axiometry::tracking::detail {
 
 /// Columns of the stations' unknowns: position 3, and turn 3 with angles or one dead path for each segment without.
 struct PolarLayout {
-  std::vector<bool> has_angles;     ///< per station
+  std::vector<bool> has_angles;     ///< whether a station has angles
   std::vector<std::size_t> column;  ///< the first of each station
   std::vector<std::size_t> segments;
   std::size_t columns = 0;
-  std::vector<std::size_t> first;    ///< per point, into `reading`; one more at the end
+  std::vector<std::size_t> first;    ///< place in `reading` per point; one more at the end
   std::vector<std::size_t> reading;  ///< indices of the readings, point by point
   std::size_t equations = 0;
 };
@@ -26,7 +26,7 @@ struct PolarLayout {
 struct PolarPose {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< p = at + turn · (what the station shows)
-  std::vector<double> dead;                            ///< per segment, of lengths alone
+  std::vector<double> dead;                            ///< dead path per segment, of lengths alone
 };
 
 struct PolarState {
@@ -37,10 +37,10 @@ struct PolarState {
 /// One equation over its standard uncertainty: residual = what the state makes of the reading less the reading.
 struct PolarRow {
   double residual = 0.0;
-  double sigma = 1.0;  ///< of the residual before that, mm for lengths, rad across the beam
+  double sigma = 1.0;  ///< σ of the residual before that, mm for lengths, rad across the beam
   Eigen::Vector3d point;
   Eigen::Matrix<double, 6, 1> pose;  ///< position, then turn; of lengths alone the second half is 0
-  double dead = 0.0;                 ///< with the column of the segment; 0 with angles
+  double dead = 0.0;                 ///< derivative by the dead path of the segment; 0 with angles
 };
 
 PolarLayout lay_out_polar(std::size_t points, std::size_t stations, std::span<const PolarReading> readings);

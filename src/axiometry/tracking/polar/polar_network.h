@@ -23,7 +23,7 @@ namespace axiometry::tracking {
 struct PolarReading {
   std::size_t point = 0;
   std::size_t station = 0;
-  std::size_t segment = 0;  ///< of a beam of lengths alone
+  std::size_t segment = 0;  ///< segment of a beam of lengths alone
   double length_mm = 0.0;
   double length_sigma_mm = 0.0;               ///< k = 1, above 0
   std::optional<PolarDirection> direction{};  ///< both uncertainties above 0
@@ -50,9 +50,9 @@ struct PolarStation {
   Vector3 position_mm;
   /// By rows: a direction of the station's frame in the coordinates of the result. Unit matrix without angles.
   Matrix3 turn;
-  Matrix3 covariance_mm2;  ///< of the position
+  Matrix3 covariance_mm2;  ///< covariance of the position
   bool has_angles = false;
-  std::vector<double> dead_paths_mm;  ///< per segment, of lengths alone
+  std::vector<double> dead_paths_mm;  ///< dead path per segment, of lengths alone
 };
 
 /// A reading less what the result makes of it: length in mm, and across the beam in mm at the point. Each has a
@@ -69,7 +69,7 @@ struct PolarFit {
   std::vector<PolarResidual> residuals;
   double chi_squared = 0.0;
   std::size_t equations = 0;  ///< an angle counts as one
-  std::size_t unknowns = 0;   ///< without the 6 of position and orientation
+  std::size_t unknowns = 0;   ///< unknowns without the 6 of position and orientation
   std::size_t iterations = 0;
   /// How many of the unknowns each kind of reading tells: Σ (1 − redundancy number). Together all unknowns.
   double told_by_lengths = 0.0, told_by_angles = 0.0;

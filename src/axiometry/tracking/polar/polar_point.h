@@ -23,7 +23,7 @@ PolarDirection direction_of(double azimuth_rad, double elevation_rad, double azi
 
 struct PolarPoint {
   Vector3 at_mm;           ///< eq. 1
-  Matrix3 covariance_mm2;  ///< by its derivatives, the three being independent
+  Matrix3 covariance_mm2;  ///< covariance by its derivatives, the three being independent
 };
 
 /// x = d cos β cos α, y = d cos β sin α, z = d sin β; covariance u²(d) e eᵀ + d² u²(sideways) e₁e₁ᵀ + d² u²(upwards)

@@ -20,10 +20,10 @@ struct PolarBlock {
 
 struct PolarSystem {
   Eigen::MatrixXd reduced;   ///< S
-  Eigen::VectorXd gradient;  ///< of S δy = −gradient
-  Eigen::VectorXd diagonal;  ///< of U, before the points were taken out of it
+  Eigen::VectorXd gradient;  ///< gradient in S δy = −gradient
+  Eigen::VectorXd diagonal;  ///< diagonal of U, before the points were taken out of it
   double chi_squared = 0.0;
-  std::vector<PolarBlock> blocks;  ///< per point
+  std::vector<PolarBlock> blocks;  ///< block per point
 };
 PolarSystem reduce_polar(const PolarLayout& layout, std::span<const PolarReading> readings, const PolarState& state);
 
@@ -36,7 +36,7 @@ Eigen::MatrixXd station_gauge(const PolarLayout& layout, const PolarState& state
 /// S within its gauge.
 struct PolarInverse {
   Eigen::MatrixXd covariance;       ///< a symmetric generalised inverse of S
-  std::size_t null_directions = 0;  ///< beyond the gauge: eigenvalues of the scaled system below 1e-12
+  std::size_t null_directions = 0;  ///< directions beyond the gauge: eigenvalues of the scaled system below 1e-12
 };
 PolarInverse invert_polar(const PolarSystem& system, const Eigen::MatrixXd& gauge);
 

@@ -20,10 +20,10 @@ struct FindingInput {
   std::span<const RangeReading> readings;
   const MultilaterationFit& fit;
   const MultilaterationOptions& options;
-  std::span<const std::size_t> mirrored_stations;  ///< whose mirror image fits the nominal points as well
+  std::span<const std::size_t> mirrored_stations;  ///< stations whose mirror image fits the nominal points as well
   bool mirrored = false;                           ///< the result had to be mirrored onto the nominal points
   std::size_t points_seen_by_three = 0;
-  double sigma_mm = 0.0;     ///< of a length at the mean distance
+  double sigma_mm = 0.0;     ///< σ of a length at the mean distance
   double distance_mm = 0.0;  ///< mean
   std::size_t weakest_station = 0;
 };

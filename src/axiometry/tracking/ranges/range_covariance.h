@@ -25,7 +25,7 @@ struct RangeCovariances {
   std::vector<Matrix3> stations;
   std::vector<double> dead_sigmas;
   std::vector<double> scale_sigmas;  ///< 0 where κ is fixed
-  std::vector<double> residuals;     ///< per reading as given
+  std::vector<double> residuals;     ///< residual per reading as given
   std::vector<double> normalised;    ///< likewise, empty without `per_point`
 };
 

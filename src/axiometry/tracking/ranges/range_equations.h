@@ -21,13 +21,13 @@ struct RangeLayout {
   std::size_t points = 0;
   std::size_t stations = 0;
   bool free_scales = false;
-  std::vector<std::size_t> first;       ///< of each point among the arrays below; points + 1 of them
-  std::vector<std::uint32_t> station;   ///< per reading
-  std::vector<std::uint32_t> segment;   ///< per reading, counted over all stations
+  std::vector<std::size_t> first;       ///< begin of each point among the arrays below; points + 1 of them
+  std::vector<std::uint32_t> station;   ///< station per reading
+  std::vector<std::uint32_t> segment;   ///< segment per reading, counted over all stations
   std::vector<std::uint32_t> reading;   ///< index in the order given
-  std::vector<double> length_mm;        ///< per reading
+  std::vector<double> length_mm;        ///< length per reading
   std::vector<std::uint32_t> owner;     ///< station of each segment
-  std::vector<std::size_t> segment_of;  ///< per segment, its number within its station
+  std::vector<std::size_t> segment_of;  ///< number within its station, per segment
 
   std::size_t readings() const { return length_mm.size(); }
   std::size_t block() const { return free_scales ? 4 : 3; }
@@ -131,7 +131,7 @@ class ColumnPattern {
 
   std::size_t size() const { return columns_.size(); }
   std::span<const std::size_t> columns() const { return columns_; }
-  std::size_t station_at(std::size_t k) const { return station_at_[k]; }  ///< of the k-th reading: compact column
+  std::size_t station_at(std::size_t k) const { return station_at_[k]; }  ///< compact column of the k-th reading
   std::size_t segment_at(std::size_t k) const { return segment_at_[k]; }
 
  private:

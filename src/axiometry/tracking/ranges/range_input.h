@@ -19,7 +19,7 @@ struct RangeInput {
 };
 
 struct RangeCounts {
-  std::size_t segments = 0;  ///< of all stations
+  std::size_t segments = 0;  ///< segments of all stations
   std::size_t points_seen_by_three = 0;
 };
 
@@ -31,8 +31,8 @@ Result<void> check_counts(const RangeInput& input, MultilaterationRank& rank, st
 
 struct RangeStarts {
   std::vector<Vector3> stations;
-  std::vector<std::vector<double>> dead;  ///< per station and segment
-  std::vector<std::size_t> segments;      ///< per reading
+  std::vector<std::vector<double>> dead;  ///< dead path per station and segment
+  std::vector<std::size_t> segments;      ///< segment per reading
   std::vector<RangeBreak> breaks;
   std::vector<std::size_t> mirrored;  ///< stations whose mirror image fits as well
 };

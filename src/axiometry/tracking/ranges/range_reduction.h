@@ -16,12 +16,12 @@ struct ReducedSystem {
   std::size_t size = 0;
   std::vector<double> matrix;    ///< U − Σ WᵀV⁻¹W, by rows, symmetric
   std::vector<double> gradient;  ///< g_y − Σ WᵀV⁻¹g_p
-  std::vector<double> diagonal;  ///< of U: by which columns are scaled
-  double damping = 0.0;          ///< with which it was made
+  std::vector<double> diagonal;  ///< diagonal of U, by which columns are scaled
+  double damping = 0.0;          ///< damping with which it was made
   double chi_squared = 0.0;
-  std::size_t weak_points = 0;  ///< whose beams lie in one plane
+  std::size_t weak_points = 0;  ///< points whose beams lie in one plane
   std::size_t first_weak = 0;
-  double largest_move_mm = 0.0;  ///< of a point, in this pass
+  double largest_move_mm = 0.0;  ///< largest move of a point in this pass
 };
 
 /// A priori knowledge of free scales: standard uncertainty about 1, or 0.

@@ -16,7 +16,7 @@ namespace axiometry::tracking::detail {
 struct RangeProblem {
   const RangeLayout& layout;
   RangeWeighting weighting;
-  double scale_prior = 0.0;  ///< of free scales
+  double scale_prior = 0.0;  ///< prior of free scales
   bool size_free = false;    ///< no length and no prior tells the size of the solution's unknowns
   std::size_t iterations_most = 50;
   PointChunks chunks;
@@ -28,7 +28,7 @@ struct RangeProblem {
 };
 
 struct RangeIteration {
-  ReducedSystem system;  ///< at the state reached, not damped
+  ReducedSystem system;  ///< system at the state reached, not damped
   std::size_t iterations = 0;
   bool converged = false;
 };

@@ -17,7 +17,7 @@ namespace axiometry::tracking::detail {
 struct StationReadings {
   std::vector<Vector3> nominal_mm;
   std::vector<double> length_mm;
-  std::vector<std::size_t> segment;  ///< of the station
+  std::vector<std::size_t> segment;  ///< segment of the station
   std::vector<std::size_t> reading;  ///< index among all
   std::vector<std::size_t> point;
   std::size_t segments = 0;
@@ -25,8 +25,8 @@ struct StationReadings {
 
 struct StationStart {
   Vector3 station_mm;
-  std::vector<double> dead_mm;         ///< per segment
-  double rms_mm = 0.0;                 ///< of the residuals, which hold the machine's errors
+  std::vector<double> dead_mm;         ///< dead path per segment
+  double rms_mm = 0.0;                 ///< root mean square of the residuals, which hold the machine's errors
   std::optional<Vector3> mirror_mm{};  ///< fits as well: the nominal points lie on a plane
 };
 

@@ -19,7 +19,7 @@ inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Eq. 14 solved. Of four points it has no solution, but the two candidates that fit them.
 struct LinearSolution {
   LinearFit fit;  ///< station, L0 and what follows from them where numerical_rank is 5; rank is left to judge_rank()
-  std::size_t count = 0;  ///< of points
+  std::size_t count = 0;  ///< number of points
   double scale_mm = 0.0;  ///< rms radius of the points
   /// Right singular vectors (a, b, c) of the scaled matrix, by falling singular value: the last is the relation
   /// a·p + bΔL + c = 0 that the points fulfil best.
@@ -28,14 +28,14 @@ struct LinearSolution {
   /// where eq. 14 is critical.
   std::vector<Vector3> candidates;
   std::vector<Vector3> gain;            ///< change of the station per change of ΔL_i
-  std::vector<double> misclosure_gain;  ///< and of the misclosure, mm
+  std::vector<double> misclosure_gain;  ///< change of the misclosure per change of ΔL_i, mm
 };
 LinearSolution solve_linear(std::span<const LocationPoint> points);
 
 /// Standard uncertainties of what stands in the matrix of eq. 14.
 struct MatrixNoise {
   double length_mm = 0.0;
-  double point_mm = 0.0;  ///< per axis
+  double point_mm = 0.0;  ///< standard uncertainty of a point, per axis
 };
 /// Sets rank and rank_tolerance: the singular value σ_k with the direction (a, b, c) counts when it is above
 /// 3 √n (2/r) √(|a|² u_p² + b² u_L²) + n ε σ_1, three times what the noise alone makes of it.
@@ -74,7 +74,7 @@ struct RefinedSolution {
   RefinedFit fit;
   std::vector<Vector3> gain;
   Vector3 weakest;            ///< direction in which the station is known least, of length 1
-  double weakest_u_mm = 0.0;  ///< and its standard uncertainty, from the σ stated
+  double weakest_u_mm = 0.0;  ///< its standard uncertainty, from the σ stated
   std::vector<double> distances_mm;
 };
 RefinedSolution describe(std::span<const LocationPoint> points, const StationOptions& options, const Minimum& minimum);
