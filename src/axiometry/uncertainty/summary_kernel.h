@@ -26,7 +26,7 @@ struct NoCells {
 
 struct Cells {
   const SummaryCells& cells;
-  uint64_t* numbers;  // of a group
+  uint64_t* numbers;  // numbers of a group
 
   /// A value that is not a number goes to the first cell.
   template <typename Vector>
