@@ -22,7 +22,7 @@ struct ExactMean {
 /// The mean deviations of a target (docs/theory/annex-a.md).
 struct ExactMeans {
   Exact length_m;                    ///< l_i; absent of rotary axes
-  std::vector<Exact> contributions;  ///< of the lines of the budget that have a U, but for U_EVE, at l_i
+  std::vector<Exact> contributions;  ///< contributions of the lines of the budget that have a U, but for U_EVE, at l_i
   ExactMean up, down, mean;
 };
 

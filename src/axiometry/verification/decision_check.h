@@ -15,9 +15,9 @@ namespace axiometry::verification {
 /// What a decision is made from.
 struct Known {
   const ExactParameters& measured;
-  const Interval& rounding;  ///< of the parameters, rounding_of()
+  const Interval& rounding;  ///< rounding of the parameters, rounding_of()
   const Drawn& drawn;
-  std::span<const ExactPosition> positions{};  ///< that the parameters were taken over
+  std::span<const ExactPosition> positions{};  ///< positions that the parameters were taken over
   std::string_view type_a{};                   ///< how the Monte Carlo run sampled the approaches; empty: it did not
 };
 

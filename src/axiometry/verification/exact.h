@@ -35,7 +35,7 @@ class Interval {
  public:
   Interval() = default;
   Interval(int whole);
-  Interval(Integer lower, Integer upper);  ///< in units of 10⁻⁴⁰, lower ≤ upper
+  Interval(Integer lower, Integer upper);  ///< ends in units of 10⁻⁴⁰, lower ≤ upper
 
   static Interval of(const Decimal& decimal);
   /// The shortest decimal that reads back as this double: what a file has said. Throws std::range_error beyond 10³⁰.
