@@ -13,7 +13,7 @@ namespace axiometry::volumetric {
 
 struct AxisTableNode {
   double position_mm = 0.0;
-  Estimate deviation;  ///< along the axis, less its mean, µm; of both directions
+  Estimate deviation;  ///< deviation along the axis, less its mean, µm; of both directions
   Estimate up, down;   ///< less the same mean; alike where the errors do not differ by direction
 };
 

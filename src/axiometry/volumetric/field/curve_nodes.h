@@ -11,8 +11,8 @@ namespace axiometry::volumetric {
 
 struct CurveNode {
   double position_mm = 0.0;
-  Estimate mean;                               ///< of both directions
-  std::optional<Estimate> up = {}, down = {};  ///< where there are curves of both
+  Estimate mean;                               ///< mean of both directions
+  std::optional<Estimate> up = {}, down = {};  ///< curves of either direction, where there are both
 };
 
 /// From the first to the last reading of the axis, 41 positions by default; none of an error of which the lengths do

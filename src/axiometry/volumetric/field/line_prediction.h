@@ -17,9 +17,9 @@ namespace axiometry::volumetric {
 
 struct TestedLine {
   std::string name;
-  Vector3 from_mm, to_mm;  ///< where the axes stand at its ends
+  Vector3 from_mm, to_mm;  ///< places of the axes at its ends
   Vector3 tool_mm;
-  std::vector<double> positions_mm;  ///< of the targets, rising; the deviation is that along the line
+  std::vector<double> positions_mm;  ///< positions of the targets, rising; the deviation is that along the line
   double first_mm = 0.0;             ///< the position that `from_mm` has; of an axis its coordinate
 };
 
@@ -32,7 +32,7 @@ struct PredictedLine {
   std::vector<Estimate> up, down;  ///< µm, at each target, less the mean of all
   Estimate systematic;             ///< E: largest less smallest of all, µm
   double reversal_um = 0.0;        ///< B: the largest |up − down|
-  Estimate slope_um_per_m;         ///< of the best straight line through the means of both directions
+  Estimate slope_um_per_m;         ///< slope of the best straight line through the means of both directions
   /// Of up, and behind it down where there are directions; by rows, µm².
   std::vector<double> covariance_um2;
 };
@@ -57,20 +57,20 @@ std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_vie
 
 /// Means of a test that was measured, beside what was predicted at its targets.
 struct MeasuredMeans {
-  std::vector<double> up_um, down_um;      ///< at each target
+  std::vector<double> up_um, down_um;      ///< deviations at each target
   std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent
   bool both_directions = true;             ///< whether they are two means, and not one in both places
-  Direction direction = Direction::up;     ///< of one alone
+  Direction direction = Direction::up;     ///< direction of a test of one alone
 };
 
 /// What a test of both directions shows, and errors without directions cannot: up less down, held against 0.
 struct UntoldReversal {
   double largest_um = 0.0;     ///< the largest |up − down|
-  std::size_t target = 0;      ///< where
+  std::size_t target = 0;      ///< number of that target
   double systematic_um = 0.0;  ///< E as measured: largest less smallest mean of both directions
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
-  double probability = 1.0;  ///< of a χ² as large or larger without reversal
+  double probability = 1.0;  ///< probability of a χ² as large or larger without reversal
 };
 struct LineComparison {
   bool by_direction = false;           ///< else means of both directions are compared, or
@@ -81,8 +81,8 @@ struct LineComparison {
   std::vector<double> normalised;  ///< difference over its standard uncertainty
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
-  double probability = 1.0;                ///< of a χ² as large or larger when prediction and test agree
-  std::optional<UntoldReversal> reversal;  ///< of a test of both directions where means of both are compared
+  double probability = 1.0;                ///< probability of a χ² as large or larger when prediction and test agree
+  std::optional<UntoldReversal> reversal;  ///< reversal in a test of both directions where means of both are compared
 };
 /// Of a test of one direction that direction, less its own mean. Contract: as many means as targets.
 LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& measured);

@@ -13,8 +13,8 @@ enum class PointSpread { point, line, plane };
 
 /// Of points: the farthest from the first, and how far one lies from the line through both.
 struct PointReach {
-  Vector3 along_mm;        ///< from the first to the farthest
-  double beside_mm = 0.0;  ///< of the one that is farthest from the line; 0 where all are one point
+  Vector3 along_mm;        ///< vector from the first to the farthest
+  double beside_mm = 0.0;  ///< distance of the one farthest from the line; 0 where all are one point
 };
 
 /// Contract: at least one.

@@ -17,12 +17,12 @@ struct DiagonalOfTool {
   std::optional<PredictedLine> predicted;  ///< absent where the lengths do not tell it
 };
 struct ToolField {
-  std::size_t tool = 0;  ///< of the machine
+  std::size_t tool = 0;  ///< number of the tool in the machine
   VolumeStatistics statistics;
   std::vector<DiagonalOfTool> diagonals;
 };
 
-inline constexpr std::size_t field_nodes = 11;  ///< along each axis, unless something else is asked for
+inline constexpr std::size_t field_nodes = 11;  ///< nodes along each axis, unless something else is asked for
 
 /// Of every tool of the machine. Contract: as volume_statistics().
 std::vector<ToolField> tool_fields(const ErrorModel& model, std::size_t nodes = field_nodes);

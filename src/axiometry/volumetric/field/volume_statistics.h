@@ -17,7 +17,7 @@ struct FieldSizes {
   Estimate largest;  ///< u is that of |δ| at this place, to first order
   Vector3 largest_at_mm;
   double mean = 0.0;
-  double percent_95 = 0.0;  ///< that 95 % of the nodes do not exceed
+  double percent_95 = 0.0;  ///< value that 95 % of the nodes do not exceed
 };
 
 /// Mean and 95 % of displacements; the largest is left to who knows its place.
@@ -29,7 +29,7 @@ struct VolumeStatistics {
   /// Without the displacement and rotation of everything that fits it best (least squares over the nodes): what no
   /// placing of a workpiece takes away. Absent likewise.
   std::optional<FieldSizes> without_rigid_motion;
-  Vector3 translation_um;  ///< of that motion, at the middle of the volume
+  Vector3 translation_um;  ///< translation of that motion, at the middle of the volume
   Vector3 rotation_urad;
 };
 

@@ -14,7 +14,7 @@ namespace axiometry::volumetric::detail {
 /// A break of the beam within a stretch: its readings before and behind `before` differ.
 struct BreakSuspected {
   std::size_t before = 0;  ///< reading
-  double jump_um = 0.0;    ///< of the residuals
+  double jump_um = 0.0;    ///< jump of the residuals
   double statistic = 0.0;
 };
 

@@ -21,7 +21,7 @@
 namespace axiometry::volumetric::detail {
 
 inline constexpr std::size_t curve_count = axis_count * motion_count;
-using PerCurve = std::array<double, curve_count>;  ///< in the order of error_names()
+using PerCurve = std::array<double, curve_count>;  ///< numbers in the order of error_names()
 
 /// τ of displacements, µm, and of rotations, µrad.
 using Bends = std::array<double, 2>;

@@ -64,7 +64,7 @@ inline std::vector<NamedStation> four_stations() {
 }
 
 struct Measuring {
-  std::size_t points = 60;  ///< per station and tool
+  std::size_t points = 60;  ///< points per station and tool
   bool noise = true;        ///< as stated
 };
 

@@ -51,8 +51,8 @@ class Identifier {
   const std::optional<CurvaturePenalty>& penalty() const { return penalty_; }
   const Smoothness& smoothness() const { return options_.smoothness; }
   bool bends_settled() const { return bends_settled_; }                 ///< what smoothness() lets find was found
-  const PerCurve& plain_variances() const { return plain_variances_; }  ///< without the penalty, before φ
-  std::size_t count() const;                                            ///< of readings that are used
+  const PerCurve& plain_variances() const { return plain_variances_; }  ///< variances without the penalty, before φ
+  std::size_t count() const;                                            ///< readings that are used
   bool is_copy(std::size_t reading) const { return is_copy_[reading]; }
   /// Left out because nothing tells in which direction an axis had come to rest.
   bool is_of_unknown_direction(std::size_t reading) const { return of_unknown_direction_[reading]; }
@@ -64,7 +64,7 @@ class Identifier {
   /// What was found of the readings. It is kept and taken back as one.
   struct Judged {
     std::vector<std::size_t> breaks;  ///< readings, rising
-    std::vector<BreakPlace> places;   ///< of the breaks, once they are settled
+    std::vector<BreakPlace> places;   ///< places of the breaks, once they are settled
     std::vector<bool> doubtful, aside;
     std::vector<double> weights;
   };
@@ -108,7 +108,7 @@ class Identifier {
   std::vector<double> stated_weights() const;  ///< 0 where nothing tells which dead path a reading has
   std::vector<double> instrument_weights() const;
   std::optional<double> criterion(const Sizes& sizes, const std::optional<Trial>& coarsest) const;
-  std::size_t unknown_count() const;  ///< under the gauge
+  std::size_t unknown_count() const;  ///< unknowns under the gauge
   std::size_t threads() const;
 
   const MachineModel& machine_;

@@ -13,7 +13,7 @@ namespace axiometry::volumetric {
 
 struct NoiseTrials {
   std::size_t trials = 0;
-  std::vector<double> sd;  ///< of each raw coefficient over the trials, µm and µrad
+  std::vector<double> sd;  ///< standard deviation of each raw coefficient over the trials, µm and µrad
 };
 
 /// Identifies once, with the sizes of `options` (all of them given), then draws the noise of all lengths anew, σ each,

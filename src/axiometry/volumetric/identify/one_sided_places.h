@@ -12,7 +12,7 @@ namespace axiometry::volumetric::detail {
 /// Positions at which an axis came to rest.
 struct RestPlaces {
   std::vector<double> up_mm, down_mm;     ///< moving in that direction, in any order
-  double lower_mm = 0.0, upper_mm = 0.0;  ///< of its curves
+  double lower_mm = 0.0, upper_mm = 0.0;  ///< range of its curves
 };
 
 struct OneSidedPlaces {

@@ -20,7 +20,7 @@ Result<void> check_smoothness(const IdentifyOptions& options);
 /// Smoothness::least.
 struct LikeliestBends {
   Bends bends{};
-  bool settled = false;  ///< before the rounds were used up
+  bool settled = false;  ///< whether it settled before the rounds were used up
 };
 LikeliestBends likeliest_bends(const Problem& problem, const Fit& plain, CurvaturePenalty penalty);
 

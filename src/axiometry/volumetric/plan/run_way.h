@@ -11,7 +11,7 @@ namespace axiometry::volumetric {
 struct WayPoint {
   Vector3 axes_mm;
   bool is_reading = false;
-  bool beam_kept = true;  ///< since the reading before
+  bool beam_kept = true;  ///< whether the beam was kept since the reading before
 };
 
 /// From above the first stop (Z at its highest, where the way down is free) over all stops to above the last.

@@ -20,8 +20,8 @@ struct CoverageOptions {
   std::uint64_t seed = 1;
   std::optional<TrueErrors> errors = {};  ///< the same in every trial; else drawn for each, with identify's reversal
   DrawnSize size = {};
-  std::size_t points = 100;  ///< of each station and tool, at other places in each trial; with reversal in any order
-  std::vector<Visit> visits = {};  ///< where these are given: the same in every trial
+  std::size_t points = 100;  ///< points of each station and tool, others in each trial; with reversal in any order
+  std::vector<Visit> visits = {};  ///< visits that are the same in every trial, where given
   SimulatedFaults faults = {};
   IdentifyOptions identify = {};
 };
@@ -39,21 +39,21 @@ struct Share {
 };
 
 struct CoverageTrial {
-  std::array<Share, 21> errors;  ///< at 9 places of each curve; squareness at one; in the order of error_names()
-  Share curves;                  ///< of all of these
-  Share directions;              ///< of each direction at the same places, where directions differ
+  std::array<Share, 21> errors;  ///< shares at 9 places of each curve; squareness at one; in the order of error_names()
+  Share curves;                  ///< share of all of these
+  Share directions;              ///< share of each direction at the same places, where directions differ
   Share field;                   ///< three components at 10 places with each tool
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
   double field_error_um_squared = 0.0;  ///< mean of |stated − true|², in the gauge
-  std::size_t breaks_found = 0;         ///< of the untold ones, where they were said to be
+  std::size_t breaks_found = 0;         ///< untold breaks that were found where they were said to be
   std::size_t breaks_wrong = 0;         ///< elsewhere
   std::size_t outliers_found = 0;       ///< set aside
   std::size_t set_aside_wrong = 0;      ///< readings that were right; not those that a break leaves in doubt
 };
 
 struct Coverage {
-  std::vector<CoverageTrial> trials;  ///< that came to an end
+  std::vector<CoverageTrial> trials;  ///< trials that came to an end
   std::size_t failed = 0;
   std::string first_failure = {};
 

@@ -7,7 +7,7 @@
 namespace axiometry::volumetric::detail {
 
 enum Stream : std::uint64_t {
-  stream_curve = 0,  ///< and the 17 that follow
+  stream_curve = 0,  ///< streams of this and the 17 that follow
   stream_squareness = 18,
   stream_points,
   stream_dead_path,
@@ -19,7 +19,7 @@ enum Stream : std::uint64_t {
   stream_outlier,
   stream_check,
   stream_order,
-  stream_half,  ///< and the 17 that follow
+  stream_half,  ///< streams of this and the 17 that follow
 };
 
 }  // namespace axiometry::volumetric::detail

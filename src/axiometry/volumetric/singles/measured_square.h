@@ -23,14 +23,14 @@ namespace axiometry::volumetric {
 struct SquareLine {
   ErrorMotion error;
   std::vector<double> positions_mm;    ///< ascending, two or more
-  std::vector<double> values_um;       ///< at each of them
+  std::vector<double> values_um;       ///< value at each of them
   std::vector<double> weights_per_mm;  ///< what each counts in the slope of which the uncertainties below tell
   double direction = 0.0;              ///< +1, −1 of one that was read in that direction alone
 };
 
 struct SquareMeasurement {
   Squareness which = Squareness::C0Y;
-  std::array<SquareLine, 2> lines;  ///< in either order
+  std::array<SquareLine, 2> lines;  ///< lines in either order
   double square_urad = 0.0;         ///< what the optical square adds to C0Y, B0Z or A0Z
   double u_scatter_urad = 0.0;      ///< standard uncertainties of the squareness by the slopes as measured
   double u_instrument_urad = 0.0;

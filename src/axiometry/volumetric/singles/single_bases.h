@@ -13,9 +13,9 @@
 namespace axiometry::volumetric {
 
 struct SingleBases {
-  std::vector<CurveBasis> bases;       ///< of X, Y, Z
+  std::vector<CurveBasis> bases;       ///< bases of X, Y, Z
   std::array<bool, axis_count> cut{};  ///< whether some errors of an axis were read beyond its curves
-  std::vector<NamedFinding> findings;  ///< of every axis that is cut
+  std::vector<NamedFinding> findings;  ///< findings about every axis that is cut
   TravelBox ranges() const;
 };
 

@@ -35,13 +35,13 @@ namespace axiometry::volumetric {
 struct SingleReversal {
   std::vector<double> halves;       ///< half of what is read moving up less what is read moving down, µm, µrad
   std::vector<double> u;            ///< standard uncertainties, independent from one position to the next
-  std::vector<double> covariances;  ///< with the mean at the same position
+  std::vector<double> covariances;  ///< covariance with the mean at the same position
 };
 
 /// Readings of one error motion, means over runs and directions; at least two.
 struct SingleMotion {
   ErrorMotion error;
-  std::vector<double> positions_mm;             ///< of its axis, ascending
+  std::vector<double> positions_mm;             ///< positions of its axis, ascending
   std::vector<double> values;                   ///< µm, µrad
   std::vector<double> u;                        ///< standard uncertainties, independent from one position to the next
   std::optional<SingleReversal> reversal = {};  ///< absent where nothing tells the directions apart
@@ -60,16 +60,16 @@ struct SingleSquareness {
 
 /// Where the axes stood, and which point was measured, while the errors of one axis were.
 struct SinglePlace {
-  Vector3 axes_mm;  ///< that of the axis itself is not used
+  Vector3 axes_mm;  ///< place of the axes; that of the axis itself is not used
   Vector3 tool_mm;
-  Approaches approaches{};  ///< in which direction the others came to rest there; 0 where nothing says it
+  Approaches approaches{};  ///< direction in which the others came to rest there; 0 where nothing says it
 };
 
 struct SingleErrors {
   std::vector<SingleMotion> motions;         ///< each error once
   std::vector<SingleSquareness> squareness;  ///< likewise
   std::array<std::optional<SinglePlace>, axis_count> places{};
-  Reversal reversal = Reversal::curves;  ///< or none: of what was read in both directions the model holds the mean
+  Reversal reversal = Reversal::curves;  ///< how directions are modelled; none: the mean of what was read in both
 };
 
 struct SingleModel {

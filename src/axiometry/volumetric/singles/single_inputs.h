@@ -57,7 +57,7 @@ class SingleInputs {
   const SingleErrors& errors_;
   std::vector<CurveBasis> bases_;
   std::vector<std::vector<std::size_t>> used_;   ///< readings that are inputs, of each motion
-  std::vector<std::size_t> first_, first_half_;  ///< of each motion
+  std::vector<std::size_t> first_, first_half_;  ///< number of the first one of each motion
   std::size_t first_square_ = 0, first_approach_ = 0, count_ = 0;
 };
 

@@ -28,9 +28,9 @@ class LinearSolution {
   /// than the least eigenvalue) is below what null_directions() asks for, or there is no factor.
   bool is_doubtful() const;
 
-  std::size_t columns() const;          ///< of the normal equations
-  std::size_t unknowns() const;         ///< under the gauge, stations and dead paths included
-  std::size_t null_directions() const;  ///< of which the lengths say nothing
+  std::size_t columns() const;          ///< columns of the normal equations
+  std::size_t unknowns() const;         ///< unknowns under the gauge, stations and dead paths included
+  std::size_t null_directions() const;  ///< directions of which the lengths say nothing
   /// Largest over smallest singular value of the scaled rows, beside the null directions; found anew at each call.
   double condition() const;
 

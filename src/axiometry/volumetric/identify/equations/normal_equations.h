@@ -20,11 +20,11 @@ struct Problem {
   const Coefficients& coefficients;
   const Unknowns& unknowns;
   std::span<const VolumetricReading> readings;
-  std::span<const Vector3> tools_mm;          ///< of the tools of the readings
-  std::span<const Approaches> approaches;     ///< per reading; empty without reversal
-  std::span<const double> weights;            ///< per reading: 1/σ², 1/µm²; 0 leaves it out
+  std::span<const Vector3> tools_mm;          ///< tools of the readings
+  std::span<const Approaches> approaches;     ///< approaches per reading; empty without reversal
+  std::span<const double> weights;            ///< weight per reading: 1/σ², 1/µm²; 0 leaves it out
   std::size_t threads = 1;                    ///< does not change the result
-  const CurvaturePenalty* penalty = nullptr;  ///< of curves that are to be smooth
+  const CurvaturePenalty* penalty = nullptr;  ///< penalty of curves that are to be smooth
 
   Vector3 tool_mm(std::size_t i) const { return tools_mm[readings[i].tool]; }
 };

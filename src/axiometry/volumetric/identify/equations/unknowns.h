@@ -18,7 +18,7 @@ namespace axiometry::volumetric::detail {
 struct VirtualStation {
   std::size_t station = 0;
   std::size_t tool = 0;
-  std::size_t column = 0;  ///< of x of its place; y and z follow
+  std::size_t column = 0;  ///< column of x of its place; y and z follow
 };
 
 /// Readings with one dead path: from one break of the beam to the next.
@@ -26,7 +26,7 @@ struct Stretch {
   std::size_t virtual_station = 0;
   std::size_t segment = 0;  ///< as the file has it
   std::size_t readings = 0;
-  std::size_t column = 0;  ///< of its dead path; its drift follows, where drift is looked for
+  std::size_t column = 0;  ///< column of its dead path; its drift follows, where drift is looked for
 };
 
 /// Columns of the normal equations: raw coefficients, then places of stations, then dead paths and drifts.
@@ -34,8 +34,8 @@ struct Unknowns {
   std::size_t coefficients = 0;
   std::vector<VirtualStation> stations;
   std::vector<Stretch> stretches;
-  std::vector<std::size_t> stretch_of;  ///< per reading
-  std::vector<double> along_stretch;    ///< per reading: from −1/2 to 1/2, what a drift is multiplied by
+  std::vector<std::size_t> stretch_of;  ///< stretch per reading
+  std::vector<double> along_stretch;    ///< place per reading from −1/2 to 1/2, what a drift is multiplied by
   bool drift = false;
   std::size_t columns = 0;
 };
@@ -49,7 +49,7 @@ struct State {
   std::vector<double> coefficients;  ///< raw, µm and µrad
   std::vector<Vector3> stations_mm;
   std::vector<double> dead_paths_mm;
-  std::vector<double> drifts_um;  ///< over the stretch
+  std::vector<double> drifts_um;  ///< drift over each stretch
 };
 
 }  // namespace axiometry::volumetric::detail
