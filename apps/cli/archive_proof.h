@@ -13,7 +13,7 @@ namespace axiometry::cli {
 
 struct ProofFlags {
   std::vector<std::string> seals;  ///< files
-  std::string public_key;          ///< of whom the seals must be; empty: not asked
+  std::string public_key;          ///< key by which the seals must be made; empty: not asked
   bool json = false;
   std::vector<std::string> heads{};  ///< as reports say them
   std::string authority{};           ///< file of certificates whose time stamps the seals must have; empty: not asked

@@ -45,7 +45,7 @@ Result<void> settle_stamp(const std::string& seal_file);
 
 struct FoundStamp {
   TimeStamp stamp;
-  std::string file;  ///< where it lies
+  std::string file;  ///< name of the file where it lies
 };
 
 /// What lies beside a seal. Fails when it is not there, and as read_time_stamp() does, of the certificates in that

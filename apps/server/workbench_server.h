@@ -21,10 +21,10 @@ struct ServeOptions {
   std::string key{};
   std::string token{};                          ///< empty: none is asked for, on this machine only
   std::vector<std::string> host_names{};        ///< further names by which the server is reached
-  std::vector<std::string> public_addresses{};  ///< where a proxy offers it: "https://calibration.example"
+  std::vector<std::string> public_addresses{};  ///< addresses where a proxy offers it: "https://calibration.example"
   Limits limits{};
-  std::vector<app::CaptureSource> sources{};  ///< that captures may listen to, beside the simulator
-  std::string capture_folder{};               ///< for what captures hear, until it is in the store
+  std::vector<app::CaptureSource> sources{};  ///< sources that captures may listen to, beside the simulator
+  std::string capture_folder{};               ///< folder for what captures hear, until it is in the store
   bool examples = false;                      ///< put instructive tests into a store that is empty
   bool log = false;                           ///< a line on the standard error for every request
 };

@@ -14,8 +14,8 @@ namespace axiometry::cli {
 /// What an option says.
 struct OptionText {
   std::string name;         ///< "--feed"
-  std::string type;         ///< of the value, in the help: "NUMBER"
-  std::string description;  ///< in the help
+  std::string type;         ///< type of the value, in the help: "NUMBER"
+  std::string description;  ///< sentence in the help
 };
 
 /// An option whose text `read` understands; its error becomes one of the command line.

@@ -11,7 +11,7 @@ class Verb;
 
 /// What is said of readings that do not show where the axis stops: options.motion, absent without --stops.
 struct StopFlags {
-  app::CaptureOptions said;  ///< of it only `motion`
+  app::CaptureOptions said;  ///< what was said; only `motion` counts
   bool given = false;        ///< --stops
   std::string beside;        ///< another of them, which needs it
 };

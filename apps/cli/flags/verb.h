@@ -39,16 +39,16 @@ class Flag {
   Flag(CLI::Option* option = nullptr) : option_(option) {}
   const Flag* operator->() const { return this; }
 
-  Flag type_name(const std::string& name) const;  ///< of its value, in the help
-  Flag group(const std::string& title) const;     ///< under which it stands in the help
+  Flag type_name(const std::string& name) const;  ///< name of its value, in the help
+  Flag group(const std::string& title) const;     ///< title under which it stands in the help
   Flag required() const;
   Flag check(const std::function<std::string(const std::string&)>& fault_of) const;  ///< "" where nothing is wrong
   Flag check_range(int lowest, int highest) const;
   Flag check_among(const std::vector<std::string>& words) const;
   Flag expected(int values) const;
   Flag expected(int least, int most) const;
-  Flag take_all() const;          ///< of an option that is given again, every value
-  Flag one_at_a_time() const;     ///< of an option that is given again: one value behind each
+  Flag take_all() const;          ///< takes every value of an option that is given again
+  Flag one_at_a_time() const;     ///< takes one value behind each, of an option that is given again
   Flag trigger_on_parse() const;  ///< its function runs where it stands, not at the end
   Flag excludes(Flag other) const;
   Flag needs(Flag other) const;

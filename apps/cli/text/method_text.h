@@ -11,7 +11,7 @@ namespace axiometry::cli {
 
 enum class Detail {
   summary,  ///< the methods side by side and what contributes most
-  full,     ///< and both intervals, every contribution, the inputs and the notes
+  full,     ///< the same and both intervals, every contribution, the inputs and the notes
 };
 
 /// The uncertainty by the methods that were run beyond Annex A, in lines of 80 columns, ending in an empty one; nothing

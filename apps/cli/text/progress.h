@@ -35,7 +35,7 @@ class ProgressBar {
 
  private:
   bool shown_ = false;
-  std::size_t width_ = 0;  ///< of what stands in the line now
+  std::size_t width_ = 0;  ///< width of what stands in the line now
   std::size_t last_trials_ = 0;
   std::size_t begin_trials_ = 0;  ///< when this run was first heard of, at `begin_`
   std::optional<std::chrono::steady_clock::time_point> begin_;

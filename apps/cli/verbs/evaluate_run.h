@@ -16,12 +16,12 @@ struct EvaluateArguments {
   std::vector<std::string> inputs;
   app::EvaluateOptions evaluate;
   app::CaptureOptions recording;  ///< when it names a plan, inputs are continuous recordings
-  app::LogWithTest temperatures;  ///< without a file where none was given
+  app::LogWithTest temperatures;  ///< log of the temperatures; no file where none was given
   app::OutputNames outputs;
   report::Options report;
   ColourChoice colour = ColourChoice::automatic;
   std::string tolerance_table;      ///< file, perhaps with ":name"
-  Detail detail = Detail::summary;  ///< of the uncertainty in the terminal
+  Detail detail = Detail::summary;  ///< detail of the uncertainty in the terminal
   bool verify = false;              ///< whether each result gets a second opinion before it is shown or written
   bool quiet = false;
   bool keep_going = false;

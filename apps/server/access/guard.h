@@ -33,7 +33,7 @@ struct Site {
 struct SiteOptions {
   bool tls = false;
   std::string listen{};              ///< address: "127.0.0.1", "::1", "0.0.0.0"
-  unsigned port = 0;                 ///< that is listened to
+  unsigned port = 0;                 ///< port that is listened to
   std::vector<std::string> names{};  ///< more, each with or without a port
   std::vector<PublicAddress> public_addresses{};
 };

@@ -47,7 +47,7 @@ class SecurityLog {
  private:
   struct Allowance {
     unsigned lines = burst;
-    Clock::time_point since{};  ///< up to when pauses were counted
+    Clock::time_point since{};  ///< time up to which pauses were counted
     std::uint64_t left_out = 0;
 
     void grow(Clock::time_point now);
@@ -58,7 +58,7 @@ class SecurityLog {
 
   std::function<void(std::string_view)> write_;
   std::mutex mutex_;
-  std::array<Allowance, kinds> allowances_{};  ///< by event
+  std::array<Allowance, kinds> allowances_{};  ///< allowance of each event
 };
 
 /// "token-refused"

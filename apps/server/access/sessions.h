@@ -15,9 +15,9 @@ namespace axiometry::server {
 class Sessions {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::hours longest{30 * 24};  ///< since it began
-  static constexpr std::chrono::hours unused{7 * 24};    ///< since it was shown the last time
-  static constexpr std::size_t most = 10'000;            ///< for one more the one that was unused for longest ends
+  static constexpr std::chrono::hours longest{30 * 24};  ///< time since it began
+  static constexpr std::chrono::hours unused{7 * 24};    ///< time since it was shown the last time
+  static constexpr std::size_t most = 10'000;  ///< number of sessions; for one more the one unused for longest ends
 
   struct Begun {
     std::string session;

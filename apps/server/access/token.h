@@ -14,7 +14,7 @@
 namespace axiometry::server {
 
 struct TokenOptions {
-  std::string token;  ///< at least 16 characters; empty: none is asked for
+  std::string token;  ///< secret of at least 16 characters; empty: none is asked for
   bool tls = false;   ///< then the cookie is __Host-… and goes over TLS only; so is one for a page that a proxy ends
                       ///< TLS for, as its origin says
   unsigned port = 0;  ///< part of the cookie's name, since cookies do not know ports
@@ -64,7 +64,7 @@ class TokenGate {
   std::string cookie_name_of_tls_;
   Sessions sessions_;
   std::mutex mutex_;
-  std::map<std::string, Attempts> attempts_;        ///< by address
+  std::map<std::string, Attempts> attempts_;        ///< attempts by address
   std::map<std::string, Clock::time_point> right_;  ///< when an address showed the right token the last time
 };
 

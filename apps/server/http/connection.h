@@ -44,9 +44,9 @@ struct ConnectionShare {
   const Limits& limits;
   const Service& service;
   Desk& desk;
-  Turnstile turnstile;  ///< where handshakes of TLS begin, which compute
+  Turnstile turnstile;  ///< lets handshakes of TLS begin, which compute
   bool ending = false;
-  std::unordered_set<Guest*> connections;  ///< that are open
+  std::unordered_set<Guest*> connections;  ///< connections that are open
   std::function<void()> when_none;         ///< called when the last connection has gone
 
   /// Whether a new connection of that peer can come in, for which another may have to go.

@@ -37,7 +37,7 @@ class Deadline {
 
  private:
   boost::asio::steady_timer timer_;
-  std::uint64_t number_ = 0;  // of the last one, so that one that has passed meanwhile is known
+  std::uint64_t number_ = 0;  // number of the last one, so that one that has passed meanwhile is known
   bool has_passed_ = false;
 };
 

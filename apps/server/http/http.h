@@ -28,13 +28,13 @@ struct Request {
   Pairs headers;       ///< names in lower case
   std::string body;
   std::string actor;  ///< who asks, by the header X-Actor (percent-encoded UTF-8), "workbench" without
-  language::Language language = language::Language::english;  ///< by ?language=, else Accept-Language
-  Pairs captured;                                             ///< of the route's path: {"id", "12"}
+  language::Language language = language::Language::english;  ///< that of ?language=, else of Accept-Language
+  Pairs captured;                                             ///< values of the route's path: {"id", "12"}
   std::string peer{};                                         ///< who asks, by the address (peer.h): "127.0.0.1"
   std::stop_token stop{};                                     ///< nobody waits for the answer any more
 
   std::optional<std::string_view> header(std::string_view name) const;
-  std::optional<std::string_view> parameter(std::string_view name) const;  ///< of the query
+  std::optional<std::string_view> parameter(std::string_view name) const;  ///< value in the query
   std::string_view segment(std::string_view name) const;                   ///< contract: the route has it
 };
 
@@ -52,7 +52,7 @@ struct Response {
   std::chrono::milliseconds delay{0};         ///< held back that long, so that guessing is slow
   bool is_receipt = false;                    ///< may tell of what was kept: then at least receipt_of() is given
   Kept kept{};                                ///< what it tells of, so far as it is known
-  SecurityEvent event = SecurityEvent::none;  ///< that the log tells
+  SecurityEvent event = SecurityEvent::none;  ///< event that the log tells
 };
 
 /// Content-Security-Policy of a document that the program made and that is only looked at: a report, a figure. It runs

@@ -12,9 +12,9 @@ namespace axiometry::server {
 /// What is sent to another server, and how long and how large its answer may be.
 struct Post {
   std::string url;   ///< "http://…" or "https://…"
-  std::string type;  ///< of the body
+  std::string type;  ///< type of the body
   std::string body;
-  std::string answer_type;  ///< that is taken
+  std::string answer_type;  ///< type of answer that is taken
   std::chrono::seconds longest{10};
   std::size_t most = std::size_t{1} << 20;  ///< bytes
 };

@@ -55,7 +55,7 @@ struct SentFile {
   std::string name;
   std::string media_type;
   std::string_view bytes;
-  std::optional<formats::ImportProfile> profile{};  ///< by which the only file of a form is to be read
+  std::optional<formats::ImportProfile> profile{};  ///< profile by which the only file of a form is to be read
 };
 
 /// The only file of the body, named by X-File-Name (percent-encoded), Content-Disposition or ?name=; or the files of

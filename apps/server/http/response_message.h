@@ -12,7 +12,7 @@ namespace axiometry::server {
 using ResponseMessage = boost::beast::http::response<boost::beast::http::span_body<const char>>;
 
 struct MessageOptions {
-  unsigned version = 11;  ///< of HTTP: 10 or 11
+  unsigned version = 11;  ///< version of HTTP: 10 or 11
   bool head_only = false;
   bool keeps_alive = false;
   bool is_of_api = false;  ///< the answer to a path below "/api/"

@@ -11,7 +11,7 @@ namespace axiometry::server {
 /// What a request asks for, decoded.
 struct Target {
   std::string path;  ///< "/api/tests/12"
-  Pairs query;       ///< in order; "+" is a blank
+  Pairs query;       ///< pairs in order; "+" is a blank
 };
 
 /// Fails on anything but the path form ("/…", RFC 9112, 3.2.1), on malformed percent-encoding, on what is not UTF-8, on

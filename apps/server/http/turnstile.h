@@ -24,7 +24,7 @@ class Turnstile {
  private:
   struct Line {
     std::string peer;
-    std::deque<Step> steps;  // at least one
+    std::deque<Step> steps;  // steps that wait, at least one
   };
 
   void turn();

@@ -88,7 +88,7 @@ class Router {
     std::string pattern;
     Weight weight = Weight::light;
   };
-  std::vector<Route> routes() const;  ///< in the order in which they were added
+  std::vector<Route> routes() const;  ///< routes in the order in which they were added
 
  private:
   struct Entry {

@@ -82,7 +82,7 @@ class Desk {
   Ticket last_ = 0;
   std::map<Ticket, Shared> asked_;
   std::map<std::string, Shared, std::less<>> by_key_;
-  std::set<Work*> working_;  // in a line or being done
+  std::set<Work*> working_;  // work in a line or being done
 };
 
 }  // namespace axiometry::server

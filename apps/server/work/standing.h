@@ -16,15 +16,15 @@ struct Standing {
   using Clock = std::chrono::steady_clock;
   enum class Doing {
     silent,     ///< has sent no whole request yet
-    idle,       ///< between two requests
+    idle,       ///< it is between two requests
     receiving,  ///< a body comes
-    waiting,    ///< for its answer
+    waiting,    ///< it waits for its answer
     sending,    ///< its answer goes out
   };
   std::string_view peer{};
   Doing doing = Doing::silent;
   Clock::time_point since{};  ///< when something of it came or went the last time
-  std::size_t bytes = 0;      ///< of bodies and answers that it holds
+  std::size_t bytes = 0;      ///< bytes of bodies and answers that it holds
 };
 
 /// The place of the connection that gives way to a new one of `peer`, where there are already `places` in all or
@@ -43,7 +43,7 @@ struct Claim {
   std::string_view peer{};
   std::size_t bytes = 0;
   bool of_body = false;  ///< else of an answer
-  std::size_t held = 0;  ///< of the same body, which has come before
+  std::size_t held = 0;  ///< bytes of the same body that have come before
 };
 
 /// Of these any connection may have one, so that a list or an edit is answered beside uploads.

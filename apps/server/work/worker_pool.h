@@ -24,7 +24,7 @@ class WorkerPool {
     std::size_t threads = 1;
     std::size_t waiting_max = 1;  ///< tasks
     std::size_t reserved = 0;     ///< places among these that only who has nothing waiting gets
-    int niceness = 0;             ///< by how much other threads are preferred (0 to 19), where the system can tell them
+    int niceness = 0;             ///< how far other threads are preferred (0 to 19), where the system can tell them
   };
   explicit WorkerPool(const Options& options);
   ~WorkerPool();  ///< forgets what waits, waits for what runs
@@ -51,8 +51,8 @@ class WorkerPool {
   Options options_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::string, std::deque<Task>> lines_;  // of those who have something waiting
-  std::deque<std::string> turns_;                  // whose turn it is, in order
+  std::map<std::string, std::deque<Task>> lines_;  // tasks of those who have something waiting
+  std::deque<std::string> turns_;                  // names in the order of their turns
   std::size_t waiting_ = 0;
   bool lone_runs_ = false;
   Ticket last_ticket_ = 0;

@@ -42,7 +42,7 @@ class MotionWalk {
     double position_mm = 0.0;
     double value = 0.0;    ///< read: true, 0.03 · size · z of each approach, the drift, noise of each sample
     bool at_rest = false;  ///< whether a reading is taken there
-    bool trigger = false;  ///< on for a tenth of a second, three tenths of the rest behind its beginning
+    bool trigger = false;  ///< whether it is on: a tenth of a second, three tenths of the rest behind its beginning
   };
   /// The noise is min(0.02 · size, 1), three times that on the way, and depends on the number of the sample alone. What
   /// is shown of the position scatters by 0.05 µm.

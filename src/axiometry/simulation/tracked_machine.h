@@ -45,10 +45,10 @@ struct TrackedMachine {
   RelativeLength A0Z;                     ///< δ_y = −A0Z (q_z − o_z)
   Vector3 offset_mm = {};                 ///< constant displacement
   std::vector<MotionWave> waves = {};
-  std::array<Length, 3> backlash{};         ///< b
-  std::array<Length, 3> repeatability{};    ///< standard deviation of ρ, drawn anew at each stop
-  std::array<Length, 3> growth{};           ///< of spindle or column: δ_a = growth_a (1 − e^(−time/growth_time))
-  std::array<RelativeLength, 3> warming{};  ///< of the scales: added to e_a, times (1 − e^(−time/growth_time))
+  std::array<Length, 3> backlash{};       ///< b
+  std::array<Length, 3> repeatability{};  ///< standard deviation of ρ, drawn anew at each stop
+  std::array<Length, 3> growth{};  ///< growth of spindle or column: δ_a = growth_a (1 − e^(−time/growth_time))
+  std::array<RelativeLength, 3> warming{};  ///< warming of the scales: added to e_a, times (1 − e^(−time/growth_time))
   Duration growth_time = Duration::s(3600.0);
 };
 

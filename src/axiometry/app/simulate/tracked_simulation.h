@@ -16,7 +16,7 @@ struct TrackedSimulation {
   TrackedTruth truth;
   std::optional<Vector3> station_mm = {};        ///< true; that of the plan when absent
   std::vector<Vector3> location_points_mm = {};  ///< points of the reflector; chosen for the plan's set-up when empty
-  std::vector<Vector3> stations_mm = {};         ///< of a multilateration; that of the machine alone when empty
+  std::vector<Vector3> stations_mm = {};         ///< stations of a multilateration; the machine's alone when empty
   std::array<std::size_t, 3> grid = {5, 5, 5};   ///< points of a multilateration, over the plan's travels
   std::uint64_t seed = 1;
   double rate = 100.0;  ///< rate of a continuous recording, samples a second

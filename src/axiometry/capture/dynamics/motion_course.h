@@ -34,7 +34,7 @@ struct MotionCourse {
   std::vector<double> acceleration;  ///< native units per s²
   double noise = 0.0;                ///< standard deviation of a position, from third differences (median), native
   double velocity_noise = 0.0;       ///< what that makes of a velocity: noise/(√S_2 τ)
-  double acceleration_noise = 0.0;   ///< and of an acceleration: 2 noise/(√(S_4 − S_2²/n) τ²)
+  double acceleration_noise = 0.0;   ///< noise of an acceleration: 2 noise/(√(S_4 − S_2²/n) τ²)
 };
 
 /// Fails on a window shorter than 5 samples or longer than a quarter of the record.

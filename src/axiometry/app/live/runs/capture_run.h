@@ -75,7 +75,7 @@ Result<HeardSource> hear_source(const CaptureRun& run, CaptureSession session, c
 
 /// A live capture whose plan and stream are at hand.
 struct LiveCapture {
-  std::string name;                      ///< where the test says that it comes from, by name
+  std::string name;                      ///< name of the source, as the test tells it
   Connect connect;                       ///< none: what was recorded is played, and that is all
   std::string raw;                       ///< file of all bytes that come; must not exist
   std::string resume{};                  ///< instead: such a file, which is played first and goes on

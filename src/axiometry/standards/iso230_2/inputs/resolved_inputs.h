@@ -101,7 +101,7 @@ struct ResolvedInputs {
   ResolvedValue length_m;  ///< L
   std::optional<ResolvedBody> machine;
   std::optional<ResolvedBody> device;      ///< absent: its statement includes its temperature
-  ResolvedCalibration device_calibration;  ///< or nothing, where the error range or an artefact counts
+  ResolvedCalibration device_calibration;  ///< none where the error range or an artefact counts
   MaybeResolved device_error_range;        ///< µm/m
   ResolvedCalibration artefact_calibration;
   MaybeResolved probing;                         ///< uncertainty of probing the artefact, µm
