@@ -52,7 +52,7 @@ def first_small(text):
 
 def german_of_program():
     phrases = {}
-    for path in sorted((LANGUAGE / "german").glob("*.cpp")):
+    for path in sorted((LANGUAGE / "german").rglob("*.cpp")):
         row = rf"\{{\s*((?:{CPP_TEXT}\s*)+),\s*((?:{CPP_TEXT}\s*)+)\}}"
         for english, german in re.findall(row, path.read_text(encoding="utf-8")):
             one, other = ("".join(map(unescaped, re.findall(CPP_TEXT, text))) for text in (english, german))

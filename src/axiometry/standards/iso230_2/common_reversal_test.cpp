@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/standards/iso230_2/reversal.h"
+#include "axiometry/standards/iso230_2/common_reversal.h"
 
 #include <gtest/gtest.h>
 
