@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLE = (ROOT / "examples" / "iso230-2-table2.json").read_bytes()
 OPERATIONS = json.loads((ROOT / "apps" / "server" / "openapi.json").read_text(encoding="utf-8"))["paths"]
 TOKEN = "fedcba9876543210-secret"
-ENDS_WITHIN_S = 2.0  # the farewell takes 5, a connection that lingers 3
+ENDS_WITHIN_S = 2.0  # the shutdown takes 5, a connection that lingers 3
 OPEN_TO_ALL = {("GET", "/api/health"), ("POST", "/api/login")}
 PLAN = {"axis": "X", "kind": "linear", "from": 0, "to": 500, "positions": None, "targets": None, "cycle": "standard",
         "runs": 5, "feed": 1000, "dwell_s": 4, "overrun": None, "seed": 7, "further": {}}

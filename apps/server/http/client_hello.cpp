@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/http/greeting.h"
+#include "server/http/client_hello.h"
 
 #include <sys/socket.h>
 
@@ -33,7 +33,7 @@ std::size_t number_of(std::string_view bytes) {
 }
 
 /// What is there, without taking it away or waiting for more.
-std::string_view peeked(tcp::socket& socket, std::array<char, greeting_bytes_max>& into) {
+std::string_view peeked(tcp::socket& socket, std::array<char, client_hello_bytes_max>& into) {
   const auto count = ::recv(socket.native_handle(), into.data(), into.size(), MSG_PEEK | MSG_DONTWAIT);
   return {into.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
 }
@@ -42,13 +42,13 @@ void await_more(tcp::socket& socket, std::function<void(bool)> then) {
   const auto pause = std::make_shared<asio::steady_timer>(socket.get_executor(), pause_of_greetings);
   pause->async_wait([&socket, then = std::move(then), pause](error_code) mutable {
     if (!socket.is_open()) return then(false);
-    await_greeting(socket, std::move(then));
+    await_client_hello(socket, std::move(then));
   });
 }
 
 }  // namespace
 
-std::optional<std::size_t> greeting_wanted(std::string_view come) {
+std::optional<std::size_t> client_hello_wanted(std::string_view come) {
   std::string hello;  // its head
   std::size_t records = 0;
   std::size_t payload = 0;
@@ -58,7 +58,7 @@ std::optional<std::size_t> greeting_wanted(std::string_view come) {
     if (record.size() < record_head) return records + record_head;
     const std::size_t length = number_of(record.substr(3, 2));
     const std::size_t end = records + record_head + length;
-    if (length == 0 || end > greeting_bytes_max) return {};
+    if (length == 0 || end > client_hello_bytes_max) return {};
     if (come.size() < end) return end;
     hello += record.substr(record_head, std::min(length, hello_head - hello.size()));
     payload += length;
@@ -71,12 +71,12 @@ std::optional<std::size_t> greeting_wanted(std::string_view come) {
 
 /// The system wakes who waits when as much as is wanted has come; where it does so before, a pause keeps from asking
 /// without end.
-void await_greeting(tcp::socket& socket, std::function<void(bool)> then) {
+void await_client_hello(tcp::socket& socket, std::function<void(bool)> then) {
   socket.async_wait(tcp::socket::wait_read, [&socket, then = std::move(then)](error_code code) mutable {
     if (code) return then(false);
-    std::array<char, greeting_bytes_max> buffer;
+    std::array<char, client_hello_bytes_max> buffer;
     const std::string_view come = peeked(socket, buffer);
-    const auto wanted = greeting_wanted(come);
+    const auto wanted = client_hello_wanted(come);
     if (!wanted) return then(false);
     const bool has_come = *wanted <= come.size();
     error_code ignored;

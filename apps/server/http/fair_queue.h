@@ -11,12 +11,12 @@ namespace axiometry::server {
 /// Lets in one after another, of each peer in turn, and between two of them whatever else there is to do: for steps
 /// that take a millisecond of the I/O thread each, of which any number may come at once. What a step throws is logged
 /// and ends that step alone.
-class Turnstile {
+class FairQueue {
  public:
   using Step = std::function<void()>;
   using Post = std::function<void(Step)>;  ///< calls it once, later, behind what is to be called already
 
-  explicit Turnstile(Post post) : post_(std::move(post)) {}
+  explicit FairQueue(Post post) : post_(std::move(post)) {}
 
   /// Calls that once, later; never where this throws.
   void enter(const std::string& peer, Step step);

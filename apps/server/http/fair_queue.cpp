@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/http/turnstile.h"
+#include "server/http/fair_queue.h"
 
 #include <algorithm>
 #include <exception>
@@ -10,7 +10,7 @@
 namespace axiometry::server {
 namespace {
 
-void run_step(const Turnstile::Step& step) {
+void run_step(const FairQueue::Step& step) {
   try {
     step();
   } catch (const std::exception& exception) {
@@ -21,7 +21,7 @@ void run_step(const Turnstile::Step& step) {
 }  // namespace
 
 /// The turn first: one that finds nobody does no harm.
-void Turnstile::enter(const std::string& peer, Step step) {
+void FairQueue::enter(const std::string& peer, Step step) {
   turn();
   const auto line = std::ranges::find(lines_, peer, &Line::peer);
   if (line != lines_.end()) return line->steps.push_back(std::move(step));
@@ -31,13 +31,13 @@ void Turnstile::enter(const std::string& peer, Step step) {
   lines_.splice(lines_.end(), fresh);
 }
 
-void Turnstile::turn() {
+void FairQueue::turn() {
   if (is_turning_) return;
   post_([this] { let_in(); });
   is_turning_ = true;
 }
 
-Turnstile::Step Turnstile::first_in_turn() {
+FairQueue::Step FairQueue::first_in_turn() {
   const auto line = lines_.begin();
   Step step = std::move(line->steps.front());
   line->steps.pop_front();
@@ -49,7 +49,7 @@ Turnstile::Step Turnstile::first_in_turn() {
 }
 
 /// What the step begins stands before the next step. Where the next turn cannot be posted it is taken at once.
-void Turnstile::let_in() {
+void FairQueue::let_in() {
   is_turning_ = false;
   while (!lines_.empty()) {
     run_step(first_in_turn());

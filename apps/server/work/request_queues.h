@@ -11,16 +11,16 @@
 
 namespace axiometry::server {
 
-/// The lines in which requests wait, each with workers that do nothing else: lists and pages wait for no report, and
+/// The queues in which requests wait, each with workers that do nothing else: lists and pages wait for no report, and
 /// neither does an edit that is to be kept.
-class Lines {
+class RequestQueues {
  public:
   struct Options {
     WorkerPool::Options light{};
     WorkerPool::Options edits{};
     WorkerPool::Options heavy{};  ///< also of lone ones
   };
-  explicit Lines(const Options& options);
+  explicit RequestQueues(const Options& options);
 
   struct Place {
     Load load = Load::light;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/work/desk.h"
+#include "server/work/dispatcher.h"
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ std::string message_of_refusal(const Response& refused) {
   return message != nullptr && message->is(json::Kind::text) ? std::string(message->text()) : std::string();
 }
 
-/// What it came to says the work; why it was stopped, and when to come again, the desk.
+/// What it came to says the work; why it was stopped, and when to come again, the dispatcher.
 Response stopped(const Response& came_to, std::string_view why, language::Language language) {
   return busy(fmt::format("{}; {}", language::translated(why, language), message_of_refusal(came_to)), ask_later,
               language);
@@ -88,7 +88,7 @@ void post_in_any_case(asio::io_context& io, const Step& step) {
 }
 
 /// What a reply throws ends its own connection.
-void hand_out(const Desk::Reply& reply, const std::shared_ptr<const Response>& response) {
+void hand_out(const Dispatcher::Reply& reply, const std::shared_ptr<const Response>& response) {
   try {
     reply(response);
   } catch (const std::exception& exception) {
@@ -100,7 +100,7 @@ void hand_out(const Desk::Reply& reply, const std::shared_ptr<const Response>& r
 }  // namespace
 
 /// One computation and all who wait for it.
-struct Desk::Work {
+struct Dispatcher::Work {
   Work(asio::io_context& io, std::shared_ptr<Request> asked, std::string asker, bool may_keep)
       : request(std::move(asked)), who(std::move(asker)), language(request->language), keeps(may_keep), deadline(io) {}
 
@@ -112,23 +112,23 @@ struct Desk::Work {
   Job job;                     // of the workers, one after another
   std::string key;             // of the job, once it is in by_key_
   Load line = Load::light;
-  std::optional<Lines::Place> place;  // its place while it waits in a line or its worker does it
+  std::optional<RequestQueues::Place> place;  // its place while it waits in a line or its worker does it
   std::stop_source stop;
   std::optional<Load> overdue;  // told to stop by the deadline of that
   asio::steady_timer deadline;
   std::map<Ticket, Reply> waiting;
 };
 
-Desk::Desk(asio::io_context& io, const Service& service, const Limits& limits, Lines& lines)
-    : io_(io), service_(service), limits_(limits), lines_(lines) {}
+Dispatcher::Dispatcher(asio::io_context& io, const Service& service, const Limits& limits, RequestQueues& queues)
+    : io_(io), service_(service), limits_(limits), queues_(queues) {}
 
-Desk::~Desk() = default;
+Dispatcher::~Dispatcher() = default;
 
-void Desk::later(const Shared& work, void (Desk::*step)(const Shared&)) {
+void Dispatcher::later(const Shared& work, void (Dispatcher::*step)(const Shared&)) {
   asio::post(io_, [this, work, step] { (this->*step)(work); });
 }
 
-Desk::Ticket Desk::ask(std::shared_ptr<Request> request, std::string who, Reply reply) {
+Dispatcher::Ticket Dispatcher::ask(std::shared_ptr<Request> request, std::string who, Reply reply) {
   const Load line = service_.line_of(*request);
   const bool keeps = service_.keeps && service_.keeps(*request);
   auto work = std::make_shared<Work>(io_, std::move(request), std::move(who), keeps);
@@ -136,7 +136,7 @@ Desk::Ticket Desk::ask(std::shared_ptr<Request> request, std::string who, Reply 
   work->waiting.emplace(ticket, std::move(reply));
   asked_.emplace(ticket, work);
   try {
-    submit(work, line, &Desk::read);
+    submit(work, line, &Dispatcher::read);
   } catch (...) {
     asked_.erase(ticket);
     work->waiting.clear();
@@ -145,9 +145,9 @@ Desk::Ticket Desk::ask(std::shared_ptr<Request> request, std::string who, Reply 
   return ticket;
 }
 
-void Desk::submit(const Shared& work, Load line, void (Desk::*step)(const Shared&)) {
+void Dispatcher::submit(const Shared& work, Load line, void (Dispatcher::*step)(const Shared&)) {
   work->line = line;
-  work->place = lines_.submit(line, work->who, [this, work, step] { attempt(work, step); });
+  work->place = queues_.submit(line, work->who, [this, work, step] { attempt(work, step); });
   if (work->place) {
     working_.insert(work.get());
     return;
@@ -161,7 +161,7 @@ void Desk::submit(const Shared& work, Load line, void (Desk::*step)(const Shared
 }
 
 /// On a worker: a step that fails ends its own request, whatever it was.
-void Desk::attempt(const Shared& work, void (Desk::*step)(const Shared&)) {
+void Dispatcher::attempt(const Shared& work, void (Dispatcher::*step)(const Shared&)) {
   try {
     (this->*step)(work);
   } catch (const std::exception& exception) {
@@ -170,28 +170,28 @@ void Desk::attempt(const Shared& work, void (Desk::*step)(const Shared&)) {
   }
 }
 
-void Desk::tell_of_failure(const Shared& work) {
+void Dispatcher::tell_of_failure(const Shared& work) {
   post_in_any_case(io_,
                    [this, work] { finish(work, made([&] { return failure(work->may_have_kept, work->language); })); });
 }
 
 /// On a worker. What costs no more than what this worker is for it does at once.
-void Desk::read(const Shared& work) {
+void Dispatcher::read(const Shared& work) {
   const Load line = work->line;
   asio::post(io_, [this, work, line] { has_begun(work, line); });
   work->job = service_.read(work->request);
   if (work->job.key.empty() && may_do(line, work->job.load)) return compute(work);
-  later(work, &Desk::has_been_read);
+  later(work, &Dispatcher::has_been_read);
 }
 
 /// On a worker, of what was read.
-void Desk::begin(const Shared& work) {
+void Dispatcher::begin(const Shared& work) {
   asio::post(io_, [this, work] { has_begun(work, work->job.load); });
   compute(work);
 }
 
 /// On a worker.
-void Desk::compute(const Shared& work) {
+void Dispatcher::compute(const Shared& work) {
   work->may_have_kept = work->keeps;
   Response response = work->job.answer(work->stop.get_token());
   work->job.answer = nullptr;
@@ -199,7 +199,7 @@ void Desk::compute(const Shared& work) {
   asio::post(io_, [this, work, response = std::move(response)]() mutable { finish(work, std::move(response)); });
 }
 
-void Desk::has_begun(const Shared& work, Load load) {
+void Dispatcher::has_begun(const Shared& work, Load load) {
   if (work->waiting.empty()) return;
   work->deadline.expires_after(deadline_of(limits_, load));
   work->deadline.async_wait([this, work, load](const boost::system::error_code& code) {
@@ -207,7 +207,7 @@ void Desk::has_begun(const Shared& work, Load load) {
   });
 }
 
-void Desk::is_overdue(const Shared& work, Load load) {
+void Dispatcher::is_overdue(const Shared& work, Load load) {
   work->stop.request_stop();
   work->overdue = load;
   if (!work->keeps) return answer(work, refusal_of_overdue(limits_, load, work->language));
@@ -219,7 +219,7 @@ void Desk::is_overdue(const Shared& work, Load load) {
 }
 
 /// What was read for too long has kept nothing yet. What cannot be handed on ends here.
-void Desk::has_been_read(const Shared& work) {
+void Dispatcher::has_been_read(const Shared& work) {
   has_left_line(work);
   if (work->waiting.empty()) return;
   if (work->overdue) return answer(work, refusal_of_overdue(limits_, *work->overdue, work->language));
@@ -232,7 +232,7 @@ void Desk::has_been_read(const Shared& work) {
 }
 
 /// Who asks for what is being made already waits for that.
-void Desk::hand_on(const Shared& work) {
+void Dispatcher::hand_on(const Shared& work) {
   work->key = work->job.key;
   if (!work->key.empty()) {
     const auto [same, is_first] = by_key_.try_emplace(work->key, work);
@@ -242,30 +242,30 @@ void Desk::hand_on(const Shared& work) {
       return;
     }
   }
-  submit(work, work->job.load, &Desk::begin);
+  submit(work, work->job.load, &Dispatcher::begin);
 }
 
-void Desk::forget_key(const Shared& work) {
+void Dispatcher::forget_key(const Shared& work) {
   const auto found = by_key_.find(work->key);
   if (found != by_key_.end() && found->second == work) by_key_.erase(found);
 }
 
 /// The worker is free again, or the place.
-void Desk::has_left_line(const Shared& work) {
+void Dispatcher::has_left_line(const Shared& work) {
   work->deadline.cancel();
   work->place.reset();
   working_.erase(work.get());
   if (working_.empty() && when_idle) when_idle();
 }
 
-void Desk::finish(const Shared& work, Made response) {
+void Dispatcher::finish(const Shared& work, Made response) {
   has_left_line(work);
   if (work->overdue && response && response->status == 503)
     response = made([&] { return stopped(*response, too_long(limits_, *work->overdue), work->language); });
   answer(work, std::move(response));
 }
 
-void Desk::answer(const Shared& work, Made response) {
+void Dispatcher::answer(const Shared& work, Made response) {
   work->deadline.cancel();
   forget_key(work);
   if (work->waiting.empty()) return;
@@ -276,7 +276,7 @@ void Desk::answer(const Shared& work, Made response) {
 }
 
 /// Nothing where there is no memory for it.
-std::shared_ptr<const Response> Desk::to_share(Made response, bool keeps) const {
+std::shared_ptr<const Response> Dispatcher::to_share(Made response, bool keeps) const {
   if (!response) return nullptr;
   try {
     response->is_receipt = keeps;
@@ -288,7 +288,7 @@ std::shared_ptr<const Response> Desk::to_share(Made response, bool keeps) const 
   }
 }
 
-bool Desk::leave(Ticket ticket) {
+bool Dispatcher::leave(Ticket ticket) {
   const auto found = asked_.find(ticket);
   if (found == asked_.end()) return false;
   const Shared work = found->second;
@@ -298,14 +298,14 @@ bool Desk::leave(Ticket ticket) {
   if (!work->waiting.empty()) return true;
   work->deadline.cancel();
   forget_key(work);
-  if (work->place && lines_.withdraw(*work->place))
+  if (work->place && queues_.withdraw(*work->place))
     has_left_line(work);
   else
     work->stop.request_stop();
   return true;
 }
 
-std::size_t Desk::waiting_for(std::string_view key) const {
+std::size_t Dispatcher::waiting_for(std::string_view key) const {
   const auto found = by_key_.find(key);
   return found == by_key_.end() ? 0 : found->second->waiting.size();
 }

@@ -12,7 +12,7 @@
 namespace axiometry::server {
 
 /// What one connection does and takes.
-struct Standing {
+struct ConnectionState {
   using Clock = std::chrono::steady_clock;
   enum class Doing {
     silent,     ///< has sent no whole request yet
@@ -35,11 +35,11 @@ struct Room {
   bool is_full = false;
   std::optional<std::size_t> goes{};
 };
-Room room_for(std::span<const Standing> all, std::string_view peer, std::size_t places, std::size_t share,
-              Standing::Clock::time_point now);
+Room room_for(std::span<const ConnectionState> all, std::string_view peer, std::size_t places, std::size_t share,
+              ConnectionState::Clock::time_point now);
 
 /// What somebody is to hold beside what it holds already.
-struct Claim {
+struct MemoryClaim {
   std::string_view peer{};
   std::size_t bytes = 0;
   bool of_body = false;  ///< else of an answer
@@ -56,6 +56,7 @@ inline constexpr std::size_t small_body = std::size_t{64} << 10;
 /// Bodies, which stay as long as they wait, have at most three quarters of it together, so that there is always room
 /// for answers, and of that an eighth of all is kept for small ones, half of it for one peer; where they are more they
 /// count as the large ones do. One peer has at most half of all for its bodies, and half for its answers.
-Room memory_for(std::span<const Standing> all, const Claim& claim, std::size_t most, Standing::Clock::time_point now);
+Room memory_for(std::span<const ConnectionState> all, const MemoryClaim& claim, std::size_t most,
+                ConnectionState::Clock::time_point now);
 
 }  // namespace axiometry::server

@@ -15,7 +15,7 @@
 #include "server/http/transport.h"
 #include "server/limits.h"
 #include "server/work/job.h"
-#include "server/work/lines.h"
+#include "server/work/request_queues.h"
 
 namespace axiometry::server {
 
@@ -23,12 +23,12 @@ namespace axiometry::server {
 /// until it is answered. What several ask for at once is made once; what nobody waits for any more is given up, unless
 /// it may keep something; and nobody waits for longer than the deadline of the load once the work has begun. What may
 /// keep something is told to stop then, and its true answer is waited for: it may be too late. On the I/O thread alone.
-class Desk {
+class Dispatcher {
  public:
-  Desk(boost::asio::io_context& io, const Service& service, const Limits& limits, Lines& lines);
-  ~Desk();
-  Desk(const Desk&) = delete;
-  Desk& operator=(const Desk&) = delete;
+  Dispatcher(boost::asio::io_context& io, const Service& service, const Limits& limits, RequestQueues& queues);
+  ~Dispatcher();
+  Dispatcher(const Dispatcher&) = delete;
+  Dispatcher& operator=(const Dispatcher&) = delete;
 
   using Ticket = std::uint64_t;
   using Reply = std::function<void(std::shared_ptr<const Response>)>;
@@ -57,8 +57,8 @@ class Desk {
   /// What the answer is, or nothing where there was no memory for it.
   using Made = std::optional<Response>;
 
-  void submit(const Shared& work, Load line, void (Desk::*step)(const Shared&));
-  void attempt(const Shared& work, void (Desk::*step)(const Shared&));
+  void submit(const Shared& work, Load line, void (Dispatcher::*step)(const Shared&));
+  void attempt(const Shared& work, void (Dispatcher::*step)(const Shared&));
   void read(const Shared& work);
   void begin(const Shared& work);
   void compute(const Shared& work);
@@ -73,12 +73,12 @@ class Desk {
   void forget_key(const Shared& work);
   void has_left_line(const Shared& work);
   /// On the I/O thread, from any other.
-  void later(const Shared& work, void (Desk::*step)(const Shared&));
+  void later(const Shared& work, void (Dispatcher::*step)(const Shared&));
 
   boost::asio::io_context& io_;
   const Service& service_;
   const Limits& limits_;
-  Lines& lines_;
+  RequestQueues& queues_;
   Ticket last_ = 0;
   std::map<Ticket, Shared> asked_;
   std::map<std::string, Shared, std::less<>> by_key_;

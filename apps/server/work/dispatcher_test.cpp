@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/work/desk.h"
+#include "server/work/dispatcher.h"
 
 #include <gtest/gtest.h>
 
@@ -24,34 +24,35 @@ using namespace std::chrono_literals;
 constexpr WorkerPool::Options single_worker{.threads = 1, .waiting_max = 10};
 constexpr WorkerPool::Options two_of_them{.threads = 2, .waiting_max = 10};
 
-/// A desk whose requests say by their path what they are: a name of `jobs`.
+/// A dispatcher whose requests say by their path what they are: a name of `jobs`.
 struct Office {
   Service service;
   Limits limits;
   std::map<std::string, Job> jobs;
   boost::asio::io_context io{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> open{io.get_executor()};
-  std::unique_ptr<Desk> desk;
-  std::unique_ptr<Lines> lines;
+  std::unique_ptr<Dispatcher> dispatcher;
+  std::unique_ptr<RequestQueues> queues;
   std::vector<std::string> replies;
 
   explicit Office(WorkerPool::Options light = single_worker, WorkerPool::Options heavy = two_of_them) {
     service.line_of = [](const Request&) { return Load::light; };
     service.read = [this](const std::shared_ptr<Request>& request) { return jobs.at(request->path); };
     service.finish = [](Response&) {};
-    lines = std::make_unique<Lines>(Lines::Options{.light = light, .edits = single_worker, .heavy = heavy});
-    desk = std::make_unique<Desk>(io, service, limits, *lines);
+    queues =
+        std::make_unique<RequestQueues>(RequestQueues::Options{.light = light, .edits = single_worker, .heavy = heavy});
+    dispatcher = std::make_unique<Dispatcher>(io, service, limits, *queues);
   }
 
-  Desk::Ticket ask(const std::string& path, const std::string& who = "a") {
+  Dispatcher::Ticket ask(const std::string& path, const std::string& who = "a") {
     return ask(path, who, [this](const std::shared_ptr<const Response>& response) {
       replies.push_back(std::to_string(response->status) + " " + response->body);
     });
   }
-  Desk::Ticket ask(const std::string& path, const std::string& who, Desk::Reply reply) {
+  Dispatcher::Ticket ask(const std::string& path, const std::string& who, Dispatcher::Reply reply) {
     auto request = std::make_shared<Request>();
     request->path = path;
-    return desk->ask(std::move(request), who, std::move(reply));
+    return dispatcher->ask(std::move(request), who, std::move(reply));
   }
 
   template <typename Condition>
@@ -76,7 +77,7 @@ std::string wait_for(const std::stop_token& stop) {
   return "stopped";
 }
 
-TEST(Desk, answers_what_is_asked) {
+TEST(Dispatcher, answers_what_is_asked) {
   Office office;
   office.jobs["/light"] = job(Load::light, [](const auto&) { return "quick"; });
   office.jobs["/report"] = job(Load::heavy, [](const auto&) { return "long"; });
@@ -87,7 +88,7 @@ TEST(Desk, answers_what_is_asked) {
   EXPECT_EQ(office.replies, (std::vector<std::string>{"200 quick", "200 long"}));
 }
 
-TEST(Desk, makes_once_what_several_ask_for_at_once) {
+TEST(Dispatcher, makes_once_what_several_ask_for_at_once) {
   std::latch go_on(1);
   std::atomic<int> made = 0;
   Office office;
@@ -99,17 +100,17 @@ TEST(Desk, makes_once_what_several_ask_for_at_once) {
       },
       "report of test 1");
   for (const std::string who : {"a", "b", "c"}) office.ask("/report", who);
-  office.run_until([&] { return office.desk->waiting_for("report of test 1") == 3; });
+  office.run_until([&] { return office.dispatcher->waiting_for("report of test 1") == 3; });
   go_on.count_down();
   office.run_until_replies(3);
   EXPECT_EQ(office.replies, (std::vector<std::string>(3, "200 1")));
-  EXPECT_EQ(office.desk->waiting_for("report of test 1"), 0U);
+  EXPECT_EQ(office.dispatcher->waiting_for("report of test 1"), 0U);
   office.ask("/report");
   office.run_until_replies(4);
   EXPECT_EQ(office.replies.back(), "200 2") << "nothing is kept for who asks later";
 }
 
-TEST(Desk, stops_what_nobody_waits_for_and_goes_on_for_who_stays) {
+TEST(Dispatcher, stops_what_nobody_waits_for_and_goes_on_for_who_stays) {
   std::latch begun(1);
   std::latch ended(1);
   Office office;
@@ -124,20 +125,20 @@ TEST(Desk, stops_what_nobody_waits_for_and_goes_on_for_who_stays) {
       "trials");
   const auto first = office.ask("/trials", "a");
   const auto second = office.ask("/trials", "b");
-  office.run_until([&] { return office.desk->waiting_for("trials") == 2; });
+  office.run_until([&] { return office.dispatcher->waiting_for("trials") == 2; });
   begun.wait();
-  EXPECT_TRUE(office.desk->leave(first));
-  EXPECT_EQ(office.desk->waiting_for("trials"), 1U);
-  EXPECT_TRUE(office.desk->leave(second));
-  EXPECT_FALSE(office.desk->is_idle()) << "is told to stop, and has not ended yet";
+  EXPECT_TRUE(office.dispatcher->leave(first));
+  EXPECT_EQ(office.dispatcher->waiting_for("trials"), 1U);
+  EXPECT_TRUE(office.dispatcher->leave(second));
+  EXPECT_FALSE(office.dispatcher->is_idle()) << "is told to stop, and has not ended yet";
   ended.wait();
-  office.run_until([&] { return office.desk->is_idle(); });
-  EXPECT_EQ(office.desk->waiting_for("trials"), 0U);
+  office.run_until([&] { return office.dispatcher->is_idle(); });
+  EXPECT_EQ(office.dispatcher->waiting_for("trials"), 0U);
   EXPECT_TRUE(office.replies.empty());
-  EXPECT_FALSE(office.desk->leave(second));
+  EXPECT_FALSE(office.dispatcher->leave(second));
 }
 
-TEST(Desk, does_an_edit_though_its_client_has_left) {
+TEST(Dispatcher, does_an_edit_though_its_client_has_left) {
   std::latch begun(1);
   std::latch go_on(1);
   std::latch kept(1);
@@ -150,13 +151,13 @@ TEST(Desk, does_an_edit_though_its_client_has_left) {
   });
   const auto ticket = office.ask("/edit");
   office.run_until([&] { return begun.try_wait(); });
-  EXPECT_FALSE(office.desk->leave(ticket));
+  EXPECT_FALSE(office.dispatcher->leave(ticket));
   go_on.count_down();
   office.run_until_replies(1);
   EXPECT_TRUE(kept.try_wait());
 }
 
-TEST(Desk, does_to_the_end_whatever_may_keep_something_though_its_client_has_left) {
+TEST(Dispatcher, does_to_the_end_whatever_may_keep_something_though_its_client_has_left) {
   std::latch begun(1);
   Office office;
   office.service.keeps = [](const Request& request) { return request.path != "/trials"; };
@@ -170,15 +171,16 @@ TEST(Desk, does_to_the_end_whatever_may_keep_something_though_its_client_has_lef
   const auto trials = office.ask("/trials");
   office.run_until([&] { return begun.try_wait(); });
   const auto in_line = office.ask("/edit with trials");
-  office.run_until([&] { return office.desk->waiting_for("edit") == 1; });  // behind the trials, among what is heavy
-  const bool is_forgotten = office.desk->leave(in_line);
-  EXPECT_TRUE(office.desk->leave(trials));
+  office.run_until(
+      [&] { return office.dispatcher->waiting_for("edit") == 1; });  // behind the trials, among what is heavy
+  const bool is_forgotten = office.dispatcher->leave(in_line);
+  EXPECT_TRUE(office.dispatcher->leave(trials));
   ASSERT_FALSE(is_forgotten);
   office.run_until_replies(1);
   EXPECT_EQ(office.replies.front(), "200 kept");
 }
 
-TEST(Desk, waits_for_the_true_answer_of_what_may_have_been_kept_at_the_deadline) {
+TEST(Dispatcher, waits_for_the_true_answer_of_what_may_have_been_kept_at_the_deadline) {
   Office office;
   office.limits.light_deadline = 1ms;
   office.service.keeps = [](const Request&) { return true; };
@@ -197,7 +199,7 @@ std::optional<std::string> retry_after(const Response& response) {
   return {};
 }
 
-TEST(Desk, tells_who_was_stopped_before_anything_was_kept_why_and_when_to_come_again) {
+TEST(Dispatcher, tells_who_was_stopped_before_anything_was_kept_why_and_when_to_come_again) {
   Office office;
   office.limits.light_deadline = 1ms;
   office.service.keeps = [](const Request&) { return true; };
@@ -216,7 +218,7 @@ TEST(Desk, tells_who_was_stopped_before_anything_was_kept_why_and_when_to_come_a
   EXPECT_NE(told->body.find("nothing was kept"), std::string::npos) << told->body;
 }
 
-TEST(Desk, begins_nothing_that_may_keep_something_where_the_deadline_has_passed_while_it_was_read) {
+TEST(Dispatcher, begins_nothing_that_may_keep_something_where_the_deadline_has_passed_while_it_was_read) {
   std::latch reading(1);
   std::latch go_on(1);
   std::atomic<bool> begun = false;
@@ -248,7 +250,7 @@ TEST(Desk, begins_nothing_that_may_keep_something_where_the_deadline_has_passed_
   EXPECT_FALSE(begun);
 }
 
-TEST(Desk, says_that_nobody_knows_what_was_kept_where_the_work_does_not_end) {
+TEST(Dispatcher, says_that_nobody_knows_what_was_kept_where_the_work_does_not_end) {
   std::latch go_on(1);
   Office office;
   office.limits.light_deadline = 1ms;
@@ -263,12 +265,12 @@ TEST(Desk, says_that_nobody_knows_what_was_kept_where_the_work_does_not_end) {
   go_on.count_down();
   EXPECT_TRUE(office.replies.front().starts_with("504 ")) << office.replies.front();
   EXPECT_NE(office.replies.front().find("whether anything was kept is not known"), std::string::npos);
-  EXPECT_FALSE(office.desk->is_idle());
-  office.run_until([&] { return office.desk->is_idle(); });
+  EXPECT_FALSE(office.dispatcher->is_idle());
+  office.run_until([&] { return office.dispatcher->is_idle(); });
   EXPECT_EQ(office.replies.size(), 1U);
 }
 
-TEST(Desk, marks_the_answer_of_what_may_keep_something_as_one_to_give_in_any_case) {
+TEST(Dispatcher, marks_the_answer_of_what_may_keep_something_as_one_to_give_in_any_case) {
   Office office;
   office.service.keeps = [](const Request& request) { return request.path == "/edit"; };
   std::map<std::string, bool> receipts;
@@ -280,7 +282,7 @@ TEST(Desk, marks_the_answer_of_what_may_keep_something_as_one_to_give_in_any_cas
   EXPECT_EQ(receipts, (std::map<std::string, bool>{{"/edit", true}, {"/list", false}}));
 }
 
-TEST(Desk, answers_the_others_though_one_cannot_be_given_the_answer) {
+TEST(Dispatcher, answers_the_others_though_one_cannot_be_given_the_answer) {
   std::latch go_on(1);
   Office office;
   office.jobs["/report"] = job(
@@ -296,24 +298,24 @@ TEST(Desk, answers_the_others_though_one_cannot_be_given_the_answer) {
     ++hung_up;
   });
   office.ask("/report", "b");
-  office.run_until([&] { return office.desk->waiting_for("report") == 2; });
+  office.run_until([&] { return office.dispatcher->waiting_for("report") == 2; });
   go_on.count_down();
   office.run_until_replies(1);
   EXPECT_EQ(office.replies, std::vector<std::string>{"200 done"});
   EXPECT_EQ(hung_up, 1);
 }
 
-TEST(Desk, hangs_up_on_all_where_there_is_no_memory_for_an_answer) {
+TEST(Dispatcher, hangs_up_on_all_where_there_is_no_memory_for_an_answer) {
   Office office;
   office.service.finish = [](Response&) { throw std::bad_alloc(); };
   office.jobs["/light"] = job(Load::light, [](const auto&) { return "quick"; });
   bool hung_up = false;
   office.ask("/light", "a", [&](const auto& response) { hung_up = response == nullptr; });
   office.run_until([&] { return hung_up; });
-  EXPECT_TRUE(office.desk->is_idle());
+  EXPECT_TRUE(office.dispatcher->is_idle());
 }
 
-TEST(Desk, lets_nobody_wait_beyond_the_deadline_and_stops_the_work) {
+TEST(Dispatcher, lets_nobody_wait_beyond_the_deadline_and_stops_the_work) {
   Office office;
   office.limits.lone_deadline = 1ms;
   office.jobs["/trials"] = job(Load::lone, wait_for, "trials");
@@ -321,10 +323,10 @@ TEST(Desk, lets_nobody_wait_beyond_the_deadline_and_stops_the_work) {
   office.run_until_replies(1);
   EXPECT_TRUE(office.replies.front().starts_with("503 ")) << office.replies.front();
   EXPECT_NE(office.replies.front().find("took longer than 0.001 s"), std::string::npos) << office.replies.front();
-  EXPECT_EQ(office.desk->waiting_for("trials"), 0U);
+  EXPECT_EQ(office.dispatcher->waiting_for("trials"), 0U);
 }
 
-TEST(Desk, says_that_a_line_is_full) {
+TEST(Dispatcher, says_that_a_line_is_full) {
   std::latch begun(1);
   std::latch go_on(1);
   Office office(single_worker, {.threads = 1, .waiting_max = 1});
@@ -349,7 +351,7 @@ TEST(Desk, says_that_a_line_is_full) {
   office.run_until_replies(3);
 }
 
-TEST(Desk, ends_a_request_that_fails_and_no_other) {
+TEST(Dispatcher, ends_a_request_that_fails_and_no_other) {
   Office office;
   office.jobs["/fault"] = job(Load::heavy, [](const auto&) -> std::string { throw std::bad_alloc(); });
   office.jobs["/light"] = job(Load::light, [](const auto&) { return "quick"; });
@@ -363,7 +365,7 @@ TEST(Desk, ends_a_request_that_fails_and_no_other) {
   EXPECT_TRUE(office.replies[2].starts_with("500 ")) << office.replies[2];
 }
 
-TEST(Desk, does_not_say_that_nothing_was_kept_where_what_failed_may_have_kept_something) {
+TEST(Dispatcher, does_not_say_that_nothing_was_kept_where_what_failed_may_have_kept_something) {
   Office office;
   office.service.keeps = [](const Request&) { return true; };
   office.jobs["/light edit"] = job(Load::light, [](const auto&) -> std::string { throw std::bad_alloc(); });
