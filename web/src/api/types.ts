@@ -3765,6 +3765,7 @@ export interface components {
                 /** @description Null where no such error is smoothed. */
                 displacement_um: number | null;
                 rotation_urad: number | null;
+                /** @description Of the degrees of freedom, those that smoothness takes up. */
                 unknowns_told_by_it: number;
                 /** @description By name. */
                 errors: {
