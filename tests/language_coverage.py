@@ -110,7 +110,7 @@ def blanks(text):
 
 def english_phrases():
     phrases = []
-    for path in sorted((ROOT / "src/axiometry/language/german").glob("*.cpp")):
+    for path in sorted((ROOT / "src/axiometry/language/german").rglob("*.cpp")):
         if path.name.endswith("_test.cpp"):
             continue
         body = path.read_text(encoding="utf-8")

@@ -18,11 +18,13 @@ import time
 import tempfile
 import urllib.parse
 
-from described import OPENAPI
+from described import OPENAPI, open_objects
 from served import DESCRIPTION, Answer, Checks, Served
 
 ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLE = (ROOT / "examples" / "iso230-2-table2.json").read_bytes()
+# What somebody sends and gets back as it came, and what a program of another version may have written.
+GIVEN_BACK = {"PlanFile.request", "TrackingPlanFile.program", "VolumetricModel", "VolumetricPlanFile.machine", "VolumetricResult"}
 OPTIONS = {"methods": ["gum"], "trials": None, "seed": 1, "coverage": 0.95, "corrections": []}
 PLAN = {"axis": "X", "kind": "linear", "from": 0, "to": 500, "positions": None, "targets": None, "cycle": "standard",
         "runs": 5, "feed": 1000, "dwell_s": 4, "overrun": None, "seed": 7, "further": {}}
@@ -537,6 +539,8 @@ def main():
             played = {(method, path) for method, path, status in DESCRIPTION.answered if status < 400}
             rest = sorted(described - played)
             checks.that("every operation was played", not rest, rest)
+            undescribed = sorted(set(open_objects()) - GIVEN_BACK)
+            checks.that("every member of an answer is described", not undescribed, undescribed)
     checks.finish()
 
 

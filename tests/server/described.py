@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Holds what is asked and answered against apps/server/openapi.json. Needs python3-jsonschema."""
+import functools
 import json
 import pathlib
 import re
@@ -97,3 +98,36 @@ class Description:
         whole = {**schema, "components": OPENAPI["components"]}
         validator = self.validators.setdefault(operation, jsonschema.Draft202012Validator(whole))
         return [innermost(fault) for fault in list(validator.iter_errors(value))[:4]]
+
+
+def open_objects():
+    """Objects of answers that may have members which nothing describes: what is in them is held against nothing."""
+    schemas, answers = OPENAPI["components"]["schemas"], OPENAPI["components"]["responses"]
+    seen, found = set(), []
+
+    def walk(part, path, closed):
+        if not isinstance(part, dict):
+            return
+        closed = closed or "additionalProperties" in part or part.get("unevaluatedProperties") is False
+        if "$ref" in part:
+            name = part["$ref"].removeprefix("#/components/schemas/")
+            if (name, closed) not in seen:
+                seen.add((name, closed))
+                walk(functools.reduce(lambda found, step: found[step], name.split("/"), schemas), name, closed)
+        kinds = part.get("type", [])
+        if "object" in ([kinds] if isinstance(kinds, str) else kinds) and not closed:
+            found.append(path)
+        for word in ("allOf", "oneOf", "anyOf"):
+            for alternative in part.get(word, []):
+                walk(alternative, path, closed)
+        for name, member in part.get("properties", {}).items():
+            walk(member, f"{path}.{name}", False)
+        for word in ("items", "additionalProperties"):
+            walk(part.get(word), f"{path}[]", False)
+
+    for path, operations in OPENAPI["paths"].items():
+        for method, operation in operations.items():
+            for response in operation["responses"].values():
+                response = answers[response["$ref"].rsplit("/", 1)[1]] if "$ref" in response else response
+                walk(response.get("content", {}).get("application/json", {}).get("schema"), f"{method} {path}", False)
+    return found

@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).parents[2]
 EXAMPLE = (ROOT / "examples" / "iso230-2-table2.json").read_bytes()
 OPERATIONS = json.loads((ROOT / "apps" / "server" / "openapi.json").read_text(encoding="utf-8"))["paths"]
 TOKEN = "fedcba9876543210-secret"
-ENDS_WITHIN_S = 2.0  # the farewell takes 5, a connection that lingers 3
+ENDS_WITHIN_S = 2.0  # the shutdown takes 5, a connection that lingers 3
 OPEN_TO_ALL = {("GET", "/api/health"), ("POST", "/api/login")}
 PLAN = {"axis": "X", "kind": "linear", "from": 0, "to": 500, "positions": None, "targets": None, "cycle": "standard",
         "runs": 5, "feed": 1000, "dwell_s": 4, "overrun": None, "seed": 7, "further": {}}
@@ -258,25 +258,35 @@ def security_events_are_told(program, folder, checks):
     checks.that("and how many were left out", len(flood) + left_out == 100, left_out)
 
 
+def ended(program, folder, name, tls, openings):
+    """(exit code, seconds that it took, what it said) of a server that is stopped while clients have begun to speak."""
+    with open(folder / "end.txt", "w+", encoding="utf-8") as told:
+        with Served(program, folder / f"{name}.db", token=TOKEN, tls=tls, errors=told) as server:
+            clients = [socket.create_connection(("127.0.0.1", server.port)) for _ in openings]
+            for client, opening in zip(clients, openings):
+                client.sendall(opening.replace(b"%s", server.host.encode()))
+            time.sleep(0.5)
+            begin = time.monotonic()
+            code = server.stop()
+            seconds = time.monotonic() - begin
+        told.seek(0)
+        text = told.read()
+    for client in clients:
+        client.close()
+    return code, seconds, text
+
+
 def nobody_is_waited_for_at_the_end(program, folder, checks):
     """Who has not said what is wanted, whose wrong token is only answered late, and who stays after the answer."""
     wrong = b"GET /api/tests HTTP/1.1\r\nHost: %s\r\nAuthorization: Bearer wrong-token-of-a-guess\r\n\r\n"
     stays = b"GET / HTTP/1.1\r\nHost: %s\r\nConnection: close\r\n\r\n"
     for name, tls, openings in (("plain", None, [b"", b"GET", stays] + 8 * [wrong]),
                                 ("tls", made_certificate(folder, "end"), [b"", b"\x16\x03\x01"])):
-        with open(folder / "end.txt", "w+", encoding="utf-8") as told:
-            with Served(program, folder / f"{name}.db", token=TOKEN, tls=tls, errors=told) as server:
-                clients = [socket.create_connection(("127.0.0.1", server.port)) for _ in openings]
-                for client, opening in zip(clients, openings):
-                    client.sendall(opening.replace(b"%s", server.host.encode()))
-                time.sleep(0.5)
-                begin = time.monotonic()
-                code = server.stop()
-                seconds = time.monotonic() - begin
-            told.seek(0)
-            text = told.read()
-        for client in clients:
-            client.close()
+        # A server that waits for somebody does so each time; one that a busy machine is slow to end does not.
+        for _ in range(4):
+            code, seconds, text = ended(program, folder, name, tls, openings)
+            if seconds < ENDS_WITHIN_S:
+                break
         is_false = "ended while requests" in text
         checks.that(f"{name}: it ends at once", code == 0 and seconds < ENDS_WITHIN_S, (code, seconds))
         checks.that(f"{name}: and says nothing of requests that were being answered", not is_false, text)

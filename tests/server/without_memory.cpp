@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "server/work/desk.h"
+#include "server/work/dispatcher.h"
 
 namespace {
 

@@ -21,9 +21,9 @@ const words = {
     at: /^Slice at/, slice_told: /Slice at Z −?\d+ mm/,
   },
   'de-DE': {
-    plan: 'Plan machen', told: 'Alle 21 Abweichungen werden bestimmt', points: 'Punkte je Standort und Werkzeug', plan_file: 'Plan JSON', points_file: 'Punkte CSV',
+    plan: 'Plan machen', told: 'Alle 21 Abweichungen werden bestimmt', points: 'Punkte je Station und Werkzeug', plan_file: 'Plan JSON', points_file: 'Punkte CSV',
     sheet: 'Blatt PDF', run: 'Lauf', control: 'Steuerung', lengths: 'Längen wählen', found: 'Alle 21 Abweichungen gefunden', table: 'Alle Abweichungen als Zahlen',
-    report: 'Bericht PDF', result: 'Ergebnis JSON', residuals: 'Reste CSV', slice: 'Schnitt quer zu', before: 'Früheres Ergebnis wählen', moved: /um bis zu \d+,\d µm verschoben/,
+    report: 'Bericht PDF', result: 'Ergebnis JSON', residuals: 'Residuen CSV', slice: 'Schnitt quer zu', before: 'Früheres Ergebnis wählen', moved: /um bis zu \d+,\d µm verschoben/,
     sure: 'eine Änderung, kein Zufall', line: 'Linie', systematic: 'E des Mittelwerts beider Richtungen', save: 'Herunterladen', which: 'Tabelle', open: 'Ergebnis öffnen', name: 'Name',
     search: 'Steuerung suchen', along: 'Tabelle über den Positionen von', moves: 'Sie bewegt', one_axis: /Sie korrigiert EXX\.[\s\S]*Spanne auf der Linie[\s\S]*\d+,\d → \d+,\d µm/,
     cross: /3 von \d+ Steuerungen haben Kreuztabellen/, both: 'Sie korrigiert EXY, C0Y.', refused: 'Daraus entsteht keine Tabelle', first: 'Erste Position / mm',

@@ -24,9 +24,9 @@
 #include <utility>
 #include <vector>
 
+#include "server/http/client_hello.h"
 #include "server/http/deadline.h"
 #include "server/http/disconnect.h"
-#include "server/http/greeting.h"
 #include "server/http/request_head.h"
 #include "server/http/response_message.h"
 
@@ -80,11 +80,11 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void make_room() override { close(); }
-  Standing standing() const override { return {whose_, doing_, last_moved_, bytes_held()}; }
+  ConnectionState state() const override { return {whose_, doing_, last_moved_, bytes_held()}; }
 
  private:
   static constexpr bool is_tls = !std::is_same_v<Stream, tcp::socket>;
-  using Doing = Standing::Doing;
+  using Doing = ConnectionState::Doing;
 
   tcp::socket& socket() {
     if constexpr (is_tls)
@@ -118,10 +118,10 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
 
   void greet() {
     deadline_.set(Clock::now() + share_.limits.head, [self = this->shared_from_this()] { self->close(); });
-    await_greeting(socket(), [self = this->shared_from_this()](bool has_come) {
+    await_client_hello(socket(), [self = this->shared_from_this()](bool has_come) {
       if (!has_come) return self->close();
       // Where the time passes before its turn comes, nothing holds it any more.
-      self->share_.turnstile.enter(self->peer_, [weak = self->weak_from_this()] {
+      self->share_.fair_queue.enter(self->peer_, [weak = self->weak_from_this()] {
         if (const auto still_there = weak.lock()) still_there->shake_hands();
       });
     });
@@ -246,13 +246,13 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     std::string body = std::exchange(request_.body, {});
     auto request = std::make_shared<Request>(request_);
     request->body = std::move(body);
-    asked_ = share_.desk.ask(std::move(request), whose_,
-                             [self = this->shared_from_this()](std::shared_ptr<const Response> response) {
-                               self->asked_.reset();
-                               self->watch_.cancel();
-                               self->release_body();
-                               self->deliver(std::move(response));
-                             });
+    asked_ = share_.dispatcher.ask(std::move(request), whose_,
+                                   [self = this->shared_from_this()](std::shared_ptr<const Response> response) {
+                                     self->asked_.reset();
+                                     self->watch_.cancel();
+                                     self->release_body();
+                                     self->deliver(std::move(response));
+                                   });
     watch_for_leaving();
   }
 
@@ -268,7 +268,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     watch_.async_wait([self = this->shared_from_this()](error_code code) {
       if (code || !self->asked_) return;
       if (!has_left(self->socket().native_handle())) return self->watch_for_leaving();
-      if (!self->share_.desk.leave(*self->asked_)) return self->watch_for_leaving();
+      if (!self->share_.dispatcher.leave(*self->asked_)) return self->watch_for_leaving();
       self->asked_.reset();
       self->close();
     });
@@ -363,9 +363,9 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   ConnectionShare& share_;
   Deadline deadline_;
   asio::steady_timer watch_;
-  std::optional<Desk::Ticket> asked_;  // the request that waits in a line or is being answered
-  bool is_idle_ = true;                // no head has come whole, or the answer is only held back
-  bool is_leaving_ = false;            // has the last answer
+  std::optional<Dispatcher::Ticket> asked_;  // the request that waits in a line or is being answered
+  bool is_idle_ = true;                      // no head has come whole, or the answer is only held back
+  bool is_leaving_ = false;                  // has the last answer
   bool is_closed_ = false;
   bool keeps_alive_ = false;
   Doing doing_ = Doing::silent;

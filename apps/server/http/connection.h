@@ -13,11 +13,11 @@
 #include <unordered_set>
 #include <utility>
 
+#include "server/http/fair_queue.h"
 #include "server/http/transport.h"
-#include "server/http/turnstile.h"
 #include "server/limits.h"
-#include "server/work/desk.h"
-#include "server/work/standing.h"
+#include "server/work/dispatcher.h"
+#include "server/work/eviction.h"
 
 /// One client's connection: request after request, each with its deadlines (limits.h). Private to the transport.
 namespace axiometry::server {
@@ -30,21 +30,21 @@ class Guest {
   virtual void hang_up() = 0;
   /// Closes at once: another needs its place or its memory.
   virtual void make_room() = 0;
-  virtual Standing standing() const = 0;
+  virtual ConnectionState state() const = 0;
 };
 
 /// What all connections share; used on the I/O thread alone.
 struct ConnectionShare {
-  ConnectionShare(const Limits& all, const Service& answers, Desk& all_ask, boost::asio::io_context& io)
+  ConnectionShare(const Limits& all, const Service& answers, Dispatcher& all_ask, boost::asio::io_context& io)
       : limits(all),
         service(answers),
-        desk(all_ask),
-        turnstile([&io](Turnstile::Step step) { boost::asio::post(io, std::move(step)); }) {}
+        dispatcher(all_ask),
+        fair_queue([&io](FairQueue::Step step) { boost::asio::post(io, std::move(step)); }) {}
 
   const Limits& limits;
   const Service& service;
-  Desk& desk;
-  Turnstile turnstile;  ///< lets handshakes of TLS begin, which compute
+  Dispatcher& dispatcher;
+  FairQueue fair_queue;  ///< lets handshakes of TLS begin, which compute
   bool ending = false;
   std::unordered_set<Guest*> connections;  ///< connections that are open
   std::function<void()> when_none;         ///< called when the last connection has gone

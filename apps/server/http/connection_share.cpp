@@ -17,14 +17,14 @@ constexpr std::string_view no_memory_for_answers =
 
 struct Guests {
   std::vector<Guest*> all;
-  std::vector<Standing> standings;  // of all, in the same order
+  std::vector<ConnectionState> states;  // of all, in the same order
 };
 
 Guests guests_of(const ConnectionShare& share) {
   Guests guests;
   guests.all.assign(share.connections.begin(), share.connections.end());
-  guests.standings.reserve(guests.all.size());
-  for (const Guest* guest : guests.all) guests.standings.push_back(guest->standing());
+  guests.states.reserve(guests.all.size());
+  for (const Guest* guest : guests.all) guests.states.push_back(guest->state());
   return guests;
 }
 
@@ -53,7 +53,7 @@ bool ConnectionShare::make_room(const std::string& peer) {
   if (connections.size() < limits.connections_of_one) return true;
   const Guests guests = guests_of(*this);
   const Room room =
-      room_for(guests.standings, peer, limits.connections, limits.connections_of_one, Standing::Clock::now());
+      room_for(guests.states, peer, limits.connections, limits.connections_of_one, ConnectionState::Clock::now());
   if (!room.is_full) return true;
   if (!room.goes) {
     Request unread;
@@ -67,16 +67,16 @@ bool ConnectionShare::make_room(const std::string& peer) {
 
 bool ConnectionShare::make_memory(const Guest& guest, std::size_t bytes) {
   Guests guests = guests_of(*this);
-  const Standing asker = guest.standing();
-  const bool of_body = asker.doing == Standing::Doing::receiving;
-  const Claim claim{.peer = asker.peer, .bytes = bytes, .of_body = of_body, .held = of_body ? asker.bytes : 0};
+  const ConnectionState asker = guest.state();
+  const bool of_body = asker.doing == ConnectionState::Doing::receiving;
+  const MemoryClaim claim{.peer = asker.peer, .bytes = bytes, .of_body = of_body, .held = of_body ? asker.bytes : 0};
   std::vector<Guest*> going;
   while (true) {
-    const Room room = memory_for(guests.standings, claim, limits.held_bytes, Standing::Clock::now());
+    const Room room = memory_for(guests.states, claim, limits.held_bytes, ConnectionState::Clock::now());
     if (!room.is_full) break;
     if (!room.goes || guests.all[*room.goes] == &guest) return false;
     going.push_back(guests.all[*room.goes]);
-    guests.standings[*room.goes].bytes = 0;
+    guests.states[*room.goes].bytes = 0;
   }
   for (Guest* one : going) one->make_room();
   return true;

@@ -36,8 +36,8 @@ struct Counter {
   boost::asio::io_context io{1};
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> open{io.get_executor()};
   tcp::acceptor acceptor{io, tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0)};
-  std::unique_ptr<Desk> desk;
-  std::unique_ptr<Lines> lines;
+  std::unique_ptr<Dispatcher> dispatcher;
+  std::unique_ptr<RequestQueues> queues;
 
   Counter() {
     service.refused = [](const Request&) { return std::nullopt; };
@@ -48,9 +48,10 @@ struct Counter {
     };
     service.finish = [](Response&) {};
     service.answered = [this](const Service::Answered& answered) { told.push_back(answered.status); };
-    lines = std::make_unique<Lines>(Lines::Options{.light = two_workers, .edits = two_workers, .heavy = two_workers});
-    desk = std::make_unique<Desk>(io, service, limits, *lines);
-    share = std::make_unique<ConnectionShare>(limits, service, *desk, io);
+    queues = std::make_unique<RequestQueues>(
+        RequestQueues::Options{.light = two_workers, .edits = two_workers, .heavy = two_workers});
+    dispatcher = std::make_unique<Dispatcher>(io, service, limits, *queues);
+    share = std::make_unique<ConnectionShare>(limits, service, *dispatcher, io);
   }
 
   void run_for(int milliseconds) { io.run_for(std::chrono::milliseconds(milliseconds)); }
@@ -98,17 +99,17 @@ Response large_answer(int status) { return {.status = status, .body = std::strin
 
 /// Somebody who holds that and says whether it had to go.
 struct Holder final : Guest {
-  explicit Holder(Standing held) : is(held) {}
+  explicit Holder(ConnectionState held) : is(held) {}
   void hang_up() override {}
   void make_room() override { is_gone = true; }
-  Standing standing() const override { return is; }
-  Standing is;
+  ConnectionState state() const override { return is; }
+  ConnectionState is;
   bool is_gone = false;
 };
 
 TEST(Connection, gives_a_receipt_of_what_was_kept_where_the_answer_does_not_fit) {
   Counter counter;
-  Holder waits({.peer = "b", .doing = Standing::Doing::waiting, .bytes = large});
+  Holder waits({.peer = "b", .doing = ConnectionState::Doing::waiting, .bytes = large});
   counter.share->connections.insert(&waits);
   counter.limits.held_bytes = large / 2 * 3;
   counter.answers["/withdraw"] = large_answer(200);
@@ -222,9 +223,9 @@ TEST(Connection, ends_with_the_server_where_it_has_not_begun_to_speak_TLS) {
 TEST(Connection, gives_way_only_where_that_makes_room) {
   Counter counter;
   counter.limits.held_bytes = 800;
-  Holder still({.peer = "a", .doing = Standing::Doing::sending, .bytes = 100});
-  Holder waits({.peer = "b", .doing = Standing::Doing::waiting, .bytes = 600});
-  Holder asks({.peer = "c", .doing = Standing::Doing::sending});
+  Holder still({.peer = "a", .doing = ConnectionState::Doing::sending, .bytes = 100});
+  Holder waits({.peer = "b", .doing = ConnectionState::Doing::waiting, .bytes = 600});
+  Holder asks({.peer = "c", .doing = ConnectionState::Doing::sending});
   counter.share->connections = {&still, &waits, &asks};
   EXPECT_FALSE(counter.share->make_memory(asks, 300));
   EXPECT_FALSE(still.is_gone);
@@ -240,10 +241,11 @@ TEST(Connection, that_sends_a_small_body_has_a_share_of_its_own_and_no_more) {
   std::vector<std::unique_ptr<Holder>> all;
   for (int k = 0; k < 60; ++k)
     counter.share->connections.insert(
-        all.emplace_back(std::make_unique<Holder>(Standing{
-                             .peer = k < 30 ? "a" : "b", .doing = Standing::Doing::waiting, .bytes = small_body}))
+        all
+            .emplace_back(std::make_unique<Holder>(ConnectionState{
+                .peer = k < 30 ? "a" : "b", .doing = ConnectionState::Doing::waiting, .bytes = small_body}))
             .get());
-  Holder asks({.peer = "c", .doing = Standing::Doing::receiving});
+  Holder asks({.peer = "c", .doing = ConnectionState::Doing::receiving});
   counter.share->connections.insert(&asks);
   EXPECT_FALSE(counter.share->make_memory(asks, small_body));
   counter.share->connections.clear();

@@ -24,8 +24,8 @@
 #include "axiometry/base/text.h"
 #include "server/http/connection.h"
 #include "server/log.h"
-#include "server/work/desk.h"
-#include "server/work/lines.h"
+#include "server/work/dispatcher.h"
+#include "server/work/request_queues.h"
 
 namespace axiometry::server {
 namespace {
@@ -57,7 +57,7 @@ void allow_descriptors(std::size_t wanted) {
   static_cast<void>(::setrlimit(RLIMIT_NOFILE, &limit));
 }
 
-Lines::Options lines_for(const Limits& limits) {
+RequestQueues::Options queues_for(const Limits& limits) {
   const std::size_t processors = std::thread::hardware_concurrency();
   return {.light = {.threads = std::max(processors, workers_min), .waiting_max = limits.waiting},
           .edits = {.threads = edit_workers, .waiting_max = limits.waiting, .reserved = limits.waiting / 4},
@@ -101,18 +101,18 @@ struct Transport::State {
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
   asio::steady_timer pause{io};
-  asio::steady_timer farewell{io};
+  asio::steady_timer shutdown{io};
   asio::signal_set signals{io};
   End end;
-  std::unique_ptr<Desk> desk;    // ends before the context, whose timers it holds
-  std::unique_ptr<Lines> lines;  // end before what their tasks answer to
+  std::unique_ptr<Dispatcher> dispatcher;  // ends before the context, whose timers it holds
+  std::unique_ptr<RequestQueues> queues;   // end before what their tasks answer to
 
   Result<void> bind();
   void accept();
   void accepted(const error_code& code, tcp::socket socket);
   void take_in(tcp::socket socket);
   void work();
-  bool is_done() const { return share->connections.empty() && desk->is_idle(); }
+  bool is_done() const { return share->connections.empty() && dispatcher->is_idle(); }
   void look_whether_done();
   void await_signal();
   void finish();
@@ -183,7 +183,7 @@ void Transport::State::await_signal() {
   });
 }
 
-/// Also where a connection is just being destroyed. Where that cannot be posted the farewell ends it.
+/// Also where a connection is just being destroyed. Where that cannot be posted the shutdown ends it.
 void Transport::State::look_whether_done() {
   try {
     asio::post(io, [this] {
@@ -199,11 +199,11 @@ void Transport::State::finish() {
   error_code ignored;
   acceptor.close(ignored);
   pause.cancel();
-  farewell.expires_after(options.limits.farewell);
-  farewell.async_wait([this](const error_code& code) {
+  shutdown.expires_after(options.limits.shutdown);
+  shutdown.async_wait([this](const error_code& code) {
     if (!code) io.stop();
   });
-  share->when_none = desk->when_idle = [this] { look_whether_done(); };
+  share->when_none = dispatcher->when_idle = [this] { look_whether_done(); };
   if (share->connections.empty()) share->when_none();
   const std::vector<Guest*> all(share->connections.begin(), share->connections.end());
   for (Guest* connection : all)
@@ -228,9 +228,9 @@ unsigned Transport::port() const { return state_->acceptor.local_endpoint().port
 Transport::End Transport::run(const Service& service, const std::function<void()>& ready) {
   allow_descriptors(state_->options.limits.connections + 256);
   const Limits& limits = state_->options.limits;
-  state_->lines = std::make_unique<Lines>(lines_for(limits));
-  state_->desk = std::make_unique<Desk>(state_->io, service, limits, *state_->lines);
-  state_->share = std::make_unique<ConnectionShare>(limits, service, *state_->desk, state_->io);
+  state_->queues = std::make_unique<RequestQueues>(queues_for(limits));
+  state_->dispatcher = std::make_unique<Dispatcher>(state_->io, service, limits, *state_->queues);
+  state_->share = std::make_unique<ConnectionShare>(limits, service, *state_->dispatcher, state_->io);
   state_->signals.add(SIGINT);
   state_->signals.add(SIGTERM);
   state_->await_signal();
@@ -238,7 +238,7 @@ Transport::End Transport::run(const Service& service, const std::function<void()
   ready();
   state_->work();
   state_->share->when_none = {};
-  state_->desk->when_idle = {};
+  state_->dispatcher->when_idle = {};
   state_->end.all_answered = state_->is_done();
   return state_->end;
 }

@@ -68,7 +68,7 @@ class Transport {
 
   struct End {
     int signal = 0;            ///< SIGINT or SIGTERM
-    bool all_answered = true;  ///< false: requests were still being answered after Limits::farewell
+    bool all_answered = true;  ///< false: requests were still being answered after Limits::shutdown
   };
   /// Answers until SIGINT or SIGTERM comes, then finishes the requests in flight. A second signal ends at once. `ready`
   /// is called when the first connection would be answered. Once only; `service` must live as long as this. Where not

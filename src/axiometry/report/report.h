@@ -12,8 +12,8 @@
 #include "axiometry/model/test.h"
 #include "axiometry/report/documents/verified.h"
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
 #include "axiometry/standards/iso230_2/verdict/tolerance.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 
 namespace axiometry::iso230_2 {
 struct LoggedEnvironment;  // standards/environment/environment.h
@@ -53,8 +53,8 @@ struct Subject {
 /// What a trail_head is called wherever an output says it.
 inline constexpr std::string_view trail_head_name = "Audit trail before issue";
 
-/// Parameter value and uncertainty of record (verdict/record.h) as shown to people: U to `uncertainty_digits`
-/// significant digits, the value to U's last place; without U to `deviation_decimals`.
+/// Parameter value and uncertainty of record (verdict/uncertainty_of_record.h) as shown to people: U to
+/// `uncertainty_digits` significant digits, the value to U's last place; without U to `deviation_decimals`.
 struct ShownParameter {
   std::string value;       ///< "9.6"; "not applicable" where the parameter does not exist
   std::string U;           ///< "4.3" or ""; of Annex A or the GUM

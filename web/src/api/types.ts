@@ -1288,7 +1288,7 @@ export interface components {
             table: string;
         };
         /** @description A figure of another rule, and the parameter of ISO 230-2:2014 that it is taken for. */
-        ComparedFigure: {
+        RuleFigure: {
             key: string;
             /** @description `P_s,max`; null where the rule has none that is known. */
             symbol: string | null;
@@ -1320,6 +1320,8 @@ export interface components {
             relative_difference: number | null;
             /** @description In what the formulas differ; null where both always have one value. */
             departs_by: string | null;
+        };
+        ComparedFigure: {
             /** @description The numbers as reports show them; empty where there are none. */
             shown: {
                 value: string;
@@ -1329,17 +1331,19 @@ export interface components {
                 difference: string;
                 relative_difference: string;
             };
-        };
-        ComparedRule: {
+        } & components["schemas"]["RuleFigure"];
+        RuleOfComparison: {
             /** @description `vdi-dgq-3441` */
             id: string;
             name: string;
             /** @description What its figures are and are not. */
             remark: string;
-            figures: components["schemas"]["ComparedFigure"][];
         };
+        ComparedRule: {
+            figures: components["schemas"]["ComparedFigure"][];
+        } & components["schemas"]["RuleOfComparison"];
         /** @description One test by several rules. Nothing here states conformity with any of them. */
-        RulesCompared: {
+        ComparisonOfRules: {
             /** @description Beside which the figures of other rules stand. */
             standard: string;
             /** @enum {string} */
@@ -1354,7 +1358,6 @@ export interface components {
             /** @description Words that must stand wherever the figures do. */
             label?: string;
             parameters: components["schemas"]["ParameterNumbers"];
-            rules: components["schemas"]["ComparedRule"][];
             /** @description What is not stated, and what intervals are of. */
             remarks: string[];
             uncertainty: {
@@ -1371,6 +1374,19 @@ export interface components {
             warnings: components["schemas"]["Finding"][];
             findings: components["schemas"]["Finding"][];
         };
+        RulesCompared: {
+            rules: components["schemas"]["ComparedRule"][];
+        } & components["schemas"]["ComparisonOfRules"];
+        /** @description As `axiometry compare-rules --json` writes it. */
+        RulesReport: {
+            rules: ({
+                figures: components["schemas"]["RuleFigure"][];
+            } & components["schemas"]["RuleOfComparison"])[];
+            metadata: components["schemas"]["Metadata"];
+            source: components["schemas"]["ResultSource"];
+            program: components["schemas"]["Program"];
+        } & components["schemas"]["ComparisonOfRules"];
+        CalibrationResult: components["schemas"]["TrackingEvaluation"] | components["schemas"]["VolumetricResult"] | components["schemas"]["MotionResult"];
         CompensationFigure: {
             /** @description `E` */
             parameter: string;
@@ -1512,7 +1528,7 @@ export interface components {
                 result_sha256: string;
             }[];
             /** @description After its kind: of lines as `axiometry tracking evaluate --json`, of the 21 errors as `axiometry volumetric identify --json`, of the others as their verb writes it, in the reader's language; docs/results.md explains it. What an earlier version of the program wrote may lack members. */
-            result: components["schemas"]["TrackingEvaluation"] | components["schemas"]["VolumetricResult"] | components["schemas"]["MotionResult"];
+            result: components["schemas"]["CalibrationResult"];
         };
         /** @description A log of temperatures before and during the test (4.1), by the bytes of a document of the archive, with when the test was and what the parties agreed (7). */
         KeptTemperatures: {
@@ -2157,7 +2173,11 @@ export interface components {
             /** @enum {string} */
             reference: "least-squares" | "end-points" | "none";
             runs: number;
-            instrument?: Record<string, never> | null;
+            /** @description Expanded uncertainty (k = 2) as stated: constant part and part per metre of the unit. */
+            instrument?: {
+                U_constant: number;
+                U_per_m: number;
+            } | null;
             courses: {
                 /** @enum {string} */
                 course: "up" | "down" | "mean";
@@ -2183,7 +2203,7 @@ export interface components {
                 repeatability?: (number | null)[];
             };
             remarks: string[];
-            metadata?: Record<string, never>;
+            metadata: components["schemas"]["Metadata"];
             source: {
                 file: string;
                 sha256: components["schemas"]["Sha256"];
@@ -2209,11 +2229,17 @@ export interface components {
             square_uncertainty_arcsec?: number | null;
             abbe?: {
                 offset_mm: number[];
-                change_um: Record<string, never>;
-                missing: Record<string, never>;
+                /** @description By the name of the error; null where an angle is missing. */
+                change_um: {
+                    [key: string]: number[] | null;
+                };
+                /** @description By the name of the error, what was not measured. */
+                missing: {
+                    [key: string]: string;
+                };
             } | null;
             remarks?: string[];
-            program: Record<string, never>;
+            program: components["schemas"]["Program"];
         };
         Named: {
             id: string;
@@ -2577,6 +2603,13 @@ export interface components {
             use_title: string;
             reason?: string;
         };
+        ResultSource: {
+            file: string;
+            /** @description Of a file of many. */
+            test?: string;
+            sha256: components["schemas"]["Sha256"] | null;
+            format: string;
+        };
         /** @description As `axiometry evaluate --json` writes it; docs/results.md explains every key. A version that an older program has kept is as that one wrote it. */
         Result: {
             standard: string;
@@ -2620,13 +2653,7 @@ export interface components {
             drift: components["schemas"]["Drift"] | null;
             findings: components["schemas"]["Finding"][];
             metadata: components["schemas"]["Metadata"];
-            source: {
-                file: string;
-                /** @description Of a file of many. */
-                test?: string;
-                sha256: components["schemas"]["Sha256"] | null;
-                format: string;
-            };
+            source: components["schemas"]["ResultSource"];
             corrections?: components["schemas"]["AppliedCorrection"][];
             expansion_correction?: components["schemas"]["ExpansionCorrection"];
             /** @description After corrections, where there were any. */
@@ -3651,9 +3678,44 @@ export interface components {
         };
         /** @description As `axiometry volumetric identify --out` writes it; docs/results.md explains it. Texts in the language of the request. */
         VolumetricResult: {
-            source?: Record<string, never>;
+            source?: {
+                /** @description Name of the file, where there is one. */
+                lengths?: string;
+                lengths_sha256?: components["schemas"]["Sha256"];
+                files: {
+                    file: string;
+                    sha256: components["schemas"]["Sha256"];
+                    /** @description How many were taken of it. */
+                    lengths: number;
+                    /** @description The layout of a continuous recording. */
+                    recording?: string;
+                    /** @description Of the plan. */
+                    first_part?: number;
+                    last_part?: number;
+                    /** @description That the plan has in these parts. */
+                    stops?: number;
+                }[];
+                /** @description Name of the file that describes the machine. */
+                machine: string;
+                machine_sha256: components["schemas"]["Sha256"];
+                plan?: string;
+                plan_sha256?: components["schemas"]["Sha256"];
+            };
             errors: components["schemas"]["VolumetricErrors"];
-            gauge?: Record<string, never>;
+            /** @description By which of many equal sets of errors the one that is stated was chosen. */
+            gauge?: {
+                chain: string;
+                means: string;
+                straightness: string;
+                /** @description Of each axis, over which means and straight lines are taken. */
+                range_mm: {
+                    [key: string]: number[];
+                };
+                /** @description Of each axis. */
+                functional_point_mm: {
+                    [key: string]: number[];
+                };
+            };
             rank: components["schemas"]["VolumetricRank"];
             unseen: string[];
             chi2_per_dof: number | null;
@@ -3677,25 +3739,44 @@ export interface components {
                 }[];
             }[];
             set_aside: {
-                reading?: number;
+                reading: number;
                 line?: number;
-                station?: string;
-                tool?: string;
-                residual_um?: number;
-                normalised?: number;
+                station: string;
+                tool: string;
+                residual_um: number;
+                normalised: number;
                 /** @enum {string} */
-                why?: "outlier" | "beside a break" | "unknown direction";
+                why: "outlier" | "beside a break" | "unknown direction";
             }[];
             breaks: {
-                reading?: number;
+                reading: number;
                 line?: number;
-                station?: string;
-                tool?: string;
-                jump_um?: number;
-                earliest_reading?: number;
-                latest_reading?: number;
+                station: string;
+                tool: string;
+                jump_um: number;
+                earliest_reading: number;
+                latest_reading: number;
             }[];
             drift?: boolean;
+            /** @description Null where curves were not taken to be smooth. */
+            smoothness?: {
+                /** @description Else as the lengths let it appear. */
+                stated: boolean;
+                /** @description Null where no such error is smoothed. */
+                displacement_um: number | null;
+                rotation_urad: number | null;
+                /** @description Of the degrees of freedom, those that smoothness takes up. */
+                unknowns_told_by_it: number;
+                /** @description By name. */
+                errors: {
+                    [key: string]: {
+                        u_ratio: number;
+                        bias: number;
+                        bend_ratio: number;
+                        chance: number;
+                    };
+                };
+            } | null;
             findings: components["schemas"]["VolumetricFinding"][];
             model: components["schemas"]["VolumetricModel"];
         };
@@ -3878,9 +3959,14 @@ export type RecordingOptions = components['schemas']['RecordingOptions'];
 export type TableForm = components['schemas']['TableForm'];
 export type ReadTable = components['schemas']['ReadTable'];
 export type MadeCompensation = components['schemas']['MadeCompensation'];
+export type RuleFigure = components['schemas']['RuleFigure'];
 export type ComparedFigure = components['schemas']['ComparedFigure'];
+export type RuleOfComparison = components['schemas']['RuleOfComparison'];
 export type ComparedRule = components['schemas']['ComparedRule'];
+export type ComparisonOfRules = components['schemas']['ComparisonOfRules'];
 export type RulesCompared = components['schemas']['RulesCompared'];
+export type RulesReport = components['schemas']['RulesReport'];
+export type CalibrationResult = components['schemas']['CalibrationResult'];
 export type CompensationFigure = components['schemas']['CompensationFigure'];
 export type CompensationTest = components['schemas']['CompensationTest'];
 export type CompensationHead = components['schemas']['CompensationHead'];
@@ -3950,6 +4036,7 @@ export type Received = components['schemas']['Received'];
 export type Reference = components['schemas']['Reference'];
 export type ReplacedLimit = components['schemas']['ReplacedLimit'];
 export type ResolvedInput = components['schemas']['ResolvedInput'];
+export type ResultSource = components['schemas']['ResultSource'];
 export type Result = components['schemas']['Result'];
 export type Revision = components['schemas']['Revision'];
 export type Seed = components['schemas']['Seed'];

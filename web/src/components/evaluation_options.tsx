@@ -34,7 +34,7 @@ const t = texts({
   one_curve: ['one curve for both directions', 'eine Kurve für beide Richtungen'],
   constant: ['a constant difference of the directions', 'ein fester Unterschied der Richtungen'],
   auto: ['where the residuals demand it', 'wo die Residuen sie verlangen'],
-  linear: ['linear', 'linear'],
+  linear: ['linear', 'linear', 'drift'],
   curves_each: ['a curve for each direction', 'eine Kurve je Richtung'],
 });
 

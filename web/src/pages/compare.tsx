@@ -28,7 +28,7 @@ const t = texts({
   curve: ['Curve', 'Kurve'],
   mean: ['x̄', 'x̄'], up: ['x̄↑', 'x̄↑'], down: ['x̄↓', 'x̄↓'], both: ['x̄↑ and x̄↓', 'x̄↑ und x̄↓'],
   datum: ['Zero', 'Nullpunkt'],
-  own: ['as measured', 'wie gemessen'],
+  own: ['as measured', 'gemessen'],
   start: ['where all begin', 'am gemeinsamen Anfang'],
   middle: ['mean over the common travel', 'im Mittel über den gemeinsamen Weg'],
   tests: ['Compared tests', 'Verglichene Prüfungen'],

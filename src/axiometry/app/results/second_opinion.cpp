@@ -10,7 +10,7 @@
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/report/documents/compose.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/verification/verify.h"
 
 namespace axiometry::app {

@@ -10,7 +10,7 @@
 
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/base/number_text.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 
 namespace axiometry::app {
 namespace {

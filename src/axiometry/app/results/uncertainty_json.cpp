@@ -11,7 +11,7 @@
 #include "axiometry/app/results/told_results.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/resolved_text.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 
 namespace axiometry::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 
 namespace axiometry::app {
 namespace {

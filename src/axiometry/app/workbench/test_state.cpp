@@ -14,7 +14,7 @@
 #include "axiometry/base/utf8.h"
 #include "axiometry/base/version.h"
 #include "axiometry/report/drawing/utf8.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::app {

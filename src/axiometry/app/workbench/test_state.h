@@ -15,8 +15,8 @@
 /// An evaluated test as the archive keeps it.
 namespace axiometry::app {
 
-/// Every parameter that exists, with the uncertainty of record (verdict/record.h) where there is one, and with its
-/// limit and verdict.
+/// Every parameter that exists, with the uncertainty of record (verdict/uncertainty_of_record.h) where there is one,
+/// and with its limit and verdict.
 std::vector<store::Figure> figures_of(const Evaluated& evaluated);
 
 /// Of all limits together, as lists keep it: overall_verdict(), empty where nothing could be judged. Of several lines

@@ -137,7 +137,7 @@ constexpr Phrase capture_rows[] = {
      "Quelle {0}; erwartet: serial:///dev/ttyACM0?baud=2000000"},
     {"found the source {0=}, expected tcp://host:port", "Quelle {0}; erwartet: tcp://host:port"},
     {"found the stream of an HPI-3D, which tells distances, for a rotary axis, expected a linear axis",
-     "der Datenstrom eines HPI-3D, der Abstände nennt, für eine rotatorische Achse; erwartet: eine lineare Achse"},
+     "der Datenstrom eines HPI-3D, der Abstände nennt, für eine Drehachse; erwartet: eine Linearachse"},
     {"found velocities and no distance, expected an instrument that is set to distances",
      "Geschwindigkeiten und kein Abstand; erwartet: ein Messgerät, das auf Abstände gestellt ist"},
     {"found {0#} MiB left on the disk of the recording; at {1#} MiB the capture ends",

@@ -128,8 +128,8 @@ constexpr Phrase files_rows[] = {
      "in Spalte {0} Sollwert minus {1}; erwartet: gemessen minus Sollwert; im Format generic gelesen, wird das "
      "Vorzeichen umgekehrt"},
     {"found lengths of a tracking interferometer, expected a measured test; 'axiometry tracking evaluate' takes them",
-     "Längen eines Tracking-Interferometers; erwartet: eine gemessene Prüfung; „axiometry tracking evaluate“ nimmt "
-     "sie"},
+     "Längen eines nachführenden Interferometers; erwartet: eine gemessene Prüfung; „axiometry tracking evaluate“ "
+     "nimmt sie"},
     {"found lengths of a volumetric calibration, expected a measured test; 'axiometry volumetric identify' takes them",
      "Längen einer volumetrischen Kalibrierung; erwartet: eine gemessene Prüfung; „axiometry volumetric identify“ "
      "nimmt sie"},

@@ -26,8 +26,8 @@ constexpr Phrase findings_rows[] = {
      "the travel,",
      "eine Korrektur der Ausdehnung mit {0} µm/(m·°C), der nicht der Koeffizient der Maschine ist, etwa {1} "
      "über den Weg,"},
-    {"a dead path in an air that was not measured", "ein Totweg in einer Luft, die nicht gemessen wurde,"},
-    {"a dead path, about {0#} in the course of the test,", "ein Totweg, etwa {0} im Lauf der Prüfung,"},
+    {"a dead path in an air that was not measured", "eine Totstrecke in einer Luft, die nicht gemessen wurde,"},
+    {"a dead path, about {0#} in the course of the test,", "eine Totstrecke, etwa {0} im Lauf der Prüfung,"},
     {"a drift was taken out that was estimated from the readings themselves: what the machine does while it warms up "
      "is gone with it",
      "eine aus den Messwerten selbst geschätzte Drift wurde herausgerechnet: was die Maschine beim Warmwerden tut, ist "
@@ -59,7 +59,7 @@ constexpr Phrase findings_rows[] = {
     {"found a calibrated position {0#} that is no number, expected one in mm",
      "kalibrierte Position {0} ohne Zahl; erwartet: eine in mm"},
     {"found a dwell of 0 s, expected the axis at rest while it is read",
-     "gefunden: eine Wartezeit von 0 s, erwartet die Achse in Ruhe, während sie gelesen wird"},
+     "eine Verweilzeit von 0 s; erwartet: die Achse in Ruhe, während sie gelesen wird"},
     {"found a feed of 0, expected the one that the axis was driven with",
      "gefunden: ein Vorschub von 0, erwartet der, mit dem die Achse gefahren wurde"},
     {"found a further period of {0#} with an amplitude of {1#} in what the curve leaves",
@@ -339,7 +339,7 @@ constexpr Phrase findings_rows[] = {
     {"the sensor of the {0=} without temperature at the {1}", "der Sensor „{0}“ ohne Temperatur am {1}"},
     {"the sign of the instrument is said to be reversed, and its readings were taken as they are",
      "das Vorzeichen des Messgeräts ist als umgekehrt angegeben, und seine Messwerte wurden genommen, wie sie sind"},
-    {"the station of the tracking interferometer ({0})", "die Station des Tracking-Interferometers ({0})"},
+    {"the station of the tracking interferometer ({0})", "die Station des nachführenden Interferometers ({0})"},
     {"the station of the tracking interferometer is left out of the uncertainty: {0}",
      "die Station des nachführenden Interferometers ist in der Unsicherheit weggelassen: {0}"},
     {"the temperature of the {0} is not known", "die Temperatur ({0}) ist nicht bekannt"},

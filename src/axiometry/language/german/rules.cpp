@@ -44,8 +44,8 @@ constexpr Phrase rules_rows[] = {
      "these are the rule's is told by the evidence alone",
      "Intervalle von {0} gelten für das, was diese Maschine auf Dauer tut, nach den Formeln, wie sie hier bekannt "
      "sind; ob es die der Regel sind, sagt allein der Beleg"},
-    {"Linearity ↑, largest residual", "Linearität ↑, größter Rest"},
-    {"Linearity ↓, largest residual", "Linearität ↓, größter Rest"},
+    {"Linearity ↑, largest residual", "Linearität ↑, größtes Residuum"},
+    {"Linearity ↓, largest residual", "Linearität ↓, größtes Residuum"},
     {"Lost motion", "Umkehrverlust"},
     {"Mean reversal value", "Mittlere Umkehrspanne"},
     {"No interval: {0}", "Kein Intervall: {0}"},

@@ -83,14 +83,14 @@ constexpr Phrase scatter_rows[] = {
     {"no parameter depends on these targets by more than 1 %",
      "kein Parameter hängt um mehr als 1\u00a0% von diesen Zielpositionen ab"},
     {"no parameter depends on this drift by more than 1 %",
-     "kein Parameter hängt um mehr als 1\u00a0% von diesem Gang ab"},
+     "kein Parameter hängt um mehr als 1\u00a0% von dieser Drift ab"},
     {"no parameter depends on this target by more than 1 %",
      "kein Parameter hängt um mehr als 1\u00a0% von dieser Zielposition ab"},
     {"s_i go from {0#} to {1#}", "die s_i reichen von {0} bis {1}"},
     {"without it {0#} would be {1#} instead of {2#}", "ohne ihn wäre {0} {1} statt {2}"},
     {"without these shifts {0#} would be {1#} instead of {2#}", "ohne diese Verschiebungen wäre {0} {1} statt {2}"},
     {"without these targets {0#} would be {1#} instead of {2#}", "ohne diese Zielpositionen wäre {0} {1} statt {2}"},
-    {"without this drift {0#} would be {1#} instead of {2#}", "ohne diesen Gang wäre {0} {1} statt {2}"},
+    {"without this drift {0#} would be {1#} instead of {2#}", "ohne diese Drift wäre {0} {1} statt {2}"},
     {"without this target {0#} would be {1#} instead of {2#}", "ohne diese Zielposition wäre {0} {1} statt {2}"},
 };
 

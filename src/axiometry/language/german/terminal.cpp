@@ -75,7 +75,7 @@ constexpr Phrase terminal_rows[] = {
     {"largest of the diagonals", "Größtwerte der Diagonalen"},
     {"line", "Linie"},
     {"lost", "nicht messbar"},
-    {"mean", "Mittel"},
+    {"mean", "Mittelwert"},
     {"no verdict: does not exist here", "keine Entscheidung: gibt es hier nicht"},
     {"not named", "ohne Namen"},
     {"not significant", "nicht signifikant"},

@@ -58,23 +58,23 @@ constexpr Phrase tracking_requests_rows[] = {
     {"found the station at {0=} mm, {1#} from all that the reflector reaches, expected it within the range of {2#} "
      "(are "
      "its coordinates in mm, and in those of the reflector?)",
-     "Standort bei {0} mm, {1} von allem, was der Reflektor erreicht; erwartet: innerhalb der Reichweite von {2} (sind "
-     "seine Koordinaten in mm und die des Reflektors?)"},
+     "Station bei {0} mm, {1} von allem, was der Reflektor erreicht; erwartet: innerhalb der Reichweite von {2} (sind "
+     "ihre Koordinaten in mm und die des Reflektors?)"},
     {"found the travel of {0=} {1#} to {2#}, expected its lower end and then its higher one",
      "Weg von {0} {1} bis {2}; erwartet: erst das untere, dann das obere Ende"},
     {"found the unknown dialect {0=}, expected one of {1=}", "unbekannte Steuerung {0}; erwartet: eine von {1}"},
     {"found two files {0=}, expected one", "zwei Dateien {0}; erwartet: eine"},
     {"found {0#} different point, expected 6 or more: the station has 3 coordinates and the zero of the lengths is "
      "unknown too",
-     "{0} verschiedener Punkt; erwartet: 6 oder mehr: Der Standort hat 3 Koordinaten, und auch der Nullpunkt der "
+     "{0} verschiedener Punkt; erwartet: 6 oder mehr: Die Station hat 3 Koordinaten, und auch der Nullpunkt der "
      "Längen ist unbekannt"},
     {"found {0#} different points, expected 6 or more: the station has 3 coordinates and the zero of the lengths is "
      "unknown too",
-     "{0} verschiedene Punkte; erwartet: 6 oder mehr: Der Standort hat 3 Koordinaten, und auch der Nullpunkt der "
+     "{0} verschiedene Punkte; erwartet: 6 oder mehr: Die Station hat 3 Koordinaten, und auch der Nullpunkt der "
      "Längen ist unbekannt"},
     {"found {0#} of them, expected one of X, Y and Z each", "{0} Stück; erwartet: je eine von X, Y und Z"},
     {"found {0#} points for the station location, expected {1#} to {2#}",
-     "{0} Punkte für die Standortbestimmung; erwartet: {1} bis {2}"},
+     "{0} Punkte für die Stationsbestimmung; erwartet: {1} bis {2}"},
     {"found {0#} readings in all lines, expected at most {1#}",
      "{0} Messwerte in allen Linien; erwartet: höchstens {1}"},
     {"found {0#} trials for each of {1#} lines, expected at most {2#} in all",

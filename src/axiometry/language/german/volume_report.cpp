@@ -37,7 +37,7 @@ constexpr Phrase volume_report_rows[] = {
     {"E of the mean of both directions, without reversal", "E des Mittelwerts beider Richtungen, ohne Umkehrspanne"},
     {"E, bidirectional systematic deviation", "E, beidseitige systematische Abweichung"},
     {"Each station has a place of its own with each tool, so that a wrong offset of a tool enters as a lever alone.",
-     "Jeder Standort hat mit jedem Werkzeug einen eigenen Ort, sodass ein falscher Versatz eines Werkzeugs nur als "
+     "Jede Station hat mit jedem Werkzeug einen eigenen Ort, sodass ein falscher Versatz eines Werkzeugs nur als "
      "Hebel eingeht."},
     {"Error motions", "Bewegungsabweichungen"},
     {"Error motions of {0=}", "Bewegungsabweichungen von {0}"},
@@ -121,13 +121,13 @@ constexpr Phrase volume_report_rows[] = {
      "straightness is level.",
      "Standardunsicherheiten (k = 1). Das Mittel jeder Funktion über ihrem Bereich ist 0, und die Ausgleichsgerade der "
      "Geradheit liegt waagerecht."},
-    {"Station and tool", "Standort und Werkzeug"},
+    {"Station and tool", "Station und Werkzeug"},
     {"Table", "Tabelle"},
     {"Test predicted from the 21 errors", "Aus den 21 Abweichungen vorhergesagte Prüfung"},
     {"The 21 errors of the machine", "Die 21 Abweichungen der Maschine"},
     {"The errors, the places of the stations and the dead paths are those that minimise the weighted squares of the "
      "residuals of all lengths.",
-     "Die Abweichungen, die Orte der Standorte und die Totwege sind die, bei denen die gewichteten Quadrate der "
+     "Die Abweichungen, die Orte der Stationen und die Totstrecken sind die, bei denen die gewichteten Quadrate der "
      "Residuen aller Längen am kleinsten sind."},
     {"The line runs through the middle of the volume that was observed, both directions of approach. The error of the "
      "tool point is over that volume, without rigid motion, with this table alone.",
@@ -165,7 +165,7 @@ constexpr Phrase volume_report_rows[] = {
      "Was eine Prüfung entlang der Linie zeigen würde, mit dem Band, in dem es liegt."},
     {"What is left of each length, in the order of measurement, over the positions of the axes and by station.",
      "Was von jeder Länge übrig bleibt: in der Reihenfolge der Messung, über den Positionen der Achsen und nach "
-     "Standort."},
+     "Station."},
     {"What remains", "Was bleibt"},
     {"With the table / µm", "Mit der Tabelle / µm"},
     {"With the table ↑ / µm", "Mit der Tabelle ↑ / µm"},
@@ -238,7 +238,7 @@ constexpr Phrase volume_report_rows[] = {
     {"read in one direction alone, which is taken for the mean of both: {0=}",
      "nur in einer Richtung abgelesen, die als Mittelwert beider genommen wird: {0}"},
     {"roll", "Rollen"},
-    {"root mean square of a station", "quadratisches Mittel eines Standorts"},
+    {"root mean square of a station", "quadratisches Mittel einer Station"},
     {"rotation {0=} at {1#} mm", "Drehung {0} bei {1} mm"},
     {"set aside, at the edge where beyond it", "ausgesondert, außerhalb liegende am Rand"},
     {"straight lines between nodes, spans: {0#}", "Geraden zwischen Knoten, Abschnitte: {0}"},

@@ -38,7 +38,7 @@ export const t = texts({
   setup: ['Set-up', 'Aufbau'],
   setup_told: [
     'The working volume, the station and the {all} points of {part}; {n} have been caught. {due}',
-    'Der Arbeitsraum, der Standort und die {all} Punkte von {part}; {n} sind erfasst. {due}',
+    'Der Arbeitsraum, die Station und die {all} Punkte von {part}; {n} sind erfasst. {due}',
   ],
   due_at: ['Expected now: {name} at {place}.', 'Jetzt erwartet: {name} bei {place}.'],
   none_due: ['No further point is expected.', 'Kein weiterer Punkt wird erwartet.'],

@@ -18,7 +18,7 @@ const t = texts({
   title: ['Parameters side by side', 'Kennwerte nebeneinander'],
   parameter: ['Parameter', 'Kennwert'],
   value: ['Value ± U', 'Wert ± U'],
-  difference: ['Difference', 'Differenz'],
+  difference: ['Difference', 'Unterschied'],
   first: ['reference', 'Bezug'],
   beyond: ['larger than the combined uncertainty', 'größer als die kombinierte Unsicherheit'],
   within: ['within the combined uncertainty', 'innerhalb der kombinierten Unsicherheit'],

@@ -25,8 +25,8 @@ export const t = texts({
   axis_name: ['Name of the axis', 'Name der Achse'],
   machine_name: ['Machine', 'Maschine'],
   kind: ['Kind', 'Art'],
-  linear: ['linear', 'linear'],
-  rotary: ['rotary', 'rotatorisch'],
+  linear: ['linear', 'Linearachse'],
+  rotary: ['rotary', 'Drehachse'],
   from: ['Travel from', 'Weg von'],
   to: ['to', 'bis'],
   targets: ['Targets', 'Zielpositionen'],
@@ -130,7 +130,7 @@ export const further_fields = [
 
 export const of_further = texts({
   error: ['Errors other than positions', 'Andere Abweichungen als Positionen'],
-  measure: ['Measurement travel', 'Messbereich'],
+  measure: ['Measurement travel', 'Messweg'],
   'soft-limits': ['Limits of the control', 'Softwareendlagen'],
   period: ['Expected period', 'Erwartete Periode'],
   periodic: ['Test a periodic error of', 'Periodischen Fehler prüfen von'],

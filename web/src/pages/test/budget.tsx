@@ -16,7 +16,7 @@ import { ResolvedInputs } from './resolved_inputs';
 import type { TestState } from './state';
 
 const t = texts({
-  title: ['Uncertainty budget', 'Unsicherheitsbudget'],
+  title: ['Uncertainty budget', 'Messunsicherheitsbilanz'],
   method: ['Method', 'Verfahren'],
   of: ['Budget of', 'Budget von'],
   contributor: ['Contributor', 'Beitrag'],
@@ -31,7 +31,7 @@ const t = texts({
             'Zuerst verbessern: {title}. Ohne diesen Beitrag wäre U({symbol}) {less} statt {now} {unit}.'],
   improve_annex: ['The largest contribution: {title}, {value} {unit}.', 'Der größte Beitrag: {title}, {value} {unit}.'],
   not_acting: ['Not given or not acting:', 'Nicht angegeben oder ohne Wirkung:'],
-  notes: ['Notes', 'Anmerkungen'],
+  notes: ['Notes', 'Hinweise', 'findings'],
   stale: ['Without the unsaved changes: Monte Carlo has not been run for them.', 'Für die ungespeicherten Änderungen wurde Monte Carlo noch nicht gerechnet.'],
   run: ['Run Monte Carlo', 'Monte Carlo rechnen'],
   compared: ['For comparison: of record is {method}.', 'Zum Vergleich: maßgeblich ist {method}.'],

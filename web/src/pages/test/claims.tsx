@@ -8,7 +8,7 @@ import { texts } from '../../i18n/texts';
 
 const t = texts({
   title: ['What may be claimed', 'Was behauptet werden darf'],
-  holds: ['holds', 'trifft zu'],
+  holds: ['holds', 'gilt'],
   fails: ['does not hold', 'trifft nicht zu'],
   missing: ['{n} {n|point is|points are} missing', '{n} {n|Punkt fehlt|Punkte fehlen}'],
 });

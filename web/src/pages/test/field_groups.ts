@@ -15,8 +15,8 @@ const t = texts({
   artefact: ['Artefact', 'Prüfkörper'],
   tolerance: ['Tolerances', 'Toleranzen'],
   uncertainty: ['Uncertainty inputs', 'Eingangsgrößen der Unsicherheit'],
-  drift: ['Environmental variation', 'Umgebungseinfluss'],
-  tracking: ['Tracking interferometer', 'Tracking-Interferometer'],
+  drift: ['Environmental variation', 'Umgebungsschwankung'],
+  tracking: ['Tracking interferometer', 'nachführendes Interferometer'],
 });
 
 const titled = ['test', 'machine', 'axis', 'equipment', 'nde', 'sensors', 'environment', 'instrument', 'artefact', 'tolerance', 'uncertainty', 'drift', 'tracking'] as const;

@@ -13,7 +13,7 @@ const t = texts({
   none: ['Nothing to remark.', 'Nichts zu bemerken.'],
   departure: ['Departures from the standard', 'Abweichungen von der Norm'],
   missing: ['Missing', 'Fehlende Angaben', 'findings'],
-  note: ['Notes', 'Hinweise'],
+  note: ['Notes', 'Hinweise', 'findings'],
   entries: ['{n} {n|entry|entries}', '{n} {n|Angabe|Angaben}'],
   fill_in: ['Fill in:', 'Ergänzen:'],
   clause: ['clause {clause}', 'Abschnitt {clause}'],

@@ -38,7 +38,7 @@ const t = texts({
   reinstate_text: ['It counts again in lists and trends.', 'Sie zählt in Listen und Verläufen wieder.'],
   set_limits: ['Set tolerances', 'Grenzwerte angeben'],
   due: ['calibration due {date}', 'Kalibrierung fällig {date}'],
-  unnamed: ['not named', 'nicht benannt'],
+  unnamed: ['not named', 'ohne Namen'],
 });
 
 function Fact({ label, children }: { label: string; children: ComponentChildren }) {

@@ -7,7 +7,7 @@ import { decimals_for, fixed, marked } from '../../numbers';
 const t = texts({
   picture: ['Distribution of {symbol} over the trials', 'Verteilung von {symbol} über die Versuche'],
   value: ['measured', 'gemessen'],
-  mean: ['mean', 'Mittel'],
+  mean: ['mean', 'Mittelwert'],
   u: ['u', 'u'],
   stated: ['{percent} % interval', '{percent}-%-Intervall'],
   refused: ['No interval is stated: {reason}.', 'Es wird kein Intervall angegeben: {reason}.'],

@@ -20,7 +20,7 @@ const t = texts({
   record: ['Uncertainty of record: {was} → {now}', 'Maßgebliche Unsicherheit: {was} → {now}'],
   no_record: ['none', 'keine'],
   becomes: ['becomes', 'wird zu'],
-  together: ['All together', 'Insgesamt'],
+  together: ['All together', 'Alle zusammen'],
 });
 
 /** Who gives way to whom, the first to all others. */

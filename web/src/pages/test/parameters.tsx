@@ -16,7 +16,7 @@ import type { TestState } from './state';
 const t = texts({
   title: ['Parameters', 'Kennwerte'],
   parameter: ['Parameter', 'Kennwert'],
-  name: ['Name', 'Benennung'],
+  name: ['Name', 'Name'],
   value: ['Value', 'Wert'],
   limit: ['Limit', 'Grenzwert'],
   against: ['Value against limit', 'Wert und Grenzwert'],

@@ -25,7 +25,7 @@ const t = texts({
   composed_compared: ['x̄ ± U (contributors of Annex A, for comparison)', 'x̄ ± U (Beiträge von Anhang A, zum Vergleich)'],
   composed_small: ['x̄ ± U (contributors of Annex A, too small: not all given)', 'x̄ ± U (Beiträge von Anhang A, zu klein: nicht alle angegeben)'],
   limits: ['limit', 'Grenzwert'],
-  measured: ['as measured', 'wie gemessen'],
+  measured: ['as measured', 'gemessen'],
   of: ['limit of', 'Grenzwert von'],
   broken: ['Limit not kept, not drawn here: {symbols}', 'Grenzwert nicht eingehalten, hier nicht gezeichnet: {symbols}'],
   each_run: ['Runs', 'Durchläufe'],

@@ -16,7 +16,7 @@ const t = texts({
   all_digits: ['All digits', 'Alle Stellen'],
   readings_at: ['Single readings at {target}', 'Einzelne Messwerte bei {target}'],
   run: ['Run', 'Durchlauf'],
-  measured: ['as measured', 'wie gemessen'],
+  measured: ['as measured', 'gemessen'],
   decides: ['decides {symbol}', 'bestimmt {symbol}'],
   note: ['Deviations in {unit}. Strong: decides a parameter of the axis.', 'Abweichungen in {unit}. Fett: bestimmt einen Kennwert der Achse.'],
   number: ['No.', 'Nr.'],

@@ -32,7 +32,7 @@ export const t = texts({
   refused: ['Refused', 'Abgelehnt'],
   refused_at: ['line {place}', 'Zeile {place}'],
   again: ['Try again', 'Noch einmal'],
-  empty_file: ['found an empty file, expected measured deviations', 'leere Datei gefunden, gemessene Abweichungen erwartet'],
+  empty_file: ['found an empty file, expected measured deviations', 'leere Datei; erwartet: gemessene Abweichungen'],
   too_large: ['found a file of {size}, expected at most {limit}', '{size} gefunden, höchstens {limit} erwartet'],
   same: ['These very bytes are kept already:', 'Genau diese Bytes sind schon gespeichert:'],
   same_bytes_as: ['the same bytes as', 'dieselben Bytes wie'],

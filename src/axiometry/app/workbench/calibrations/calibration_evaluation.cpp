@@ -21,7 +21,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/plan/plan_json.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/store/kept/calibration_kinds.h"
 #include "axiometry/volumetric/field/tool_fields.h"
 #include "axiometry/volumetric/field/volume_statistics.h"

@@ -41,7 +41,7 @@ struct Assessment {
   std::optional<AnnexA> annex_a;
   std::optional<GumUncertainty> gum;  ///< this and the next are added by who wants them; assess() leaves them out
   std::optional<MonteCarlo> monte_carlo;
-  /// What somebody chose to be the method of record; the default of verdict/record.h where nobody did.
+  /// What somebody chose to be the method of record; the default of verdict/uncertainty_of_record.h where nobody did.
   std::optional<UncertaintyMethod> method_of_record;
   std::vector<UncorrectedEffect> uncorrected;  ///< no verdict may rest on what they act on
   std::vector<Finding> findings;

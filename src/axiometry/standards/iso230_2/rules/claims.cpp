@@ -14,7 +14,7 @@
 #include "axiometry/model/simulated.h"
 #include "axiometry/standards/environment/environment.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/standards/readings/reading_correction.h"
 #include "axiometry/standards/test_standard.h"
 

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2/common_reversal.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
-#include "axiometry/standards/iso230_2/reversal.h"
 #include "axiometry/standards/iso230_2/rules/environment_findings.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/slope.h"

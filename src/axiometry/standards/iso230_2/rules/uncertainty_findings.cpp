@@ -9,7 +9,7 @@
 #include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/monte_carlo/noise.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 
 namespace axiometry::iso230_2 {
 namespace {

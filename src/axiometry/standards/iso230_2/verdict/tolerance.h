@@ -11,7 +11,7 @@
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "axiometry/standards/iso230_2/comparison_slack.h"
 #include "axiometry/standards/iso230_2/verdict/lower_bounds.h"
-#include "axiometry/standards/iso230_2/verdict/record.h"
+#include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/uncertainty/conformity.h"
 
 /// Whether the parameters of an axis keep their limits: ISO 14253-1, JCGM 106:2012. The decision itself knows no
