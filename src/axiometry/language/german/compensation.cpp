@@ -139,7 +139,7 @@ constexpr Phrase compensation_rows[] = {
      "nimmt "
      "keine andere"},
     {"found a unit of length for the table of a rotary axis, expected none: it is in °",
-     "eine Längeneinheit für die Tabelle einer Rundachse; erwartet: keine, denn sie ist in °"},
+     "eine Längeneinheit für die Tabelle einer Drehachse; erwartet: keine, denn sie ist in °"},
     {"found a unit of the existing table and no such table, expected both",
      "eine Einheit der vorhandenen Tabelle und keine solche Tabelle; erwartet: beides"},
     {"found an end at {0#}, expected one above the start at {1#}", "Ende bei {0}; erwartet: über dem Anfang bei {1}"},

@@ -313,7 +313,7 @@ constexpr Phrase controls_rows[] = {
     {"The columns AXISPOS, BACKLASH (values of the negative direction) and one of the axis' name, config.cma, that a "
      "rotary axis has 0 to 360: pages of technical manuals.",
      "Die Spalten AXISPOS, BACKLASH (Werte der negativen Richtung) und eine mit dem Namen der Achse, config.cma, dass "
-     "eine Rundachse 0 bis 360 hat: Seiten technischer Handbücher."},
+     "eine Drehachse 0 bis 360 hat: Seiten technischer Handbücher."},
     {"The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
      "directions and BLCOMP and Ix86 taken off in the negative one, that BLCOMP is 0 at home, source and target of a "
      "table: reference and user's manuals. Not tried on a control.",

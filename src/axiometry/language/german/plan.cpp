@@ -75,7 +75,7 @@ constexpr Phrase plan_rows[] = {
      "Plan für etwas anderes als Positionen über den Verfahrweg; erwartet: ein solcher, denn {0} sagt nichts über "
      "andere"},
     {"found a rotary axis, expected a linear one: {0=} says nothing of others",
-     "rotatorische Achse; erwartet: eine lineare, denn {0} sagt nichts über andere"},
+     "Drehachse; erwartet: eine Linearachse, denn {0} sagt nichts über andere"},
     {"found a sampling point that is not finite, expected positions",
      "ein Stützpunkt ist nicht endlich; erwartet: Positionen"},
     {"found a seed beside the positions of all targets, expected one of them: nothing is drawn",
