@@ -126,7 +126,6 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", fmt::format("axiometry {}", axiometry::version), "Print the version and exit");
   program.set_help_flag("--help,-h", "Print this help and exit");
   program.require_subcommand(1);
-  program.footer(examples);
   const Verb verbs(program);
   add_evaluate(verbs, exit_code);
   add_uncertainty(verbs, exit_code);
@@ -155,6 +154,7 @@ int run(int argc, char** argv) {
   add_bench(verbs, exit_code);
   add_completion(verbs, exit_code);
   add_manual(verbs, exit_code);
+  program.footer(examples);  // behind the verbs: each takes over what is there when it is made, and has its own or none
   try {
     if (const std::string fault = unknown_verb(program, argc, argv); !fault.empty()) throw CLI::ValidationError(fault);
     program.parse(argc, argv);

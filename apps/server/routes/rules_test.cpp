@@ -121,6 +121,27 @@ TEST_F(RuleRoutes, GiveIntervalsWhereTrialsAreAskedFor) {
   EXPECT_EQ(get("/api/tests/1/rules", {{"uncertainty", "monte-carlo"}, {"trials", "1000001"}}).status, 422);
 }
 
+TEST_F(RuleRoutes, TakeSeedCoverageAndWayOfSamplingAsTheCommandLineDoes) {
+  const auto asked = [&](const Pairs& more) {
+    Pairs query{{"standards", "vdi-dgq-3441"}, {"uncertainty", "monte-carlo"}, {"trials", "1000"}};
+    query.insert(query.end(), more.begin(), more.end());
+    return get("/api/tests/1/rules", query);
+  };
+  const Value usual = value_of(asked({}));
+  const Value other = value_of(asked({{"seed", "7"}, {"coverage", "0.5"}, {"type_a", "resampled"}}));
+  EXPECT_EQ(usual.find("uncertainty")->find("seed")->number(), 1.0);
+  EXPECT_EQ(other.find("uncertainty")->find("seed")->number(), 7.0);
+  EXPECT_EQ(other.find("uncertainty")->find("coverage")->number(), 0.5);
+  const auto width = [](const Value& compared) {
+    const Value& interval = *figure(compared, "P").find("interval");
+    return interval.find("high")->number() - interval.find("low")->number();
+  };
+  EXPECT_LT(width(other), width(usual));
+  for (const auto& [name, wrong] : Pairs{{"seed", "-1"}, {"seed", "x"}, {"coverage", "1"}, {"type_a", "best"}})
+    EXPECT_EQ(asked({{name, wrong}}).status, 422) << name;
+  for (const auto& [name, given] : Pairs{{"seed", "1"}, {"coverage", "0.95"}, {"type_a", "pooled"}})
+    EXPECT_EQ(get("/api/tests/1/rules", {{name, given}}).status, 422) << name;
+}
 TEST_F(RuleRoutes, TakeAllProcessorsForTrialsAlone) {
   const auto load = [&](Pairs query) {
     auto request = std::make_shared<Request>();

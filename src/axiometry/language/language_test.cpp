@@ -49,6 +49,19 @@ TEST(BestOf, IsEnglishWhereNothingElseIsKnown) {
     EXPECT_EQ(best_of(header), Language::english) << header;
 }
 
+TEST(Translated, FindsWhatIsSaidOfAnErrorOfTheMachineOrOfSeveral) {
+  const std::string said = "the runs agree to the last digit: they tell nothing of how far they are from the truth";
+  const std::string in_german = german(said);
+  ASSERT_NE(in_german, said);
+  for (const std::string names : {"EYX", "EAX, ECZ", "C0Y, EXZ, EZZ, B0Z"}) {
+    EXPECT_EQ(german(names + ": " + said), names + ": " + in_german);
+    EXPECT_TRUE(is_known("of the errors measured singly, from which this was made: " + names + ": " + said,
+                         Language::french));
+  }
+  EXPECT_FALSE(is_known("EYQ: " + said, Language::german));
+  EXPECT_FALSE(is_known("EYXX: " + said, Language::german));
+}
+
 TEST(Translated, LeavesEnglishAsItIs) {
   EXPECT_EQ(translated("found 1.5 of 2 targets", Language::english, comma), "found 1.5 of 2 targets");
 }

@@ -32,8 +32,14 @@ std::size_t letter_length(std::string_view text) {
   return 0;
 }
 
+/// "EYX", "ECZ": an error of ISO 230-1, whatever the language.
+bool is_error_symbol(std::string_view word) {
+  constexpr std::string_view axes = "XYZ", coordinates = "XYZABC";
+  return word.size() == 3 && word[0] == 'E' && coordinates.contains(word[1]) && axes.contains(word[2]);
+}
+
 bool is_symbol(std::string_view word, std::size_t letters) {
-  return letters == 1 || std::ranges::binary_search(wordless, word);
+  return letters == 1 || is_error_symbol(word) || std::ranges::binary_search(wordless, word);
 }
 
 /// Between two digits, and not one of several marks as in "5.3.2".

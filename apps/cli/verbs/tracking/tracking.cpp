@@ -20,6 +20,12 @@ void add_tracking(const Verb& program, int& exit_code) {
   add_tracking_polar(*verb, exit_code);
   add_tracking_compare_methods(*verb, exit_code);
   add_tracking_instruments(*verb, exit_code);
+  verb->footer(R"(Examples:
+  axiometry tracking plan --travel X=0:800,Y=0:600,Z=-500:0 --station 100,80,-600 --out lines.json
+  axiometry tracking evaluate lengths.csv --plan lines.json --report lines.pdf
+  axiometry tracking multilaterate ranges.csv --report points.pdf
+
+'axiometry tracking VERB --help' explains each.)");
 }
 
 }  // namespace axiometry::cli

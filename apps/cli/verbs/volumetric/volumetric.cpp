@@ -24,6 +24,12 @@ void add_volumetric(const Verb& program, int& exit_code) {
   add_volumetric_predict(*verb, exit_code);
   add_volumetric_export(*verb, exit_code);
   add_volumetric_compensate(*verb, exit_code);
+  verb->footer(R"(Examples:
+  axiometry volumetric plan --machine machine.json --stations auto --out plan.json
+  axiometry volumetric identify lengths.csv --machine machine.json --out result.json
+  axiometry volumetric field result.json --report field.pdf
+
+'axiometry volumetric VERB --help' explains each.)");
 }
 
 }  // namespace axiometry::cli

@@ -8,6 +8,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/motions/motion_units.h"
 #include "axiometry/model/fields.h"
 
 namespace axiometry::app {
@@ -51,7 +52,7 @@ Result<void> put_error_read(const std::string& word, CaptureOptions& o) {
 }
 
 Result<void> put_unit_sent(const std::string& word, CaptureOptions& o) {
-  const formats::Unit* const unit = formats::find_unit(word);
+  const formats::Unit* const unit = formats::find_motion_unit(word);
   if (unit == nullptr)
     return fail(fmt::format("found the unit {}, expected one of {}", text::quoted(word), formats::unit_names()));
   stated_in(o).unit = unit;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <variant>
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/results/report_subject.h"
@@ -57,10 +58,28 @@ Result<void> check_folder(const std::string& report) {
       fmt::format("found no folder {} for the reports, expected one that is there", text::quoted(folder)), report, {}});
 }
 
+bool has_figure(const report::Document& document) {
+  return std::ranges::any_of(document.sections, [](const report::Section& section) {
+    return std::ranges::any_of(section.blocks, [](const report::Block& block) {
+      return std::holds_alternative<report::Figure>(block);
+    });
+  });
+}
+
+/// A picture shows the figures of a document: without one it would be empty.
+Result<void> check_pictures(const report::Document& document, std::span<const std::string> files) {
+  for (const std::string& file : files)
+    if (const std::string kind = text::to_lower(extension_of(file)); kind == "svg" || kind == "png")
+      if (!has_figure(document))
+        return fail(fmt::format("found {}, expected html, pdf or csv: there is no figure", text::quoted(file)));
+  return {};
+}
+
 }  // namespace
 
 Result<void> write_document(const report::Document& document, std::span<const std::string> files,
                             const report::Options& options) {
+  AXIOMETRY_TRY_VOID(check_pictures(document, files));
   for (const std::string& file : files) {
     const report::Writer* writer = report::find_writer(extension_of(file));
     auto bytes = writer->set(document, options);

@@ -47,5 +47,22 @@ TEST(ManyOutputs, NumberTheReportsOfTestsThatHaveOneName) {
   EXPECT_NE(folder.content("x-3.svg"), "");
 }
 
+TEST(WriteDocument, RefusesAPictureWhereThereIsNoFigure) {
+  const testing_support::TemporaryFolder folder;
+  report::Document document;
+  document.title = "List";
+  document.sections.push_back({"list", "List", false, {report::Paragraph{report::plain("words"), {}}}});
+  for (const char* picture : {"list.svg", "list.PNG"}) {
+    const std::string files[] = {folder.file("list.html"), folder.file(picture)};
+    const auto written = write_document(document, files, {});
+    ASSERT_FALSE(written) << picture;
+    EXPECT_TRUE(written.error().message.contains("expected html, pdf or csv: there is no figure")) << picture;
+    EXPECT_EQ(folder.content("list.html"), "");
+  }
+  document.sections[0].blocks.emplace_back(report::Figure{});
+  const std::string picture[] = {folder.file("list.svg")};
+  EXPECT_TRUE(write_document(document, picture, {}));
+}
+
 }  // namespace
 }  // namespace axiometry::app

@@ -16,6 +16,7 @@
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/table_heads.h"
+#include "axiometry/formats/text/text_lines.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"
 #include "axiometry/model/fields.h"
@@ -56,6 +57,15 @@ bool is_beside_reading(std::string_view name) {
   return name == "time" || name == "scatter" || name == "drift" || name == "samples";
 }
 
+/// As table_head(), and with inclinations: "pitch_um/m".
+TableHead motion_head(std::string_view text) {
+  TableHead head = table_head(text);
+  const std::string_view trimmed = text::trim(text);
+  const std::size_t mark = trimmed.find_last_of("_ ");
+  if (!head.unit.empty() || mark == trimmed.npos || find_motion_unit(trimmed.substr(mark + 1)) == nullptr) return head;
+  return {plain_name(trimmed.substr(0, mark)), std::string(trimmed.substr(mark + 1))};
+}
+
 /// The unit of the readings: of the kind that their name asks for.
 Result<const Unit*> value_unit(const CsvCell& head, const TableHead& named, std::size_t line) {
   const TextPosition at{line, head.column};
@@ -64,12 +74,12 @@ Result<const Unit*> value_unit(const CsvCell& head, const TableHead& named, std:
   const bool angle = named.name == "angle" || named.name == "roll" || named.name == "pitch" || named.name == "yaw" ||
                      (error && error->rotation());
   const std::string_view wanted = length  ? "of length: um, mm, nm, m or in"
-                                  : angle ? "of angle: urad, mrad, arcsec or deg"
+                                  : angle ? "of angle: urad, mrad, um/m, mm/m, arcsec or deg"
                                           : "such as um, urad or arcsec";
   if (named.unit.empty())
     return fail(fmt::format("found the column {} without a unit, expected one {}", text::quoted(head.text), wanted),
                 at);
-  const Unit* unit = find_unit(named.unit);
+  const Unit* unit = find_motion_unit(named.unit);
   if (unit == nullptr || (length && unit->kind != AxisKind::linear) || (angle && unit->kind != AxisKind::rotary))
     return fail(fmt::format("found the unit {} of the column {}, expected one {}", text::quoted(named.unit),
                             text::quoted(head.text), wanted),
@@ -84,7 +94,7 @@ Result<MotionColumns> motion_columns(std::string_view header, std::size_t line, 
   AXIOMETRY_TRY(const std::vector<CsvCell> heads, split_row(header, columns.delimiter, line));
   columns.count = heads.size();
   for (std::size_t k = 0; k < heads.size(); ++k) {
-    const TableHead named = table_head(heads[k].text);
+    const TableHead named = motion_head(heads[k].text);
     const auto role = motion_role(named.name);
     if (!role) {
       if (!heads[k].text.empty() && !is_beside_reading(named.name)) columns.passed_over.push_back(heads[k].text);
@@ -271,7 +281,7 @@ std::string other_error_in(std::string_view text) {
     const auto columns = motion_columns(line.text, line.number);
     if (!columns) return stop;
     const auto heads = split_row(line.text, columns->delimiter, line.number);
-    const std::string name = table_head((*heads)[*columns->at[value_column]].text).name;
+    const std::string name = motion_head((*heads)[*columns->at[value_column]].text).name;
     if (names_other_error(name)) found = columns->error ? columns->error->text() : name;
     return stop;
   });

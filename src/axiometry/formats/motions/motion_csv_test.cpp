@@ -46,6 +46,18 @@ TEST(MotionCsv, KeepsAnglesInTheUnitTheyAreStatedIn) {
   EXPECT_EQ(read_motions("position_mm,direction,angle_deg\n0,up,0.001\n").readings[0].value, 3.6);
 }
 
+TEST(MotionCsv, ReadsTheInclinationsThatLevelsShow) {
+  for (const char* head : {"pitch_um/m", "pitch [µm/m]", "EBX (μm/m)", "roll µm/m", "angle_UM/M"}) {
+    const auto file = read_motions("position_mm,direction," + std::string(head) + "\n0,up,0.1\n");
+    EXPECT_EQ(file.unit, MotionUnit::urad) << head;
+    EXPECT_EQ(file.readings.at(0).value, 0.1) << head;
+  }
+  EXPECT_EQ(read_motions("position_mm,direction,roll_mm/m\n0,up,0.1\n").readings.at(0).value, 100.0);
+  EXPECT_THAT(motion_fault("position_mm,direction,straightness_um/m\n0,up,0.1\n"),
+              HasSubstr("found the unit \"um/m\" of the column \"straightness_um/m\", expected one of length"));
+  EXPECT_THAT(motion_fault("position_um/m,direction,roll_urad\n0,up,0.1\n"), HasSubstr("a unit of length"));
+}
+
 TEST(MotionCsv, ReadsWhichWayReadingsArePositive) {
   constexpr std::string_view rows = "position_mm,direction,deviation_um\n0,up,0.1\n";
   const auto file = read_motions("# positive: -y\n" + std::string(rows));
@@ -67,6 +79,7 @@ TEST(MotionCsv, AreNoDeviationsOfPositions) {
   };
   EXPECT_THAT(fault("# error: eyx\ntarget_mm,run,direction,deviation_um\n0,1,up,1\n"),
               HasSubstr("found readings of the error EYX, expected deviations of positions; axiometry straightness"));
+  EXPECT_THAT(fault("position_mm,run,direction,pitch_um/m\n0,1,up,1\n"), HasSubstr("axiometry angles evaluates these"));
   EXPECT_THAT(fault("position_mm;pitch_arcsec\n0;1\n"),
               HasSubstr("pitch, expected deviations of positions; axiometry an"));
   EXPECT_THAT(fault("position_mm,EYX_um\n0,1\n"), HasSubstr("EYX"));

@@ -67,8 +67,22 @@ class RtxReader final : public RecordingReader {
   Result<void> begin(const SampleSink& sink) {
     AXIOMETRY_TRY(header_, rtx_header(begun_));
     if (!header_) return {};
+    AXIOMETRY_TRY_VOID(of_this_kind());
     begun_.erase(0, header_->data_at);
     return take_numbers(sink);
+  }
+
+  /// A file that calls itself angular would give lengths that are none.
+  Result<void> of_this_kind() const {
+    if (rtx_kind(*header_).value_or(kind_) == kind_) return {};
+    const std::string type = text::quoted(header_->file_type);
+    if (kind_ == AxisKind::linear)
+      return fail(fmt::format("found an .rtx recording of the file type {}, whose numbers are angles in mrad, expected "
+                              "one of a linear axis",
+                              type));
+    return fail(fmt::format("found an .rtx recording of the file type {}, whose numbers are in mm, expected one of a "
+                            "rotary axis",
+                            type));
   }
 
   Result<void> cut_off(std::uint64_t samples) const {
@@ -158,6 +172,8 @@ EOF::
 - Lines of `Key: value` in any order up to `Data:`; then as many numbers as `Sample no` says, each a float64,
   little-endian, in mm; for a rotary axis in mrad. Sample i was taken at i / `Actual sample rate`, or `Sample rate`
   where that is not stated.
+- A `File Type` that says angular or linear is held against the axis, which `dynamic --rotary` or the plan tells: the
+  other one is refused.
 - Machine, axis, location and date are told as remarks: whether the day or the month stands first is not known.
 - A trigger interval that is not one over the rate is told: the samples may have been triggered by position.
 - Refused: fewer or more numbers than the header says, numbers that are not finite, a header without a number of

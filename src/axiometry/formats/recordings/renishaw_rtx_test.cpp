@@ -53,6 +53,28 @@ TEST(RenishawRtx, TakesAnglesInMilliradiansForARotaryAxis) {
   EXPECT_NEAR(read_samples("renishaw-rtx", rtx_file(one, 1), rotary).samples.at(0).position, 180.0, 1e-10);
 }
 
+TEST(RenishawRtx, RefusesAFileOfTheOtherKindOfAxis) {
+  const auto of_type = [](const std::string& type) {
+    return rtx_file(three, 1, "File Type: " + type + "\nSample no: 3\nActual sample rate: 4\n");
+  };
+  RecordingOptions rotary;
+  rotary.kind = AxisKind::rotary;
+  for (const char* type : {"Angular", "angular dynamic", "ROTARY", "rta"}) {
+    EXPECT_EQ(rtx_text(of_type(type)), "found an .rtx recording of the file type \"" + std::string(type) +
+                                           "\", whose numbers are angles in mrad, expected one of a linear axis")
+        << type;
+    EXPECT_EQ(read_samples("renishaw-rtx", of_type(type), rotary).samples.size(), 3u) << type;
+  }
+  for (const char* type : {"Linear", "linear dynamic", "rtl"}) {
+    EXPECT_EQ(rtx_text(of_type(type), rotary), "found an .rtx recording of the file type \"" + std::string(type) +
+                                                   "\", whose numbers are in mm, expected one of a rotary axis")
+        << type;
+    EXPECT_EQ(read_samples("renishaw-rtx", of_type(type)).samples.size(), 3u) << type;
+  }
+  for (const char* type : {"rtx", "", "Dynamic", "Triangular mesh"})
+    EXPECT_EQ(read_samples("renishaw-rtx", of_type(type)).samples.size(), 3u) << type;
+}
+
 TEST(RenishawRtx, TellsWhatTheHeaderSaysAndWhatIsDoubtful) {
   const auto header = rtx_header(rtx_file(three, 4.0));
   ASSERT_TRUE(header && *header);

@@ -8,6 +8,7 @@
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/text/name_words.h"
 
 namespace axiometry::formats {
 namespace {
@@ -103,6 +104,14 @@ Result<std::optional<RtxHeader>> rtx_header(std::string_view bytes) {
   header.data_at = at;
   AXIOMETRY_TRY_VOID(settle(header, numbers));
   return std::optional(std::move(header));
+}
+
+std::optional<AxisKind> rtx_kind(const RtxHeader& h) {
+  static constexpr NameWord rtx_angular[] = {{"ang", WordPlace::front}, {"rot", WordPlace::front}, {"rta"}};
+  static constexpr NameWord rtx_linear[] = {{"lin", WordPlace::front}, {"rtl"}};
+  if (has_any_word(h.file_type, rtx_angular)) return AxisKind::rotary;
+  if (has_any_word(h.file_type, rtx_linear)) return AxisKind::linear;
+  return std::nullopt;
 }
 
 std::vector<std::string> rtx_remarks(const RtxHeader& h) {

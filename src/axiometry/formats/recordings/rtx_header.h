@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/axis.h"
 
 /// The beginning of a Renishaw `.rtx` (dynamic) recording. Known from two programs that read it, not from its maker.
 namespace axiometry::formats {
@@ -25,6 +26,9 @@ struct RtxHeader {
 /// Nothing while the header is not complete. Fails on what is none, on one of more than 64 KiB, and on a number of
 /// samples or a rate that is missing or none.
 Result<std::optional<RtxHeader>> rtx_header(std::string_view bytes);
+
+/// Of which kind of axis its file type says that it is, where that is told by a word: numbers are in mm or in mrad.
+std::optional<AxisKind> rtx_kind(const RtxHeader& header);
 
 /// What the header tells that no sample does, as sentences.
 std::vector<std::string> rtx_remarks(const RtxHeader& header);

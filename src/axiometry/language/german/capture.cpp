@@ -49,6 +49,10 @@ constexpr Phrase capture_rows[] = {
      "to the overrun",
      "Fenster von ±{0} um die Zielpositionen; erwartet: eines über 0 und unter {1}, dem halben Weg zur nächsten "
      "Zielposition und zum Überlauf"},
+    {"found an .rtx recording of the file type {0=}, whose numbers are angles in mrad, expected one of a linear axis",
+     "eine .rtx-Aufzeichnung vom Dateityp {0}, deren Zahlen Winkel in mrad sind; erwartet: eine einer Linearachse"},
+    {"found an .rtx recording of the file type {0=}, whose numbers are in mm, expected one of a rotary axis",
+     "eine .rtx-Aufzeichnung vom Dateityp {0}, deren Zahlen in mm sind; erwartet: eine einer Drehachse"},
     {"found an .rtx recording that ends in its header, expected samples",
      "eine .rtx-Aufzeichnung, die in ihrem Kopf endet; erwartet: Abtastwerte"},
     {"found another program at this recording, expected none: it has one listener",

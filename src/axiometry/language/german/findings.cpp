@@ -59,7 +59,7 @@ constexpr Phrase findings_rows[] = {
     {"found a calibrated position {0#} that is no number, expected one in mm",
      "kalibrierte Position {0} ohne Zahl; erwartet: eine in mm"},
     {"found a dwell of 0 s, expected the axis at rest while it is read",
-     "eine Verweilzeit von 0 s; erwartet: die Achse in Ruhe, während sie gelesen wird"},
+     "Verweilzeit von 0 s; erwartet: die Achse in Ruhe, während sie gelesen wird"},
     {"found a feed of 0, expected the one that the axis was driven with",
      "gefunden: ein Vorschub von 0, erwartet der, mit dem die Achse gefahren wurde"},
     {"found a further period of {0#} with an amplitude of {1#} in what the curve leaves",
