@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -336,6 +337,20 @@ TEST_F(Routes, TellMachinesAxesAndTrends) {
   EXPECT_EQ(send("GET", "/api/axes/1/trend", "", {{"parameters", "A,Q"}}).status, 422);
   EXPECT_EQ(send("GET", "/api/axes/9/trend").status, 404);
   EXPECT_FALSE(answer(send("GET", "/api/audit"), 200).find("entries")->items().empty());
+}
+
+TEST_F(Routes, TellOfTestsInOneDirectionAllThatTheyHaveWhereNoParametersAreAskedFor) {
+  std::string one_way = "# machine: M\n# axis: X\n# date: 2026-01-20\ntarget_mm,direction,run,deviation_um\n";
+  for (int run = 1; run <= 5; ++run)
+    for (int k = 0; k < 5; ++k)
+      one_way += fmt::format("{},+,{},{}\n", 100 * k + k * k, run, 0.1 * ((7 * k + 3 * run) % 11));
+  upload(one_way, "one-way.csv");
+  std::vector<std::string> keys;
+  const Value trend = answer(send("GET", "/api/axes/1/trend"), 200);
+  ASSERT_EQ(trend.find("points")->items().size(), 1u);
+  for (const Value& figure : trend.find("points")->items().front().find("figures")->items())
+    keys.push_back(text(figure, "parameter"));
+  EXPECT_THAT(keys, testing::UnorderedElementsAre("A_up", "E_up", "R_up"));
 }
 
 TEST_F(Routes, AddInstrumentsAndSayWhichInputIsWrong) {
