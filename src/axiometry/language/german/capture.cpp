@@ -347,12 +347,35 @@ constexpr Phrase capture_rows[] = {
      "gezählt"},
     {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost samples",
      "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorene Abtastwerte "
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} damaged frame of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} beschädigtes Datenpaket "
+     "des Wetters gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} damaged frames of the "
+     "weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} beschädigte Datenpakete "
+     "des Wetters gezählt"},
      "gezählt"},
     {"{0#} earlier messages are not shown", "{0} frühere Meldungen werden nicht gezeigt"},
     {"{0#} further remarks of that kind on readings", "{0} weitere Bemerkungen dieser Art zu Messwerten"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost sample and {2#} "
+     "damaged frame of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert "
+     "und {2} beschädigtes Datenpaket des Wetters gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost sample and {2#} "
+     "damaged frames of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert "
+     "und {2} beschädigte Datenpakete des Wetters gezählt"},
     {"{0#} of {1#} samples left out as outliers", "{0} von {1} Abtastwerten als Ausreißer weggelassen"},
     {"{0#} sample came while the instrument did not show its laser as ready; they are used",
      "{0} Abtastwert kam, während das Messgerät seinen Laser nicht als bereit zeigte; er wird verwendet"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost samples and {2#} "
+     "damaged frame of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorene Abtastwerte "
+     "und {2} beschädigtes Datenpaket des Wetters gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost samples and {2#} "
+     "damaged frames of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorene Abtastwerte "
+     "und {2} beschädigte Datenpakete des Wetters gezählt"},
     {"{0#} samples came while the instrument did not show its laser as ready; they are used",
      "{0} Abtastwerte kamen, während das Messgerät seinen Laser nicht als bereit zeigte; sie werden verwendet"},
     {"{0=}, trying again for {1#} s", "{0}; neue Versuche {1}\u00a0s lang"},
