@@ -245,6 +245,10 @@ constexpr Phrase verb_refusals_rows[] = {
     {"the capture has ended", "die Erfassung ist beendet"},
     {"the times of the readings are not kept in {0=}; json keeps them",
      "{0} bewahrt die Zeiten der Messwerte nicht; json bewahrt sie"},
+    {"the recording shows {0#} lost or damaged sample, none of which is missing in the part that is looked at",
+     "die Aufzeichnung zeigt {0} verlorenen oder beschädigten Abtastwert; im betrachteten Teil fehlt keiner"},
+    {"the recording shows {0#} lost or damaged samples, none of which is missing in the part that is looked at",
+     "die Aufzeichnung zeigt {0} verlorene oder beschädigte Abtastwerte; im betrachteten Teil fehlt keiner"},
     {"{0=} is required", "{0} ist anzugeben"},
 };
 
