@@ -8,6 +8,7 @@
 
 #include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "axiometry/model/simulated.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
@@ -351,6 +352,18 @@ TEST_F(Routes, TellOfTestsInOneDirectionAllThatTheyHaveWhereNoParametersAreAsked
   for (const Value& figure : trend.find("points")->items().front().find("figures")->items())
     keys.push_back(text(figure, "parameter"));
   EXPECT_THAT(keys, testing::UnorderedElementsAre("A_up", "E_up", "R_up"));
+}
+
+TEST_F(Routes, SayOfASimulatedTestThatItHasNoDate) {
+  const auto undated = [&](std::string_view date) {
+    std::string bytes = fmt::format("# date: {}\ntarget_mm,direction,run,deviation_um\n", date);
+    bytes += "0,+,1,1\n0,-,1,2\n100,+,1,2\n100,-,1,2\n";
+    const double id = number(upload(std::move(bytes), "date.csv"), "id");
+    return answer(send("GET", fmt::format("/api/tests/{}", id)), 200).find("simulated_undated")->boolean();
+  };
+  EXPECT_TRUE(undated(simulated_date));
+  EXPECT_FALSE(undated("2026-01-20"));
+  EXPECT_FALSE(undated("None: lost"));
 }
 
 TEST_F(Routes, AddInstrumentsAndSayWhichInputIsWrong) {
