@@ -219,6 +219,8 @@ constexpr Phrase verb_refusals_rows[] = {
      "'axiometry uncertainty FILE' takes more",
      "{0} Versuche mit {1} Zielpositionen und {2} Messwerten; erwartet: höchstens {3} für Monte Carlo in der Werkbank; "
      "„axiometry uncertainty DATEI“ nimmt mehr"},
+    {"found {0#} value, expected at least {1#} of a recording at standstill",
+     "{0} Wert; erwartet: mindestens {1} einer Aufzeichnung im Stillstand"},
     {"found {0#} values after '{1=}', expected {2#} readings (- where one is missing) and their unit",
      "{0} Werte nach „{1}“; erwartet: {2} Messwerte (- wo einer fehlt) und ihre Einheit"},
     {"found {0#} values, expected at least {1#} of a recording at standstill",
@@ -243,12 +245,12 @@ constexpr Phrase verb_refusals_rows[] = {
     {"spans: found {0#} of them, expected one number, or three for X, Y, Z",
      "spans: {0} Stück; erwartet: eine Zahl, oder drei für X, Y, Z"},
     {"the capture has ended", "die Erfassung ist beendet"},
-    {"the times of the readings are not kept in {0=}; json keeps them",
-     "{0} bewahrt die Zeiten der Messwerte nicht; json bewahrt sie"},
     {"the recording shows {0#} lost or damaged sample, none of which is missing in the part that is looked at",
      "die Aufzeichnung zeigt {0} verlorenen oder beschädigten Abtastwert; im betrachteten Teil fehlt keiner"},
     {"the recording shows {0#} lost or damaged samples, none of which is missing in the part that is looked at",
      "die Aufzeichnung zeigt {0} verlorene oder beschädigte Abtastwerte; im betrachteten Teil fehlt keiner"},
+    {"the times of the readings are not kept in {0=}; json keeps them",
+     "{0} bewahrt die Zeiten der Messwerte nicht; json bewahrt sie"},
     {"{0=} is required", "{0} ist anzugeben"},
 };
 
