@@ -57,10 +57,10 @@ class Display {
     const double scale = deviation_per_position(kind_);
     const auto deviation_text = [&](double x) { return format_fixed(x, 2); };
     std::string line = fmt::format(
-        "{}  {} {}  {} {}  s {}  {} samples", left(capture::approach_name(reading.approach), 17),
+        "{}  {} {}  {} {}  s {}  {}", left(capture::approach_name(reading.approach), 17),
         right(format_fixed(plan_->targets[reading.approach.target].in_native(), 4), 11), position_unit(kind_),
         right(deviation_text(reading.deviation.in_native()), 9), deviation_unit(kind_),
-        deviation_text(reading.standstill.spread.in_native() * scale), reading.standstill.count);
+        deviation_text(reading.standstill.spread.in_native() * scale), counted(reading.standstill.count, "sample"));
     for (const std::string& remark : reading.remarks) line += terminal_.yellow("; " + remark);
     fmt::print("{}\n", line);
     std::fflush(stdout);

@@ -79,6 +79,9 @@ void add_dynamic(const Verb& program, int& exit_code) {
              o.stream_axis = static_cast<std::size_t>(*number - 1);
              return {};
            });
+  verb->add_flag("--skip-damaged", o.skip_damaged,
+                 "Leave out what is no sample instead of refusing the recording, as long as none is missing in the "
+                 "part that is looked at; always so for what a live capture wrote");
   verb->add_flag("--reverse", o.reverse, "The instrument counts up when the axis moves down");
   add_number(*verb, {"--feed", "FEED", "Feed that was asked for, mm/min or °/min"},
              [&o](double x) { o.feed = checked_positive("--feed", x, most); });

@@ -9,6 +9,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/periodic/periodic.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -64,7 +65,7 @@ std::string result_rows(const PeriodicDirection& d, const PeriodicArguments& arg
   }
   std::string text =
       fmt::format("\n{} {}\n", terminal.bold(std::string(arrow(d.direction))),
-                  said(fmt::format("{} targets, {} run{}", d.points.size(), d.runs, d.runs == 1 ? "" : "s")));
+                  said(fmt::format("{} targets, {}", d.points.size(), counted(d.runs, "run"))));
   for (const report::PeriodicRow& row : rows)
     text += fmt::format("{}  {}{} {}\n", left(row.title, title_width), right(row.value, value_width),
                         row.U.empty() ? std::string(U_width > 0 ? U_width + 3 : 0, ' ') : " ± " + right(row.U, U_width),

@@ -315,7 +315,7 @@ TEST_F(CalibrationRoutes, keep_readings_alone_with_the_plan_that_they_were_taken
   EXPECT_EQ(send("GET", "/1/report.html").status, 200);  // found again from what is kept
   EXPECT_THAT(
       refusal(keep({{"readings", "EYX_um\n0\n"}, {"plan", formats::write_plan(plan)}}, {{"kind", "straightness"}})),
-      HasSubstr("found 1 readings, expected 3"));
+      HasSubstr("found 1 reading, expected 3"));
   plan.errors = {{'Z', 'X'}};
   EXPECT_THAT(refusal(keep({{"readings", "EYX_um\n0\n0.6\n0\n"}, {"plan", formats::write_plan(plan)}},
                            {{"kind", "straightness"}})),
@@ -363,7 +363,7 @@ TEST_F(CalibrationRoutes, refuse_motions_that_are_none) {
   const auto refused = [&](const Pairs& files, const std::string& kind, const std::string& options = "{}") {
     return refusal(keep(files, {{"kind", kind}, {"options", options}}));
   };
-  EXPECT_THAT(refused({{"readings", eyx}}, "squareness"), HasSubstr("found 1 files of readings for squareness"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "squareness"), HasSubstr("found 1 file of readings for squareness"));
   EXPECT_THAT(refused({{"readings", eyx}, {"readings-2", exy}}, "straightness"), HasSubstr("expected 1"));
   EXPECT_THAT(refused({{"lengths", eyx}}, "straightness"), HasSubstr("found no file readings"));
   EXPECT_THAT(refused({{"readings", eyx}, {"readings-3", exy}}, "squareness"), HasSubstr("found no file readings-2"));

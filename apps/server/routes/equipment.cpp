@@ -152,18 +152,29 @@ void add_routes_of(const Add& add_route) {
   add_route("GET", path + "/{id}/versions", versions<Asset>);
 }
 
+/// Those that are asked for; all where none is, so that tests of one direction have theirs too.
+Result<std::vector<std::string>> parameters_of(const Request& request) {
+  std::vector<std::string> keys;
+  const auto asked = request.parameter("parameters");
+  if (!asked) {
+    for (const iso230_2::ParameterInfo& parameter : iso230_2::parameters) keys.emplace_back(parameter.key);
+    return keys;
+  }
+  for (const std::string_view key : text::split(*asked, ',')) {
+    const auto* parameter = iso230_2::find_parameter(text::trim(key));
+    if (parameter == nullptr)
+      return fail(fmt::format("found the parameter {}, expected some of A, E, R, B and their like", text::quoted(key)));
+    if (std::ranges::find(keys, parameter->key) == keys.end()) keys.emplace_back(parameter->key);
+  }
+  return keys;
+}
+
 Result<Response> trend(Store& store, const Request& request) {
   constexpr std::int64_t limit_usual = 500;
   constexpr std::int64_t limit_max = 10'000;
   AXIOMETRY_TRY(const store::Id id, id_of(request, "axis"));
   AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", limit_max));
-  std::vector<std::string> parameters;
-  for (const std::string_view key : text::split(request.parameter("parameters").value_or("A,E,R,B"), ',')) {
-    const auto* parameter = iso230_2::find_parameter(text::trim(key));
-    if (parameter == nullptr)
-      return fail(fmt::format("found the parameter {}, expected some of A, E, R, B and their like", text::quoted(key)));
-    if (std::ranges::find(parameters, parameter->key) == parameters.end()) parameters.emplace_back(parameter->key);
-  }
+  AXIOMETRY_TRY(const auto parameters, parameters_of(request));
   AXIOMETRY_TRY(auto axis, store.get<Axis>(id));
   AXIOMETRY_TRY(auto machine, store.get<Machine>(axis.value.machine));
   AXIOMETRY_TRY(auto points, store.trend(id, parameters, limit.value_or(limit_usual)));

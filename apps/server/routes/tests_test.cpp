@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 
 #include "axiometry/app/workbench/examples/example_table2.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "axiometry/model/simulated.h"
 #include "server/routes/described_test_support.h"
 #include "server/routes/routes.h"
 #include "tests/support/archive.h"
@@ -336,6 +338,32 @@ TEST_F(Routes, TellMachinesAxesAndTrends) {
   EXPECT_EQ(send("GET", "/api/axes/1/trend", "", {{"parameters", "A,Q"}}).status, 422);
   EXPECT_EQ(send("GET", "/api/axes/9/trend").status, 404);
   EXPECT_FALSE(answer(send("GET", "/api/audit"), 200).find("entries")->items().empty());
+}
+
+TEST_F(Routes, TellOfTestsInOneDirectionAllThatTheyHaveWhereNoParametersAreAskedFor) {
+  std::string one_way = "# machine: M\n# axis: X\n# date: 2026-01-20\ntarget_mm,direction,run,deviation_um\n";
+  for (int run = 1; run <= 5; ++run)
+    for (int k = 0; k < 5; ++k)
+      one_way += fmt::format("{},+,{},{}\n", 100 * k + k * k, run, 0.1 * ((7 * k + 3 * run) % 11));
+  upload(one_way, "one-way.csv");
+  std::vector<std::string> keys;
+  const Value trend = answer(send("GET", "/api/axes/1/trend"), 200);
+  ASSERT_EQ(trend.find("points")->items().size(), 1u);
+  for (const Value& figure : trend.find("points")->items().front().find("figures")->items())
+    keys.push_back(text(figure, "parameter"));
+  EXPECT_THAT(keys, testing::UnorderedElementsAre("A_up", "E_up", "R_up"));
+}
+
+TEST_F(Routes, SayOfASimulatedTestThatItHasNoDate) {
+  const auto undated = [&](std::string_view date) {
+    std::string bytes = fmt::format("# date: {}\ntarget_mm,direction,run,deviation_um\n", date);
+    bytes += "0,+,1,1\n0,-,1,2\n100,+,1,2\n100,-,1,2\n";
+    const double id = number(upload(std::move(bytes), "date.csv"), "id");
+    return answer(send("GET", fmt::format("/api/tests/{}", id)), 200).find("simulated_undated")->boolean();
+  };
+  EXPECT_TRUE(undated(simulated_date));
+  EXPECT_FALSE(undated("2026-01-20"));
+  EXPECT_FALSE(undated("None: lost"));
 }
 
 TEST_F(Routes, AddInstrumentsAndSayWhichInputIsWrong) {

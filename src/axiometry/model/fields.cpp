@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <unordered_map>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
@@ -95,7 +96,7 @@ Result<void> check_records(const Field& field, const Records& records) {
     return fail(fmt::format("found more than {} records of {}, expected fewer", read_budget::records, field.key));
   for (const auto& record : records) {
     if (record.size() != field.columns.size())
-      return fail(fmt::format("found a record of {} with {} cells, expected {}", field.key, record.size(),
+      return fail(fmt::format("found a record of {} with {}, expected {}", field.key, counted(record.size(), "cell"),
                               field.columns.size()));
     for (std::size_t c = 0; c < record.size(); ++c) {
       const RecordColumn& column = field.columns[c];

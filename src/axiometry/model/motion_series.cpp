@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 
@@ -90,8 +91,8 @@ Result<MotionSeries> MotionSeries::make(std::vector<MotionReading> readings, Mot
   const std::vector<std::size_t> runs = distinct(readings, [](const MotionReading& r) { return r.run; });
   series.runs_ = runs.size();
   if (series.positions_mm_.size() < positions_least)
-    return fail(fmt::format("found {} different position{}, expected at least {}", series.positions_mm_.size(),
-                            series.positions_mm_.size() == 1 ? "" : "s", positions_least));
+    return fail(fmt::format("found {}, expected at least {}",
+                            counted(series.positions_mm_.size(), "different position"), positions_least));
   if (!(series.travel_mm() >= shortest_travel))
     return fail(fmt::format("found all positions within {} mm, expected a travel of 1e-6 mm or more",
                             format_exact(series.travel_mm())));

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "axiometry/base/counted.h"
+
 namespace axiometry {
 namespace {
 
@@ -15,8 +17,7 @@ constexpr std::size_t cell_limit = std::size_t{1} << 28;  // 2 GiB of doubles: a
 
 Result<void> check_targets(std::span<const Position> targets) {
   if (targets.size() < 2)
-    return fail(
-        fmt::format("found {} target position{}, expected at least 2", targets.size(), targets.size() == 1 ? "" : "s"));
+    return fail(fmt::format("found {}, expected at least 2", counted(targets.size(), "target position")));
   for (std::size_t i = 0; i < targets.size(); ++i) {
     if (!(std::abs(targets[i].in_native()) <= target_limit))
       return fail(fmt::format("found target {} at {}, expected a magnitude up to 1e9", i + 1, targets[i].in_native()));

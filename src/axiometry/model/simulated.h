@@ -10,6 +10,9 @@ namespace axiometry {
 /// TestConditions::purpose of readings that nobody measured.
 inline constexpr std::string_view simulation_purpose = "simulation";
 
+/// TestConditions::date of such a test without a day: there is none, and why.
+inline constexpr std::string_view simulated_date = "None: simulated";
+
 /// A line that says it, above a recording or a table.
 inline constexpr std::string_view simulated_note = "Simulated, not measured";
 

@@ -34,7 +34,7 @@ struct Moments {
 TestConditions conditions_of(const Request& request) {
   const Plan& plan = request.plan;
   TestConditions c;
-  c.date = plan.date.empty() ? "None: simulated" : plan.date;
+  c.date = plan.date.empty() ? std::string(simulated_date) : plan.date;
   c.inspector = "axiometry simulate";
   c.purpose = simulation_purpose;
   c.comment = fmt::format("Simulated, not measured{}; seed {}",

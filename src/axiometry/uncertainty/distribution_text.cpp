@@ -7,6 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/uncertainty/distribution.h"
@@ -165,7 +166,7 @@ Result<Distribution> Distribution::parse(std::string_view text) {
   }
   if (kind->count == 0 ? numbers.empty() : numbers.size() != kind->count)
     return fail(fmt::format("found {} after '{}', expected {}",
-                            numbers.size() == 1 ? "1 number" : fmt::format("{} numbers", numbers.size()), kind->name,
+                            counted(numbers.size(), "number"), kind->name,
                             kind->parameters));
   return make(kind->make(numbers));
 }

@@ -523,6 +523,8 @@ export interface components {
             verdict: components["schemas"]["Verdict"] | null;
             shown: components["schemas"]["Shown"][];
             from_archive: components["schemas"]["FromArchive"];
+            /** @description Whether the date of the test says that there is none, since nothing was measured. */
+            simulated_undated: boolean;
             /** @description The evaluation took. */
             milliseconds: number;
         };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+// When a test was measured, in lists and on its own page.
+import type { Test } from '../api/types';
 import { texts } from '../i18n/texts';
 
 const t = texts({
@@ -6,6 +8,9 @@ const t = texts({
   simulated: ['simulated, no date', 'simuliert, ohne Datum'],
 });
 
-/** When a test was measured; in a simulated one stands instead that nothing was. */
-export const test_date = (date: string | null | undefined): string =>
-  !date ? t('undated') : date === 'None: simulated' ? t('simulated') : date;
+/** A day as a list has it. */
+export const date_or_none = (date: string | null | undefined): string => date || t('undated');
+
+/** As the test states it; in a simulated one stands instead that nothing was measured. */
+export const test_date = (test: Test): string =>
+  test.simulated_undated ? t('simulated') : date_or_none(test.result.metadata.test?.date);

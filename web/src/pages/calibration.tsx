@@ -9,6 +9,7 @@ import { Hash } from '../components/hash';
 import { use_page_words, words_by } from '../components/page_words';
 import type { Options } from '../components/evaluation_options';
 import { DataTable } from '../components/table';
+import { date_or_none } from '../components/test_date';
 import { VerdictMark } from '../components/verdict';
 import { VersionList } from '../components/versions';
 import { place } from '../router';
@@ -79,7 +80,7 @@ function Facts({ calibration }: { calibration: KeptCalibration }) {
         <div><dt>{t('kind')}</dt><dd>{t(kind)}</dd></div>
         <div><dt>{t('machine')}</dt><dd>{machine ? <a href={`/machines/${machine.id}`}>{machine.name}</a> : t('unstated')}</dd></div>
         <div><dt>{t('instrument')}</dt><dd>{instrument ? <a href={`/instruments/${instrument.id}`}>{instrument.name}</a> : t('unstated')}</dd></div>
-        <div><dt>{t('measured')}</dt><dd>{measured_on || t('undated')}</dd></div>
+        <div><dt>{t('measured')}</dt><dd>{date_or_none(measured_on)}</dd></div>
         <div><dt>{t('program')}</dt><dd>{program}</dd></div>
         {verdict !== null && <div><dt>{t('verdict')}</dt><dd><VerdictMark verdict={verdict} /></dd></div>}
       </dl>

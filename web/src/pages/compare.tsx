@@ -115,7 +115,7 @@ function Chosen({ test, n, shown, toggle, remove, refer }: {
 }) {
   const { title } = test;
   const date = test.result.metadata.test?.date;
-  const facts = [test.machine?.name, test.axis?.name, date && test_date(date)].filter((part): part is string => typeof part === 'string' && part !== '');
+  const facts = [test.machine?.name, test.axis?.name, date && test_date(test)].filter((part): part is string => typeof part === 'string' && part !== '');
   return (
     <li>
       <label class="show" title={t('show', { title })}>

@@ -3,6 +3,7 @@ import { useState } from 'preact/hooks';
 import type { Axis, CompensationHead, CompensationList, Machine } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
+import { date_or_none } from '../components/test_date';
 import { absent, shortest, unit_sign } from '../numbers';
 import { AttentionTags } from './machines';
 import { CalibrationsOfMachine } from './calibrations/of_machine';
@@ -93,7 +94,7 @@ function Facts({ machine }: { machine: Machine }) {
         <div>
           <dt>{t('latest')}</dt>
           <dd class="latest">
-            {machine.latest_test ? <a href={`/tests/${machine.latest_test.id}`}>{machine.latest_test.measured_on || t('undated')}</a> : absent}
+            {machine.latest_test ? <a href={`/tests/${machine.latest_test.id}`}>{date_or_none(machine.latest_test.measured_on)}</a> : absent}
             <AttentionTags machine={machine} />
           </dd>
         </div>

@@ -4,6 +4,7 @@ import type { Machine, MachineList } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
 import { DataTable, type Order } from '../components/table';
+import { date_or_none } from '../components/test_date';
 import { VerdictMark } from '../components/verdict';
 import { absent } from '../numbers';
 import { go } from '../router';
@@ -82,7 +83,7 @@ function MachineTable({ rows, order, on_order }: { rows: Machine[]; order: Order
         { key: 'attention', head: t('attention'), order: 'attention', falling: true, class: 'wide-only', cell: (row) => <AttentionTags machine={row} /> },
         { key: 'latest', head: t('latest'), order: 'latest', falling: true, class: 'number-text wide-only', cell: (row) => (
           row.latest_test
-            ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}>{row.latest_test.measured_on || t('undated')}</a>
+            ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}>{date_or_none(row.latest_test.measured_on)}</a>
             : absent
         ) },
         { key: 'tests', head: t('tests'), number: true, class: 'wide-only tests', cell: (row) => <a class="quiet-link" href={`/?machine=${row.id}`}>{row.tests}</a> },

@@ -52,7 +52,7 @@ function Compared({ test, compared, waits, failed }: { test: Test; compared: Rul
     <>
       <div class="page-head">
         <div>
-          <p class="crumb"><a href={`/tests/${test.id}${query({ version })}`}>{test.title}</a> · {test_date(test.result.metadata.test?.date)} <Withdrawn test={test} /></p>
+          <p class="crumb"><a href={`/tests/${test.id}${query({ version })}`}>{test.title}</a> · {test_date(test)} <Withdrawn test={test} /></p>
           <h1 tabIndex={-1}>{axis ? t('title_axis', { axis }) : t('title')}</h1>
         </div>
         {rules.length > 0 && (

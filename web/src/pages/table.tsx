@@ -101,7 +101,7 @@ function Correct({ test, controls, active, last, words }: Props) {
     <>
       <div class="page-head">
         <div>
-          <p class="crumb"><a href={`/tests/${test.id}${test.version === test.latest ? '' : `?version=${test.version}`}`}>{test.title}</a> · {test_date(test.result.metadata.test?.date)}</p>
+          <p class="crumb"><a href={`/tests/${test.id}${test.version === test.latest ? '' : `?version=${test.version}`}`}>{test.title}</a> · {test_date(test)}</p>
           <h1 tabIndex={-1}>{axis ? t('correct_axis', { axis }) : t('correct')}</h1>
         </div>
       </div>

@@ -8,6 +8,7 @@ import { FailureNotice } from '../components/failure';
 import { field_named, use_page_words } from '../components/page_words';
 import { texts } from '../i18n/texts';
 import { place, unsaved } from '../router';
+import { capture_words } from './capture/words';
 import './compensations.css';
 import { TablesOfTest } from './compensations/of_test';
 import { Budget } from './test/budget';
@@ -52,9 +53,9 @@ function use_state(test: Test | null): TestState | null {
   return kept.current;
 }
 
-/** Corrections as the panel of changes calls them. */
+/** Corrections as the panel of changes calls them, and what a capture was told as the page of captures does. */
 const with_corrections_named = (text: string, vocabulary: Vocabulary | null): string =>
-  text.replace(/--correct ([\w=-]+)/g, (all, id: string) => {
+  capture_words(text).replace(/--correct ([\w=-]+)/g, (all, id: string) => {
     const found = vocabulary?.corrections.find((one) => one.id === id);
     return found ? field_named(found.title) : all;
   });

@@ -7,6 +7,7 @@
 
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/simulate/tracked_simulation.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "cli/failure.h"
@@ -111,14 +112,13 @@ int run(const TrackingSimulateArguments& a) {
   const auto& f = a.files;
   if (a.quiet || f.points == "-" || f.lengths == "-" || f.recording == "-" || f.ranges == "-" || f.truth == "-")
     return exit_done;
-  if (!f.points.empty()) fmt::print("{}: {} points, seed {}\n", f.points, summary->points, a.request.seed);
+  if (!f.points.empty()) fmt::print("{}: {}, seed {}\n", f.points, counted(summary->points, "point"), a.request.seed);
   if (!f.lengths.empty())
-    fmt::print("{}: {} lengths on {} line{}, {} s\n", f.lengths, summary->lengths, summary->lines,
-               summary->lines == 1 ? "" : "s", format_fixed(summary->duration.in_s(), 0));
+    fmt::print("{}: {} on {}, {} s\n", f.lengths, counted(summary->lengths, "length"), counted(summary->lines, "line"),
+               format_fixed(summary->duration.in_s(), 0));
   if (!f.recording.empty())
-    fmt::print("{}: {} samples of {} line{}\n", f.recording, summary->samples, summary->lines,
-               summary->lines == 1 ? "" : "s");
-  if (!f.ranges.empty()) fmt::print("{}: {} lengths\n", f.ranges, summary->ranges);
+    fmt::print("{}: {} of {}\n", f.recording, counted(summary->samples, "sample"), counted(summary->lines, "line"));
+  if (!f.ranges.empty()) fmt::print("{}: {}\n", f.ranges, counted(summary->ranges, "length"));
   if (!f.truth.empty()) fmt::print("{}: the truth\n", f.truth);
   return exit_done;
 }

@@ -136,8 +136,8 @@ int run(const VolumetricSimulateArguments& a) {
                counted(calibration->machine.stations.size(), "station"),
                counted(calibration->machine.tools.size(), "tool"), a.request.seed);
   if (written->recordings > 0)
-    fmt::print("{}: {} recording{}, {} samples\n", a.files.recordings, written->recordings,
-               written->recordings == 1 ? "" : "s", written->samples);
+    fmt::print("{}: {}, {}\n", a.files.recordings, counted(written->recordings, "recording"),
+               counted(written->samples, "sample"));
   if (!a.files.truth.empty()) fmt::print("{}: the truth\n", a.files.truth);
   return exit_done;
 }

@@ -10,6 +10,7 @@
 #include "axiometry/app/cases/case_expectation.h"
 #include "axiometry/app/cases/case_model.h"
 #include "axiometry/app/cases/case_text.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
@@ -151,8 +152,8 @@ class CaseReader {
     const std::size_t found = s.words.size() - 1;  // with the unit
     if (found != operation_->targets.size() + 1)
       return fail(
-          fmt::format("found {} values after '{}', expected {} readings (- where one is missing) and their unit", found,
-                      s.words[0].text, operation_->targets.size()),
+          fmt::format("found {} after '{}', expected {} readings (- where one is missing) and their unit",
+                      counted(found, "value"), s.words[0].text, operation_->targets.size()),
           s.at(1));
     AXIOMETRY_TRY(const formats::Unit* unit, read_deviation_unit(s, found, operation_->kind));
     std::size_t& runs = direction == Direction::up ? operation_->runs_up : operation_->runs_down;

@@ -23,6 +23,7 @@ struct DynamicOptions {
   std::optional<double> rate_hz{};  ///< samples a second, for layouts that tell no time
   std::optional<double> units_per_count{};
   std::optional<std::size_t> stream_axis{};  ///< number in a stream of several, from 0; else columns by name
+  bool skip_damaged = false;                 ///< leaves out what is no sample, as is always done of a raw recording
   bool reverse = false;                      ///< it counts up when the axis moves down
   std::optional<double> window_s{};          ///< capture::usual_window_s()
   std::optional<double> from_s{}, to_s{};    ///< only that part of the recording
@@ -52,7 +53,8 @@ struct DynamicMotion {
 
 /// Fails, with the file's name, as the reader of the layout does, on samples that are lost, not evenly spaced (beyond 1
 /// % of the interval from one to the next, or from its place among all) or fewer than 64, on more than 20 million of
-/// them, and on a part or a window that does not fit.
+/// them, and on a part or a window that does not fit. Where what is damaged is skipped, on samples that are missing in
+/// the part alone.
 Result<DynamicMotion> measure_dynamic(const std::string& file, const DynamicOptions& options);
 
 /// Samples at which something is extreme, but for those within half a window of the ends.

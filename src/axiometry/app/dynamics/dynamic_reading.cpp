@@ -9,6 +9,7 @@
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
+#include "axiometry/app/recordings/raw_times.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -51,6 +52,8 @@ class EvenSamples {
     }
     return {};
   }
+
+  std::size_t count() const { return positions_.size(); }
 
   /// The interval is that over all samples; each must lie within 1 % of one of its even place, and of the sample before
   /// it.
@@ -113,6 +116,7 @@ Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
   recording.units_per_count = options.units_per_count;
   recording.axis = options.stream_axis.value_or(0);
   recording.axis_stated = options.stream_axis.has_value();
+  recording.skip_damaged = options.skip_damaged || is_raw(source.name());
   AXIOMETRY_TRY(const auto reader, layout->open(recording));
   EvenSamples samples(options);
   Sha256 digest;
@@ -125,11 +129,17 @@ Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
     AXIOMETRY_TRY_VOID(reader->feed({block.data(), got}, sink));
   }
   AXIOMETRY_TRY_VOID(reader->finish(sink));
-  if (reader->lost() > 0)
+  // Samples with gaps between them are evenly spaced only where one at least is missing between any two.
+  const std::size_t lost = reader->lost();
+  if (lost > 0 && (!recording.skip_damaged || lost + 1 >= samples.count()))
     return fail(fmt::format("found {} in the recording, expected none: what is fast cannot be told across a gap",
-                            counted(reader->lost(), "lost sample")));
+                            counted(lost, "lost sample")));
   AXIOMETRY_TRY(capture::MotionRecord record, std::move(samples).record());
-  return ReadMotion{std::move(record), digest.finish(), std::string(layout->id), reader->remarks()};
+  ReadMotion read{std::move(record), digest.finish(), std::string(layout->id), reader->remarks()};
+  if (lost > 0)
+    read.remarks.push_back(fmt::format("the recording shows {}, none of which is missing in the part that is looked at",
+                                       counted(lost, "lost or damaged sample")));
+  return read;
 }
 
 /// What the rounding of positions to doubles, and of what is left of their line, makes of a position at most.

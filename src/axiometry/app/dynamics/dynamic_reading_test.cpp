@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -61,6 +62,41 @@ TEST(DynamicReading, TakesTheColumnThatIsStated) {
     ASSERT_EQ(motion->stretches.size(), 1u);
     EXPECT_NEAR(motion->stretches[0].velocity, velocity, 1e-4);
   }
+}
+
+/// Each millisecond by 0.1 mm, but for some lines.
+std::string with_lines(const auto& line_of, int count = 2000) {
+  std::string text = "time [s],position [mm]\n";
+  for (int k = 0; k < count; ++k) text += line_of(k, fmt::format("{:.3f},{:.3f}\n", 1e-3 * k, 0.1 * k));
+  return text;
+}
+
+TEST(DynamicReading, SkipsWhatIsDamagedWhereNoSampleIsMissingInThePart) {
+  const testing_support::TemporaryFolder folder;
+  const auto harmed = [](int k, const std::string& line) { return k == 300 || k == 1900 ? "0.3\x01,#\n" : line; };
+  const std::string file = folder.written("run.csv", with_lines(harmed));
+  DynamicOptions options{.from_s = 0.5, .to_s = 1.5};
+  EXPECT_FALSE(measure_dynamic(file, options));
+  options.skip_damaged = true;
+  const auto motion = measure_dynamic(file, options);
+  ASSERT_TRUE(motion) << motion.error().message;
+  EXPECT_EQ(motion->record.positions.size(), 1001u);
+  EXPECT_NE(std::ranges::find(motion->remarks,
+                              "the recording shows 2 lost or damaged samples, none of which is missing "
+                              "in the part that is looked at"),
+            motion->remarks.end());
+  options.to_s = std::nullopt;
+  const auto gap = measure_dynamic(file, options);
+  ASSERT_FALSE(gap);
+  EXPECT_NE(gap.error().message.find("samples are missing"), std::string::npos) << gap.error().message;
+}
+
+TEST(DynamicReading, TakesNoEvenGapsForARate) {
+  const testing_support::TemporaryFolder folder;
+  const auto every_second = [](int k, const std::string& line) { return k % 2 == 0 ? line : "?,?\n"; };
+  const auto motion = measure_dynamic(folder.written("run.csv", with_lines(every_second)), {.skip_damaged = true});
+  ASSERT_FALSE(motion);
+  EXPECT_NE(motion.error().message.find("lost samples in the recording"), std::string::npos) << motion.error().message;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "axiometry/app/files/request_members.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -95,7 +96,8 @@ Result<void> check_choices(std::string_view kind, std::size_t files, const Motio
   if (c.error && files > 1) return fail("found error with several files, expected one file, or # error: in each");
   if (c.reference == Reference::none && !angles) return refuse("the reference none");
   if (!c.positive.empty() && c.positive.size() != files)
-    return fail(fmt::format("found {} senses in positive, expected {}: one for each file", c.positive.size(), files));
+    return fail(fmt::format("found {} in positive, expected {}: one for each file", counted(c.positive.size(), "sense"),
+                            files));
   if (square && !c.positive.empty()) {
     const char one = c.positive[0].coordinate, two = c.positive[1].coordinate;
     if (one < 'X' || two < 'X' || one == two)
@@ -165,7 +167,8 @@ Result<EvaluatedMotion> evaluate_motion(std::string_view kind, std::span<const G
   const std::size_t least = kind == "squareness" ? 2 : 1;
   const std::size_t most = kind == "angles" ? most_angles : least;
   if (files.size() < least || files.size() > most)
-    return fail(fmt::format("found {} files of readings for {}, expected {}", files.size(), kind,
+    return fail(fmt::format("found {} for {}, expected {}",
+                            counted(files.size(), "file of readings", "files of readings"), kind,
                             least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most)));
   AXIOMETRY_TRY_VOID(check_choices(kind, files.size(), choices));
   const Reference usual = kind == "angles" ? Reference::none : Reference::least_squares;

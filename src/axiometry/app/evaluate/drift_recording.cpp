@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/recording.h"
@@ -45,8 +46,8 @@ Result<void> DriftPicker::take(std::span<const Sample> samples) {
 
 Result<DriftRecording> DriftPicker::picked() const {
   if (kept_.size() < least_recorded_values)
-    return fail(fmt::format("found {} values, expected at least {} of a recording at standstill", kept_.size(),
-                            least_recorded_values));
+    return fail(fmt::format("found {}, expected at least {} of a recording at standstill",
+                            counted(kept_.size(), "value"), least_recorded_values));
   std::vector<double> intervals;
   for (std::size_t k = 1; k < kept_.size(); ++k) intervals.push_back(kept_[k].time_s - kept_[k - 1].time_s);
   const auto gap = std::ranges::max_element(intervals);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/app/files/source.h"
+#include "axiometry/base/counted.h"
 
 namespace axiometry::app {
 namespace {
@@ -163,8 +164,8 @@ void remark_on(const ReadTimes& read, const std::vector<ReadStamp>& kept, std::s
                                   read.records, name, first + 1));
   }
   if (read.torn > 0)
-    remarks.push_back(
-        fmt::format("found {} bytes of an unfinished time at the end of {}, left them out", read.torn, name));
+    remarks.push_back(fmt::format("found {} of an unfinished time at the end of {}, left {} out",
+                                  counted(read.torn, "byte"), name, read.torn == 1 ? "it" : "them"));
 }
 
 }  // namespace

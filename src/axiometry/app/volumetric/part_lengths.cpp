@@ -45,22 +45,22 @@ bool overlap(PartRange a, PartRange b) { return a.first <= b.last && b.first <= 
 Result<PartRange> chosen_parts(const CalibrationPlan& plan, std::optional<PartRange> said, bool may_hold_all,
                                const StopMatcher& heard) {
   const std::vector<Explanation> all = explanations(plan, may_hold_all && !said, heard);
-  const std::size_t standstills = heard.standstills().size();
+  const std::string fitting = counted(heard.standstills().size(), "standstill that fits", "standstills that fit");
   if (said) {
     const double own = capture::matched_to(heard, part_stops(plan, *said).list.stops).cost();
     const auto other = std::ranges::find_if(all, [&](const Explanation& e) { return !overlap(e.parts, *said); });
     if (other != all.end() && other->cost + far_better < own)
-      return fail(fmt::format("found {} standstills that fit {} far better, expected those of {}", standstills,
-                              part_text(plan, other->parts), part_text(plan, *said)));
+      return fail(fmt::format("found {} {} far better, expected those of {}", fitting, part_text(plan, other->parts),
+                              part_text(plan, *said)));
     return *said;
   }
   const Explanation& best = all.front();
   const auto next = std::ranges::find_if(all, [&](const Explanation& e) { return !overlap(e.parts, best.parts); });
   if (next != all.end() && next->cost < best.cost + far_better)
     return fail(
-        fmt::format("found {} standstills that fit {} about as well as {}, expected those of one: say which "
-                    "part it is (--parts), if it is one of this plan at all",
-                    standstills, part_text(plan, best.parts), part_text(plan, next->parts)));
+        fmt::format("found {} {} about as well as {}, expected those of one: say which part it is (--parts), if it "
+                    "is one of this plan at all",
+                    fitting, part_text(plan, best.parts), part_text(plan, next->parts)));
   return best.parts;
 }
 

@@ -13,6 +13,7 @@
 #include "axiometry/app/files/request_members.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/plan/plan.h"
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -68,7 +69,7 @@ Result<TravelBox> box_in(const Value& value, std::string_view what) {
     AXIOMETRY_TRY(const Value* ends, members.required(std::string_view("XYZ").substr(a, 1)));
     AXIOMETRY_TRY(const auto* items, formats::items_in(*ends, what));
     if (items->size() != 2)
-      return fail(fmt::format("{}: found {} numbers, expected two ends", what, items->size()), ends->at());
+      return fail(fmt::format("{}: found {}, expected two ends", what, counted(items->size(), "number")), ends->at());
     AXIOMETRY_TRY(box.lowest_mm[a], formats::number_in((*items)[0], what));
     AXIOMETRY_TRY(box.highest_mm[a], formats::number_in((*items)[1], what));
     if (!(box.lowest_mm[a] <= box.highest_mm[a]))

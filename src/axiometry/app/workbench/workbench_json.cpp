@@ -11,6 +11,7 @@
 #include "axiometry/base/iso_date.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/model/simulated.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/report.h"
 
@@ -47,6 +48,14 @@ Value outcome_readings_to_json(const Outcome& outcome) {
   return object;
 }
 
+/// Whether the date of the test says that there is none, since nothing was measured.
+bool is_simulated_undated(const Value& result) {
+  const Value* date = &result;
+  for (const std::string_view name : {"metadata", "test", "date"})
+    if (date != nullptr) date = member_of_object(*date, name);
+  return date != nullptr && date->is(json::Kind::text) && date->text() == simulated_date;
+}
+
 /// Adds the members of Evaluated.
 void add_outcome(Value& object, const Outcome& outcome, const Reader& reader) {
   object.add("result", localised_result(outcome.result, ResultKind::test, reader));
@@ -54,6 +63,7 @@ void add_outcome(Value& object, const Outcome& outcome, const Reader& reader) {
   object.add("verdict", verdict_or_null(member_of_object(outcome.result, "verdict")));
   object.add("shown", shown_to_json(outcome.result, reader));
   object.add("from_archive", to_json(outcome.from_archive));
+  object.add("simulated_undated", is_simulated_undated(outcome.result));
   object.add("milliseconds", std::round(outcome.milliseconds * 1000.0) / 1000.0);
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/capture/cell.h"
 #include "axiometry/numeric/median.h"
@@ -70,8 +71,8 @@ double slope_of(const Quarters& cells) {
 
 Result<StillValue> still_value(std::span<const Sample> samples, const StillOptions& options) {
   if (samples.size() < samples_to_judge)
-    return fail(fmt::format("found {} samples, expected at least {} to tell whether they stand still", samples.size(),
-                            samples_to_judge));
+    return fail(fmt::format("found {}, expected at least {} to tell whether they stand still",
+                            counted(samples.size(), "sample"), samples_to_judge));
   const double quantum = quantum_of(samples);
   const Quarters cells = quarters_of(samples, std::max(0.5 * options.smallest, quantum));
   const auto [lowest, highest] = std::ranges::minmax(cells, {}, &Cell::mean);

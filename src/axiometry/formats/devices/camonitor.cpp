@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/moment.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -306,8 +307,7 @@ class Reader {
                                          format_fixed(*constant_, 1), deviation_unit(unit().kind))});
     if (const auto backwards = time_running_backwards(log_, {roles_.set_point, roles_.reference, *log_.test_number}))
       list.push_back({false, *backwards});
-    const std::size_t others = log_.events.size() - points_.size();
-    if (others > 0)
+    if (const std::size_t others = log_.events.size() - points_.size(); others > 0)
       list.push_back({false, fmt::format("found {} that no ISO 230-2 test has; they were passed over",
                                          counted(others, "other test number"))});
     if (log_.skipped_lines > 0)

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text.h"
-#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
 namespace {

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/devices/ecmc_cfg_table.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_lines.h"
-#include "axiometry/formats/text/text_source.h"
 #include "axiometry/model/fields.h"
 
 namespace axiometry::formats {

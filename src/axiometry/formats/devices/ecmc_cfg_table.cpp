@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/moment.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"

@@ -9,6 +9,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"

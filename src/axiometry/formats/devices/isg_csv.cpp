@@ -7,11 +7,11 @@
 #include <map>
 #include <optional>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/devices/error_curves.h"
 #include "axiometry/formats/text/text_lines.h"
-#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
 namespace isg_csv {

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv/csv_values.h"
@@ -155,7 +156,8 @@ class MotionRows {
   /// Whether every approach of the plan has its row.
   Result<void> check_complete() const {
     if (plan_ == nullptr || next_ == order_.size()) return {};
-    return fail(fmt::format("found {} readings, expected {} as the plan has approaches", next_, order_.size()));
+    return fail(
+        fmt::format("found {}, expected {} as the plan has approaches", counted(next_, "reading"), order_.size()));
   }
 
   const MotionColumns& columns() const { return columns_; }

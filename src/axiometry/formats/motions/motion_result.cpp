@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -58,7 +59,7 @@ Result<double> amount_or_zero(const Value& object, std::string_view name) {
 Result<std::vector<double>> course_numbers(const Value& value, std::string_view name, std::size_t count) {
   AXIOMETRY_TRY(const std::vector<Value>* items, items_in(value, name));
   if (count > 0 && items->size() != count)
-    return fail(fmt::format("found {} numbers in {}, expected {} as there are positions", items->size(),
+    return fail(fmt::format("found {} in {}, expected {} as there are positions", counted(items->size(), "number"),
                             text::quoted(name), count),
                 value.at());
   std::vector<double> numbers;

@@ -30,9 +30,10 @@ constexpr int most_sensors = 16;
 
 /// What was out of order, told at the end.
 struct HpiCounts {
-  std::size_t bytes_before = 0;   // of a frame whose beginning is missing, at the begin of a recording or a connection
-  std::size_t bytes_between = 0;  // frames
-  std::size_t damaged = 0;        // frames that those bytes were, at least
+  std::size_t bytes_before = 0;  // of a frame whose beginning is missing, at the begin of a recording or a connection
+  std::size_t bytes_between = 0;    // frames
+  std::size_t damaged = 0;          // distances that those bytes were, at least
+  std::size_t damaged_weather = 0;  // frames of them that began as such
   std::size_t too_fast = 0, weak = 0, unsettled = 0, velocities = 0, without_arrival = 0, pauses = 0;
   double longest_pause_s = 0.0;
   std::size_t bad_weather = 0;
@@ -94,6 +95,7 @@ class HpiReader final : public RecordingReader {
         at += frame_size;
         continue;
       }
+      if (std::string_view(begun_).substr(at).starts_with(hpi::begin_of_weather)) ++skipped_weather_;
       const std::size_t next = std::min(begun_.find(first_of_frame, at + 1), begun_.size() - (frame_size - 1));
       done = skip(next - at);
       at = next;
@@ -119,15 +121,17 @@ class HpiReader final : public RecordingReader {
 
   /// A frame follows. At a beginning less than a frame may have been joined in its middle.
   void settle_skipped() {
-    const std::size_t bytes = std::exchange(skipped_, 0);
+    const std::size_t bytes = std::exchange(skipped_, 0), weather_begun = std::exchange(skipped_weather_, 0);
     if (at_begin_ && bytes < frame_size) {
       counts_.bytes_before += bytes;
       return;
     }
     const std::size_t frames = (bytes + frame_size - 1) / frame_size;
+    const std::size_t weather = std::min(frames, weather_begun);
     counts_.bytes_between += bytes;
-    counts_.damaged += frames;
-    index_ += frames;
+    counts_.damaged += frames - weather;
+    counts_.damaged_weather += weather;
+    index_ += frames - weather;
   }
 
   Result<void> take(const Frame& frame) {
@@ -190,9 +194,10 @@ class HpiReader final : public RecordingReader {
   RecordingOptions options_;
   std::string begun_;  // less than a frame between two calls
   bool at_begin_ = true;
-  std::size_t skipped_ = 0;  // bytes since the last frame
+  std::size_t skipped_ = 0;          // bytes since the last frame
+  std::size_t skipped_weather_ = 0;  // frames that began among them
   std::size_t frames_ = 0, distances_ = 0;
-  std::size_t index_ = 0;  // of the next distance, damaged frames counted as such
+  std::size_t index_ = 0;  // of the next distance, damaged frames counted as such but for those of the weather
   double last_time_s_ = -1e300;
   double last_arrival_s_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<Sample> samples_;
@@ -225,6 +230,15 @@ void HpiReader::note_weather(const hpi::Weather& weather) {
   if (weather.pascal > 0.0) note(air.air_pressure_start, air.air_pressure_end, Pressure::kPa(weather.pascal / 1000.0));
 }
 
+/// "2 lost samples", "1 damaged frame of the weather", or both.
+std::string what_was_damaged(const HpiCounts& counts) {
+  const std::string lost = counted(counts.damaged, "lost sample");
+  if (counts.damaged_weather == 0) return lost;
+  const std::string weather =
+      counted(counts.damaged_weather, "damaged frame of the weather", "damaged frames of the weather");
+  return counts.damaged == 0 ? weather : lost + " and " + weather;
+}
+
 std::vector<std::string> HpiReader::remarks() const {
   std::vector<std::string> remarks;
   const HpiCounts& c = counts_;
@@ -232,7 +246,7 @@ std::vector<std::string> HpiReader::remarks() const {
     remarks.push_back(fmt::format("passed over {} of a frame that had begun before", counted(c.bytes_before, "byte")));
   if (c.bytes_between > 0)
     remarks.push_back(fmt::format("{} between the frames made no frame whose check is right; counted as {}",
-                                  counted(c.bytes_between, "byte"), counted(c.damaged, "lost sample")));
+                                  counted(c.bytes_between, "byte"), what_was_damaged(c)));
   if (c.too_fast > 0)
     remarks.push_back(
         fmt::format("left out {} with the instrument's flag of too high a speed: behind it distances are "
@@ -311,8 +325,8 @@ AA B0 0A  00 08 69 2D 50 3C 27 94 00 00 00 00  86      air: 21.53 °C, 45 %, 101
 - Samples with the flag of too high a speed or of too weak a signal are counted as lost, never used: the instrument
   keeps these flags until they are cleared, since distances behind them may be wrong.
 - Refused: bytes that are no frame. Of a live stream and with `--skip-damaged` they are passed over up to the next
-  frame whose check is right and counted as lost; 4096 bytes without a frame are refused all the same. So is an
-  instrument that is set to velocities.
+  frame whose check is right and counted as lost, a frame that begins as weather as that alone; 4096 bytes without a
+  frame are refused all the same. So is an instrument that is set to velocities.
 - `serial:///dev/ttyUSB0?baud=3000000&ask=hpi-3d` asks the instrument for distances and weather; nothing is set to zero
   and no flag cleared. Without `ask` nothing is sent to it.
 )";

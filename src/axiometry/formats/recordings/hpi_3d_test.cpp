@@ -95,6 +95,21 @@ TEST(Hpi3d, RefusesBytesThatAreNoFrameOrPassesOverThemAndCountsWhatIsLost) {
                                                      "counted as 2 lost samples"));
 }
 
+TEST(Hpi3d, CountsADamagedFrameOfTheWeatherAsThatAndNotAsALostDistance) {
+  std::string weather = hpi_weather(0, 20, 40, 1000), distance = hpi_distance(2);
+  weather[8] ^= 4, distance[8] ^= 4;
+  const std::string between = hpi_distance(1) + weather + hpi_distance(2) + hpi_distance(3);
+  EXPECT_EQ(shown(between, skipping()), "0:1 0.04:2 0.08:3");
+  EXPECT_EQ(read_samples("hpi-3d", between, skipping()).lost, 0u);
+  EXPECT_THAT(hpi_remarks(between), testing::Contains("16 bytes between the frames made no frame whose check is right; "
+                                                      "counted as 1 damaged frame of the weather"));
+  const std::string both = hpi_distance(1) + weather.substr(0, 12) + distance + weather + hpi_distance(3);
+  EXPECT_EQ(shown(both, skipping()), "0:1 0.08:3");
+  EXPECT_EQ(read_samples("hpi-3d", both, skipping()).lost, 1u);
+  EXPECT_THAT(hpi_remarks(both), testing::Contains(HasSubstr("counted as 1 lost sample and 2 damaged frames of the "
+                                                             "weather")));
+}
+
 TEST(Hpi3d, NoSingleBitCanBeWrongUnnoticed) {
   const std::string good = hpi_distance(123.4567);
   for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {

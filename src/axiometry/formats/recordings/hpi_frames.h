@@ -14,6 +14,9 @@ namespace axiometry::formats::hpi {
 inline constexpr std::size_t frame_size = 16;
 inline constexpr double distances_per_second = 25.0;  ///< as the instrument sends them
 
+/// How a frame of kind weather begins, also one whose check is wrong.
+inline constexpr std::string_view begin_of_weather = "\xAA\xB0\x0A";
+
 /// CRC-8, polynomial x⁸ + x⁵ + x⁴ + 1 (31 hex), most significant bit first, begun with FF; nothing is reflected.
 std::uint8_t check_of(std::string_view bytes);
 

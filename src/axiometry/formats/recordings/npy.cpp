@@ -10,6 +10,7 @@
 #include <cstring>
 #include <vector>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recording.h"
@@ -138,8 +139,8 @@ class NpyReader final : public RecordingReader {
   Result<void> finish(const SampleSink&) override {
     if (!shape_) return fail("found a NumPy array that ends in its header, expected samples");
     if (!interrupted_ && (rows_ != shape_->rows || !begun_.empty()))
-      return fail(
-          fmt::format("found {} samples, expected {} as the header says: the file is cut off", rows_, shape_->rows));
+      return fail(fmt::format("found {}, expected {} as the header says: the file is cut off", counted(rows_, "sample"),
+                              shape_->rows));
     return {};
   }
 

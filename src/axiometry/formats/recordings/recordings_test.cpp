@@ -322,7 +322,7 @@ TEST(Npy, RefusesWhatIsNotAsItsHeaderSaysAndSaysWhere) {
   EXPECT_TRUE(
       from_npy(npy(plain, {0, 1, 0.5, 2, 0.4, 3})).starts_with("found time running backwards from 0.5 s to 0.4 s"));
   EXPECT_TRUE(from_npy(npy(plain, {0, 1, 0.5, 2})).starts_with("found 2 samples, expected 3"));
-  EXPECT_TRUE(from_npy(npy(plain, {0, 1, 0.5, 2, 1, 3}).substr(0, 100)).starts_with("found 1 samples, expected 3"));
+  EXPECT_TRUE(from_npy(npy(plain, {0, 1, 0.5, 2, 1, 3}).substr(0, 100)).starts_with("found 1 sample, expected 3"));
   EXPECT_TRUE(from_npy(npy(plain, {0, 1, 2, 2, 3, 3, 4, 4})).starts_with("found more than the 3 samples"));
   EXPECT_TRUE(from_npy(npy("{'descr': '<f4', 'fortran_order': False, 'shape': (3, 2), }\n", {}))
                   .starts_with("found numbers of the type"));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/time_text.h"
@@ -137,7 +138,8 @@ bool names_position(std::string_view name) {
 Result<std::size_t> position_column(const std::vector<Heading>& headings, std::size_t time, PositionChoice choice) {
   const std::size_t beside = headings.size() - 1;
   if (choice.stated && *choice.stated >= beside)
-    return fail(fmt::format("found {} columns beside the time, expected at least {}", beside, *choice.stated + 1));
+    return fail(
+        fmt::format("found {} beside the time, expected at least {}", counted(beside, "column"), *choice.stated + 1));
   const auto nth_beside = [&](std::size_t k) { return k < time ? k : k + 1; };
   if (choice.stated || beside == 1) return nth_beside(choice.stated.value_or(0));
   std::vector<std::size_t> possible, with_unit, called;
@@ -276,7 +278,7 @@ Result<SampleColumns> value_columns_by_header(std::string_view line, std::option
                     "1 is the first of these",
                     beside));
   if (stated && *stated >= beside)
-    return fail(fmt::format("found {} columns beside the time, expected at least {}", beside, *stated + 1));
+    return fail(fmt::format("found {} beside the time, expected at least {}", counted(beside, "column"), *stated + 1));
   SampleColumns columns = *timed;
   const std::size_t nth = stated.value_or(0);
   columns.position = nth < columns.time ? nth : nth + 1;

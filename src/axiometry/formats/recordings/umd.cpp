@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/line_reader.h"
-#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
 namespace umd {
@@ -84,7 +84,8 @@ class UmdReader final : public LineReader {
           fmt::format("found {}, expected {} whole numbers as in the lines before", text::quoted(line), width_));
     if (width_ == 0) AXIOMETRY_TRY_VOID(settle_width(columns.count));
     if (columns.count != width_)
-      return fail(fmt::format("found {} numbers, expected {} as in the lines before", columns.count, width_));
+      return fail(
+          fmt::format("found {}, expected {} as in the lines before", counted(columns.count, "number"), width_));
     const std::int64_t seq = columns.values[seq_at];
     AXIOMETRY_TRY(const std::int64_t count, counted_on(seq));
     AXIOMETRY_TRY_VOID(take_code(columns.values[code_at], static_cast<double>(columns.values[data_at])));

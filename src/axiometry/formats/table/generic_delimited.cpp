@@ -7,11 +7,11 @@
 
 #include <algorithm>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/table/generic_draft.h"
 #include "axiometry/formats/table/guessed_read.h"
-#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
 namespace {

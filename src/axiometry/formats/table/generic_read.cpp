@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"

@@ -7,10 +7,10 @@
 #include <map>
 #include <optional>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/head_words.h"
-#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats::generic {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The project's own format: one JSON object with all metadata and the readings. Its JSON Schema comes
-// from test_schema.cpp, which reads the same tables.
+// The project's own format: JSON of metadata and readings. Its schema, of test_schema.cpp, reads the same tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <numeric>
 #include <span>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/format.h"

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/series/series_order.h"
-#include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"
 
 namespace axiometry::formats {

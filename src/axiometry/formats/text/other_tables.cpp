@@ -24,7 +24,7 @@ const std::vector<OtherTable>& known_other_tables() {
       {{"file", "test", "axis", "kind", "conforming"},
        "found a table of the results of many tests, expected the readings that it was made from"},
       {{"name", "kind", "travel_up_to"},
-       "found tolerance tables, expected a measured test; --tolerance-table names such a file"},
+       "found tolerance tables, expected a measured test; 'axiometry evaluate --tolerance-table' takes such a file"},
       {{"line", "target", "direction", "run", "length_difference_mm"},
        "found lengths of a tracking interferometer, expected a measured test; 'axiometry tracking evaluate' takes "
        "them"},

@@ -78,8 +78,4 @@ Result<std::string_view> utf8_text(std::string_view bytes) {
   return text;
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 }  // namespace axiometry::formats

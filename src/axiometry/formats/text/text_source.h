@@ -20,9 +20,6 @@ Result<std::string_view> utf8_text(std::string_view bytes);
 /// Fails on a byte that is not UTF-8, naming it. `line` is the number of the first line of `text`.
 Result<void> check_utf8(std::string_view text, std::size_t line = 1);
 
-/// "1 field", "2 fields".
-std::string counted(std::size_t count, std::string_view noun);
-
 /// The same result with a place, when it is an error that does not have one.
 template <typename T>
 Result<T> placed(Result<T> result, TextPosition at) {

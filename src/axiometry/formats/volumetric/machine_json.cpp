@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -38,7 +39,7 @@ Result<TravelBox> travel_from(const Value& value) {
     AXIOMETRY_TRY(const Value* range, members.required(linear_axis_names[a]));
     AXIOMETRY_TRY(const std::vector<Value>* ends, items_in(*range, linear_axis_names[a]));
     if (ends->size() != 2)
-      return fail(fmt::format("found {} numbers for the travel of {}, expected its two ends", ends->size(),
+      return fail(fmt::format("found {} for the travel of {}, expected its two ends", counted(ends->size(), "number"),
                               linear_axis_names[a]),
                   range->at());
     AXIOMETRY_TRY(travel.lowest_mm[a], number_in(ends->front(), linear_axis_names[a]));

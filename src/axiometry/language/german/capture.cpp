@@ -148,6 +148,8 @@ constexpr Phrase capture_rows[] = {
      "{0}\u00a0MiB frei auf dem Datenträger der Aufzeichnung; bei {1}\u00a0MiB endet die Messung"},
     {"found {0#} byte behind the last frame, expected whole frames of {1#} bytes",
      "{0} Byte hinter dem letzten Datenpaket; erwartet: ganze Datenpakete von {1} Bytes"},
+    {"found {0#} byte of an unfinished time at the end of {1=}, left it out",
+     "{0} Byte eines unvollständigen Zeitstempels am Ende von {1}; weggelassen"},
     {"found {0#} bytes behind the last frame, expected whole frames of {1#} bytes",
      "{0} Bytes hinter dem letzten Datenpaket; erwartet: ganze Datenpakete von {1} Bytes"},
     {"found {0#} bytes of an unfinished time at the end of {1=}, left them out",
@@ -156,6 +158,9 @@ constexpr Phrase capture_rows[] = {
      "instrument, 3000000?)",
      "{0} Bytes ohne ein Datenpaket mit richtiger Prüfsumme; erwartet: eines in {1} (ist die Baudrate die des "
      "Messgeräts, 3000000?)"},
+    {"found {0#} bytes without a line break, expected one sample a line: the capture ends here; {1#} reading is kept",
+     "{0} Bytes ohne Zeilenende; erwartet: ein Abtastwert je Zeile: Die Messung endet hier; {1} Messwert ist "
+     "erhalten"},
     {"found {0#} bytes without a line break, expected one sample a line: the capture ends here; {1#} readings are kept",
      "{0} Bytes ohne Zeilenende; erwartet: ein Abtastwert je Zeile: Die Messung endet hier; {1} Messwerte sind "
      "erhalten"},
@@ -346,12 +351,35 @@ constexpr Phrase capture_rows[] = {
     {"zero: {0}", "Nullpunkt: {0}"},
     {"{0#} byte between the frames made no frame whose check is right; counted as {1#} lost sample",
      "{0} Byte zwischen den Datenpaketen ergab keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} damaged frame of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} beschädigtes Datenpaket "
+     "des Wetters gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} damaged frames of the "
+     "weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} beschädigte Datenpakete "
+     "des Wetters gezählt"},
     {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost sample",
      "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert "
      "gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost sample and {2#} "
+     "damaged frame of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert "
+     "und {2} beschädigtes Datenpaket des Wetters gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost sample and {2#} "
+     "damaged frames of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorener Abtastwert "
+     "und {2} beschädigte Datenpakete des Wetters gezählt"},
     {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost samples",
      "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorene Abtastwerte "
      "gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost samples and {2#} "
+     "damaged frame of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorene Abtastwerte "
+     "und {2} beschädigtes Datenpaket des Wetters gezählt"},
+    {"{0#} bytes between the frames made no frame whose check is right; counted as {1#} lost samples and {2#} "
+     "damaged frames of the weather",
+     "{0} Bytes zwischen den Datenpaketen ergaben keines mit richtiger Prüfsumme; als {1} verlorene Abtastwerte "
+     "und {2} beschädigte Datenpakete des Wetters gezählt"},
     {"{0#} earlier messages are not shown", "{0} frühere Meldungen werden nicht gezeigt"},
     {"{0#} further remarks of that kind on readings", "{0} weitere Bemerkungen dieser Art zu Messwerten"},
     {"{0#} of {1#} samples left out as outliers", "{0} von {1} Abtastwerten als Ausreißer weggelassen"},

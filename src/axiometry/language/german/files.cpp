@@ -225,8 +225,9 @@ constexpr Phrase files_rows[] = {
      "Wörter {0} in {1}; trennen sie Achsen, oder nennen sie ausgelassene Messwerte?"},
     {"found time running backwards: {0}; the times of the readings are left out",
      "rückwärts laufende Zeit: {0}; die Zeiten der Messwerte sind weggelassen"},
-    {"found tolerance tables, expected a measured test; --tolerance-table names such a file",
-     "Toleranztabellen; erwartet: eine gemessene Prüfung; --tolerance-table nennt eine solche Datei"},
+    {"found tolerance tables, expected a measured test; 'axiometry evaluate --tolerance-table' takes such a file",
+     "Toleranztabellen; erwartet: eine gemessene Prüfung; „axiometry evaluate --tolerance-table“ nimmt eine solche "
+     "Datei"},
     {"found whole numbers between commas, some with leading zeros; commas may be decimal marks as well as delimiters: "
      "save the file with semicolons or tabs between the columns",
      "ganze Zahlen zwischen Kommas, einige mit führenden Nullen; die Kommas können Dezimal- oder Trennzeichen sein: "

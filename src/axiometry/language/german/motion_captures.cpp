@@ -91,6 +91,8 @@ constexpr Phrase motion_captures_rows[] = {
      "{0} Spalten neben der Zeit; erwartet: --stream-axis, das die der Messwerte nennt: 1 ist die erste davon"},
     {"found {0#} s after {1#} s, expected the order in which it was said",
      "{0}\u00a0s nach {1}\u00a0s; erwartet: die Reihenfolge, in der es eingegeben wurde"},
+    {"found {0#} sample, expected at least {1#} to tell whether they stand still",
+     "{0} Abtastwert; erwartet: mindestens {1}, um zu erkennen, ob sie stillstehen"},
     {"found {0#} samples, expected at least {1#} to tell whether they stand still",
      "{0} Abtastwerte; erwartet: mindestens {1}, um zu erkennen, ob sie stillstehen"},
     {"found {0=} in the source, expected preset, size, seed or speed",

@@ -16,6 +16,10 @@ constexpr Phrase scatter_rows[] = {
      "ein Ausreißer an Zielposition {0}, Durchlauf {1}: ein Messwert von {2}, der {3} unter dem liegt, "
      "was die übrigen Messwerte von Zielposition und Durchlauf erwarten lassen ({4}); {5}, und nichts ist "
      "entfernt"},
+    {"found every reading ↓ equal to the one ↑ of its run and target, expected some reversal or scatter between "
+     "them; copied or coarsely rounded readings make every reversal error zero",
+     "jeder Messwert ↓ gleich dem ↑ seines Durchlaufs an derselben Zielposition; erwartet: etwas Umkehrspanne oder "
+     "Streuung dazwischen; kopierte oder grob gerundete Messwerte machen jede Umkehrspanne zu null"},
     {"found readings in steps of {0#} that scatter by {1#} about their means, no more than half a step: rounding may "
      "have made or hidden as much, and s_i and what rests on it are those of the steps as much as of the machine",
      "Messwerte in Schritten von {0}, die um ihre Mittelwerte mit {1} streuen, nicht mehr als einem halben Schritt: "

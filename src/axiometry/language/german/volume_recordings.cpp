@@ -56,6 +56,12 @@ constexpr Phrase volume_recordings_rows[] = {
      "of their own part: station or tool are named wrongly",
      "{0} von {1} Längen der Station {2} mit Werkzeug {3} an den Punkten von {4}; erwartet: an denen ihres "
      "eigenen Teils; Station oder Werkzeug sind falsch benannt"},
+    {"found {0#} standstill that fits {1} about as well as {2}, expected those of one: say which part it is "
+     "(--parts), if it is one of this plan at all",
+     "{0} Stillstand, der zu {1} etwa so gut passt wie zu {2}; erwartet: die eines Teils; welcher es ist, ist "
+     "anzugeben (--parts), falls es überhaupt einer dieses Plans ist"},
+    {"found {0#} standstill that fits {1} far better, expected those of {2}",
+     "{0} Stillstand, der weit besser zu {1} passt; erwartet: die von {2}"},
     {"found {0#} standstills that fit {1} about as well as {2}, expected those of one: say which part it "
      "is (--parts), if it is one of this plan at all",
      "{0} Stillstände, die zu {1} etwa so gut passen wie zu {2}; erwartet: die eines Teils; welcher es "

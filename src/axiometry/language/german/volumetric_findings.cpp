@@ -103,6 +103,10 @@ constexpr Phrase volumetric_findings_rows[] = {
      "together",
      "in {0} Schritten keine Abweichungen und Stationen gefunden, die zu den Längen passen, erwartet Längen, Werkzeuge "
      "und Positionen, die zusammengehören"},
+    {"found {0#} length for {1#} unknowns, expected more lengths than unknowns: measure more points or ask for "
+     "simpler curves",
+     "{0} Länge für {1} Unbekannte gefunden, erwartet mehr Längen als Unbekannte: mehr Punkte messen oder "
+     "einfachere Kurven verlangen"},
     {"found {0#} lengths for {1#} unknowns, expected more lengths than unknowns: measure more points or ask for "
      "simpler "
      "curves",

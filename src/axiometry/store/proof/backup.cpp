@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
 #include "axiometry/store/database/clock.h"
 #include "axiometry/store/database/migrations.h"
@@ -169,9 +170,9 @@ Result<void> copy_to_sqlite(Connection& from, const std::string& file) {
 Result<void> check_empty(Connection& connection) {
   AXIOMETRY_TRY(const Rows rows, connection.query("SELECT (SELECT count(*) FROM audit), (SELECT count(*) FROM test)"));
   if (rows[0].integer(0) != 0)
-    return fail(ErrorKind::conflict, fmt::format("found a store with {} tests and {} lines of audit trail, expected an "
-                                                 "empty one",
-                                                 rows[0].integer(1), rows[0].integer(0)));
+    return fail(ErrorKind::conflict, fmt::format("found a store with {} and {} of audit trail, expected an empty one",
+                                                 counted(static_cast<std::size_t>(rows[0].integer(1)), "test"),
+                                                 counted(static_cast<std::size_t>(rows[0].integer(0)), "line")));
   return {};
 }
 

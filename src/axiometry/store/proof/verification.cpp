@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/digest/ed25519.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/store/database/migrations.h"
@@ -22,6 +23,8 @@ namespace axiometry::store {
 namespace {
 
 constexpr std::int64_t numbers_at_once = 1000;
+
+std::string entries_text(std::int64_t n) { return counted(static_cast<std::size_t>(n), "entry", "entries"); }
 
 /// Of each reference who refers to whom, and the question how many rows refer to none.
 constexpr std::string_view lost_references_of_postgresql =
@@ -177,8 +180,8 @@ void Verifier::check_seals() {
   for (const Seal& seal : expected_.seals) {
     const std::string& hash = known_entries_.at(seal.head.entries);
     if (seal.head.entries > found_.entries)
-      problem("audit trail: found {} entries, expected at least the {} that were sealed at {}: its end is missing",
-              found_.entries, seal.head.entries, seal.at);
+      problem("audit trail: found {}, expected at least the {} that were sealed at {}: its end is missing",
+              entries_text(found_.entries), seal.head.entries, seal.at);
     else if (hash != seal.head.sha256)
       problem("audit trail: found entry {} with the hash {}, expected {} as it was sealed at {}", seal.head.entries,
               hash, seal.head.sha256, seal.at);
@@ -189,8 +192,8 @@ void Verifier::check_heads() {
   for (const Head& head : expected_.heads) {
     const std::string& hash = known_entries_.at(head.entries);
     if (head.entries > found_.entries)
-      problem("audit trail: found {} entries, expected at least the {} of the head {}:{}: its end is missing",
-              found_.entries, head.entries, head.entries, head.sha256);
+      problem("audit trail: found {}, expected at least the {} of the head {}:{}: its end is missing",
+              entries_text(found_.entries), head.entries, head.entries, head.sha256);
     else if (!hash.starts_with(head.sha256))
       problem("audit trail: found entry {} with the hash {}, expected one that begins with {}", head.entries, hash,
               head.sha256);
@@ -204,8 +207,8 @@ void Verifier::conclude_known(const Head& known, std::string_view called) {
   const std::string hash = found == known_entries_.end() ? "" : found->second;
   if (trail_is_read_ && !hash.starts_with(known.sha256)) return;
   if (trail_is_sound_)
-    found_.proved.push_back(fmt::format("the audit trail goes on from the {}, {} entries longer now", called,
-                                        found_.entries - known.entries));
+    found_.proved.push_back(fmt::format("the audit trail goes on from the {}, {} longer now", called,
+                                        entries_text(found_.entries - known.entries)));
   else
     found_.unproved.push_back(fmt::format("that the audit trail goes on from the {}: {}", called,
                                           hash.empty() ? "it was not reached" : "it is broken"));

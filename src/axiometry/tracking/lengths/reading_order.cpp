@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/model/aligned.h"
@@ -268,8 +269,9 @@ std::vector<LengthReading> approaches_of(const TrackingPlan& plan) {
 Result<std::vector<LengthReading>> assign_in_order(const TrackingPlan& plan, std::span<const OrderedLength> lengths) {
   std::vector<LengthReading> all = approaches_of(plan);
   if (lengths.size() != all.size()) {
-    std::string message = fmt::format("found {} lengths, expected {}, one for each approach of the plan's {} lines",
-                                      lengths.size(), all.size(), plan.lines.size());
+    std::string message =
+        fmt::format("found {}, expected {}, one for each approach of the plan's {}", counted(lengths.size(), "length"),
+                    all.size(), counted(plan.lines.size(), "line"));
     const auto shift = static_cast<std::ptrdiff_t>(all.size()) - static_cast<std::ptrdiff_t>(lengths.size());
     if (std::abs(shift) <= shift_most && !lengths.empty()) {
       AXIOMETRY_TRY(const Lines lines, lines_of(plan));

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/volumetric/field/point_spread.h"
@@ -188,9 +189,9 @@ Result<void> Identifier::choose_first_sizes() {
     }
     if (supported_[a].empty())
       return fail(
-          fmt::format("found {} readings at too few places of {} for its curves, expected at least 10 in all, at "
+          fmt::format("found {} at too few places of {} for its curves, expected at least 10 in all, at "
                       "4 or more places (--curves legendre needs fewer)",
-                      lengths_.readings.size(), axis_text(a)));
+                      counted(lengths_.readings.size(), "reading"), axis_text(a)));
     const auto above = std::ranges::upper_bound(supported_[a], first_size);
     sizes[a] = above == supported_[a].begin() ? *above : *std::prev(above);
   }
@@ -247,9 +248,9 @@ void Identifier::refine_start() {
 Result<void> Identifier::refit() {
   if (count() <= unknown_count())
     return fail(fmt::format(
-        "found {} lengths for {} unknowns, expected more lengths than unknowns: measure more points or ask for simpler "
+        "found {} for {} unknowns, expected more lengths than unknowns: measure more points or ask for simpler "
         "curves",
-        count(), unknown_count()));
+        counted(count(), "length"), unknown_count()));
   AXIOMETRY_TRY(fit_, least_squares(problem(), *state_));
   state_ = fit_->state;
   return {};

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string_view>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/numeric/median.h"
@@ -222,9 +223,8 @@ Result<Start> start_of(const std::vector<Sight>& sights, std::size_t stretches, 
   const std::vector<LocationPoint> points = points_of(sights, longest);
   if (points.size() < readings_least)
     return fail(
-        fmt::format("found at most {} lengths {} between breaks of the beam, expected at least {}, to find where it "
-                    "stands",
-                    points.size(), of_station(), readings_least));
+        fmt::format("found at most {} {} between breaks of the beam, expected at least {}, to find where it stands",
+                    counted(points.size(), "length"), of_station(), readings_least));
   const std::vector<Vector3> found = places(points);
   if (const auto mistaken = mistaken_unit(points, least_misfit_mm(points, found)))
     return fail(

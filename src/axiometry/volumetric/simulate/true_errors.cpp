@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/volumetric/simulate/random_streams.h"
@@ -50,7 +51,7 @@ TrueCurve drawn_curve(const TravelBox& travel, ErrorMotion error, std::span<cons
 
 Result<TrueCurve> TrueCurve::make(std::vector<Node> nodes) {
   if (nodes.size() < 2 || nodes.size() > nodes_most)
-    return fail(fmt::format("found {} values, expected 2 to {}", nodes.size(), nodes_most));
+    return fail(fmt::format("found {}, expected 2 to {}", counted(nodes.size(), "value"), nodes_most));
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     if (!std::isfinite(nodes[k].position_mm) || !std::isfinite(nodes[k].value))
       return fail(fmt::format("found a number that is not finite in value {}", k + 1));

@@ -59,7 +59,6 @@ export const t = texts({
   notes: ['Notes', 'Bemerkungen'],
   history: ['Over time', 'Über der Zeit'],
   history_hint: ['Of this machine, bars: two standard uncertainties to either side. A click leads to the calibration.', 'Von dieser Maschine; Balken: zwei Standardunsicherheiten nach jeder Seite. Ein Klick führt zur Kalibrierung.'],
-  undated: ['undated', 'ohne Datum'],
   unstated: ['not stated', 'nicht angegeben'],
   yes: ['yes', 'ja'],
   no: ['no', 'nein'],

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from 'preact';
 import type { CompensationResult, CompensationTest, KeptCompensation, Parameter, ParameterNumbers, Shown } from '../../api/types';
 import { ParameterSymbol } from '../../components/symbol';
+import { date_or_none } from '../../components/test_date';
 import { fixed, unit_sign, when } from '../../numbers';
 import { decimals_in } from './figures';
 import { shown_parameters } from './result';
@@ -62,5 +63,5 @@ export function Chain({ found, result, shown, is_fixed, choose, unlink }: Props)
 }
 
 function TestLine({ test }: { test: CompensationTest }) {
-  return <p><a href={`/tests/${test.id}?version=${test.version}`}>{test.title}</a> <span class="quiet number">{test.measured_on || t('undated')}</span><StandingTags test={test} /></p>;
+  return <p><a href={`/tests/${test.id}?version=${test.version}`}>{test.title}</a> <span class="quiet number">{date_or_none(test.measured_on)}</span><StandingTags test={test} /></p>;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { CompensationHead, CompensationTest } from '../../api/types';
 import { DataTable, type Column } from '../../components/table';
+import { date_or_none } from '../../components/test_date';
 import { absent, when } from '../../numbers';
 import { effect_line } from './lines';
 import { StandingTags } from './standing';
@@ -35,5 +36,5 @@ function Place({ row: { machine, axis } }: { row: CompensationHead }) {
 }
 
 export function TestLink({ test }: { test: CompensationTest }) {
-  return <><a href={`/tests/${test.id}`}>{test.title}</a> <span class="quiet small number">{test.measured_on || t('undated')}</span><StandingTags test={test} /></>;
+  return <><a href={`/tests/${test.id}`}>{test.title}</a> <span class="quiet small number">{date_or_none(test.measured_on)}</span><StandingTags test={test} /></>;
 }

@@ -6,6 +6,7 @@ import { use_get } from '../../api/use';
 import { day_seconds } from '../../components/dates';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
+import { date_or_none } from '../../components/test_date';
 import { figure_line } from './lines';
 import { ReasonDialog } from '../test/reason_dialog';
 import type { DialogProps } from './dialogs';
@@ -43,7 +44,7 @@ function Choice({ found, chosen, set_chosen }: Pick<DialogProps, 'found'> & { ch
       {tests.map((row) => (
         <label key={row.id}>
           <input type="radio" name="retest" checked={chosen === row.id} onChange={() => set_chosen(row.id)} />
-          <span><span class="number">{row.measured_on || t('undated')}</span> <strong>{row.title}</strong> <span class="small quiet">{figure_line(row)}</span></span>
+          <span><span class="number">{date_or_none(row.measured_on)}</span> <strong>{row.title}</strong> <span class="small quiet">{figure_line(row)}</span></span>
         </label>
       ))}
     </fieldset>

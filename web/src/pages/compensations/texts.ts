@@ -208,7 +208,6 @@ export const t = texts({
   choose_retest: ['Choose the re-test…', 'Nachprüfung wählen…'],
   other_retest: ['Another…', 'Andere…'],
   unlink: ['Take the link away…', 'Verknüpfung lösen…'],
-  undated: ['undated', 'ohne Datum'],
   retest_title: ['Which test was measured with this table active?', 'Welche Prüfung wurde mit dieser Tabelle gemessen?'],
   retest_how: ['It is held against the prediction; a sign mistake, a table that is not active or one that acts twice is named.',
                'Sie wird mit der Vorhersage verglichen; ein Vorzeichenfehler, eine nicht aktive oder eine doppelt wirkende Tabelle wird benannt.'],

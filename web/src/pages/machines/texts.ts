@@ -20,7 +20,6 @@ export const t = texts({
   axes_course: ['Axes: course of A against its limit', 'Achsen: Verlauf von A gegen den Grenzwert'],
   latest: ['Latest test', 'Letzte Prüfung'],
   tests: ['Tests', 'Prüfungen'],
-  undated: ['undated', 'ohne Datum'],
   all_tests: ['{n} {n|test|tests}', '{n} {n|Prüfung|Prüfungen}'],
   spark: ['{axis}: {parameter} {value} {unit}, {n} {n|test|tests}', '{axis}: {parameter} {value} {unit}, {n} {n|Prüfung|Prüfungen}'],
   spark_limit: [', limit {limit}', ', Grenzwert {limit}'],

@@ -45,8 +45,6 @@ function Fact({ label, children }: { label: string; children: ComponentChildren 
   return <div><dt>{label}</dt><dd>{children}</dd></div>;
 }
 
-const measured_on = (test: Test): string => test_date(test.result.metadata.test?.date);
-
 function Facts({ state }: { state: TestState }) {
   const test = state.test.value;
   const result = state.evaluated.value.result;
@@ -54,7 +52,7 @@ function Facts({ state }: { state: TestState }) {
     <dl class="test-facts">
       <Fact label={t('machine')}>{test.machine ? <a href={`/machines/${test.machine.id}`}>{test.machine.name || t('unnamed')}</a> : t('unnamed')}</Fact>
       <Fact label={t('axis')}>{test.axis ? <a href={`/axes/${test.axis.id}`}>{test.axis.name || t('unnamed')}</a> : result.axis.name || t('unnamed')}</Fact>
-      <Fact label={t('date')}>{measured_on(test)}</Fact>
+      <Fact label={t('date')}>{test_date(test)}</Fact>
       <Fact label={t('standard')}>
         {result.standard}{' '}
         {result.claims ? <Claimed claims={result.claims} /> : !result.conforming && <span class="mark bad">{t('not_a_result')}</span>}

@@ -242,15 +242,15 @@ class Run {
     const ArrivalNs arrival = log.stamp();
     if (!first_arrival_) first_arrival_ = arrival;
     if (auto kept = sound(log.append(bytes, arrival)); !kept) {
-      kept.error().message += fmt::format("; {} bytes and {} readings are kept", log.size(), session_.taken());
+      kept.error().message +=
+          fmt::format("; {} bytes and {} are kept", log.size(), counted(session_.taken(), "reading"));
       return kept;
     }
     AXIOMETRY_TRY_VOID(take(bytes, arrival));
     if (session_.without_break() <= longest_without_break) return {};
     return fail(
-        fmt::format("found {} bytes without a line break, expected one sample a line: the capture ends here; {} "
-                    "readings are kept",
-                    session_.without_break(), session_.taken()));
+        fmt::format("found {} bytes without a line break, expected one sample a line: the capture ends here; {} kept",
+                    session_.without_break(), counted(session_.taken(), "reading is", "readings are")));
   }
 
   /// An outage ends when samples come again, not with a connection: a source may take each and close it at once.

@@ -52,6 +52,7 @@ constexpr Phrase errors_rows[] = {
     {"found a plan without targets, expected at least one", "Plan ohne Zielpositionen; erwartet: mindestens eine"},
     {"found a quoted field that does not end on its line, expected a closing quote",
      "Feld in Anführungszeichen endet nicht in seiner Zeile; erwartet: ein schließendes Anführungszeichen"},
+    {"found a record of {0=} with {1#} cell, expected {2#}", "ein Satz von {0} mit {1} Zelle gefunden; erwartet: {2}"},
     {"found a record of {0=} with {1#} cells, expected {2#}",
      "ein Satz von {0} mit {1} Zellen gefunden; erwartet: {2}"},
     {"found a recording that begins with {0=}, expected one of: {1=}",

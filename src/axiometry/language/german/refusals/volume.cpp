@@ -58,6 +58,10 @@ constexpr Phrase volume_refusals_rows[] = {
     {"found a_um of {0#}, expected 0 to {1#}", "a_um von {0}; erwartet: 0 bis {1}"},
     {"found an empty name in {0=}, expected one", "leerer Name in {0}; erwartet: ein Name"},
     {"found another \"format\", expected {0=}", "ein anderes \"format\"; erwartet: {0}"},
+    {"found at most {0#} length of station {1=} with tool {2=} between breaks of the beam, expected at least {3#}, "
+     "to find where it stands",
+     "höchstens {0} Länge von Station {1} mit Werkzeug {2} zwischen Strahlunterbrechungen; erwartet: mindestens "
+     "{3}, um ihren Ort zu finden"},
     {"found at most {0#} lengths of station {1=} with tool {2=} between breaks of the beam, expected at least {3#}, to "
      "find where it stands",
      "höchstens {0} Längen von Station {1} mit Werkzeug {2} zwischen Strahlunterbrechungen; erwartet: mindestens {3}, "
@@ -231,6 +235,8 @@ constexpr Phrase volume_refusals_rows[] = {
      "{0} Fehler in {1} Messwerten; erwartet: höchstens ein Viertel von jeder Art"},
     {"found {0#} mm approached from one side alone, expected both as at the other targets",
      "{0} mm nur von einer Seite angefahren; erwartet: von beiden, wie an den anderen Zielpositionen"},
+    {"found {0#} number for the travel of {1#}, expected its two ends",
+     "{0} Zahl für den Verfahrweg von {1}; erwartet: seine beiden Enden"},
     {"found {0#} numbers for the travel of {1#}, expected its two ends",
      "{0} Zahlen für den Verfahrweg von {1}; erwartet: seine beiden Enden"},
     {"found {0#} numbers of {1=}, expected {2#}", "{0} Zahlen von {1}; erwartet: {2}"},
@@ -247,6 +253,10 @@ constexpr Phrase volume_refusals_rows[] = {
      "{0} Punkte von jeder Station mit jedem Werkzeug; erwartet: {1} bis {2}"},
     {"found {0#} points of each station and tool, expected {1#} to {2#} readings in all",
      "{0} Punkte von jeder Station mit jedem Werkzeug; erwartet: {1} bis {2} Messwerte insgesamt"},
+    {"found {0#} reading at too few places of {1#} for its curves, expected at least {2#} in all, at {3#} or more "
+     "places (--curves legendre needs fewer)",
+     "{0} Messwert an zu wenigen Orten von {1} für seine Kurven; erwartet: mindestens {2} insgesamt, an {3} oder "
+     "mehr Orten (--curves legendre braucht weniger)"},
     {"found {0#} readings at too few places of {1#} for its curves, expected at least {2#} in all, at {3#} or more "
      "places (--curves legendre needs fewer)",
      "{0} Messwerte an zu wenigen Orten von {1} für seine Kurven; erwartet: mindestens {2} insgesamt, an {3} oder mehr "

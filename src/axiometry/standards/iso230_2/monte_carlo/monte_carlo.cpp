@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
 #include "axiometry/standards/iso230_2/monte_carlo/mean_distributions.h"
@@ -64,9 +65,9 @@ Result<void> check(const Series& series, const UncertaintyInputs& inputs, TypeA 
   const std::size_t fewest = fewest_in_a_cell(series);
   if (type_a == TypeA::t_scaled && fewest < least_runs_of_t)
     return fail(fmt::format(
-        "found {} approaches per direction, expected at least {} for the t distribution to have a standard deviation; "
-        "'pooled' needs two",
-        fewest, least_runs_of_t));
+        "found {} per direction, expected at least {} for the t distribution to have a standard deviation; 'pooled' "
+        "needs two",
+        counted(fewest, "approach", "approaches"), least_runs_of_t));
   if (type_a == TypeA::resampled && resampling_would_lose_readings(series))
     return fail(
         "found missing readings, expected every run at every target where runs are resampled; 'pooled' needs none");

@@ -157,7 +157,7 @@ TEST(PositioningMonteCarlo, RefusesStudentWhereACellHasTooFewReadings) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(
       refused.error().message,
-      "found 1 approaches per direction, expected at least 4 for the t distribution to have a standard deviation; "
+      "found 1 approach per direction, expected at least 4 for the t distribution to have a standard deviation; "
       "'pooled' needs two");
 }
 

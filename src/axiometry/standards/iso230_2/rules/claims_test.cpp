@@ -43,9 +43,11 @@ std::vector<std::string> ids_against(const axiometry::Test& test, ClaimKind kind
 axiometry::Test whole() { return table2::complete_test(); }
 
 axiometry::Test bare() {
-  const std::vector<RunDeviations> runs = {
+  const std::vector<RunDeviations> up = {
       {1, 2, 3, 2, 1}, {1, 3, 3, 2, 2}, {0, 2, 3, 3, 1}, {1, 2, 4, 2, 1}, {1, 2, 3, 1, 1}};
-  return {{}, make_series({0, 110, 240, 390, 500}, runs, runs), {}};
+  const std::vector<RunDeviations> down = {
+      {2, 3, 4, 3, 2}, {2, 4, 4, 3, 3}, {1, 3, 4, 4, 2}, {2, 3, 5, 3, 2}, {2, 3, 4, 2, 2}};
+  return {{}, make_series({0, 110, 240, 390, 500}, up, down), {}};
 }
 
 TEST(Claims, HoldAllForATestThatStatesAndKeepsEverything) {
@@ -143,6 +145,16 @@ TEST(Claims, OfTheTestFallWithReadingsAndDaysThatAskForAWord) {
   const std::pair<const char*, Change> changes[] = {
       {"readings-repeat-exactly", [&](axiometry::Test& t) { on_runs(t, 0.0); }},
       {"readings-copied", [](axiometry::Test& t) { t.series = make_series(table2::targets, table2::up, table2::up); }},
+      // One run, and readings in steps so wide that they agree by chance as well.
+      {"readings-copied",
+       [](axiometry::Test& t) {
+         t.series = make_series({0, 110, 240, 390, 500}, {{1, 3, 2, 4, 5}}, {{1, 3, 2, 4, 5}});
+       }},
+      {"readings-copied",
+       [](axiometry::Test& t) {
+         const std::vector<RunDeviations> coarse = {{0, 0, 1, 1, 2}, {0, 0, 1, 1, 1}, {0, 0, 1, 1, 2}, {0, 0, 1, 1, 2}};
+         t.series = make_series({0, 110, 240, 390, 500}, coarse, coarse);
+       }},
       {"ordered-progression", [&](axiometry::Test& t) { on_runs(t, 30.0); }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-01-01"; }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "0001-01-01"; }},

@@ -88,6 +88,23 @@ double expected_equal_pairs(const Series& series, std::span<const OneWayRun> dif
   return expected * pairs_of(runs) / pairs_of(different.size());
 }
 
+/// Whether every reading has one of the other direction beside it, of its run at its target, that is the same.
+bool directions_equal(const Series& series) {
+  for (std::size_t i = 0; i < series.target_count(); ++i)
+    if (!std::ranges::equal(series.cell(i, Direction::up), series.cell(i, Direction::down),
+                            [](double a, double b) { return a == b; }))
+      return false;
+  return true;
+}
+
+/// Where chance is no measure: of one run, and of readings so coarse that they agree often.
+std::optional<Finding> directions_copied(const Series& series) {
+  if (!directions_equal(series)) return std::nullopt;
+  return note("readings-copied", "3.18",
+              "found every reading ↓ equal to the one ↑ of its run and target, expected some reversal or scatter "
+              "between them; copied or coarsely rounded readings make every reversal error zero");
+}
+
 }  // namespace
 
 std::optional<Finding> readings_repeat_exactly(const Case& c) {
@@ -127,9 +144,10 @@ std::optional<Finding> readings_copied(const Case& c) {
       copy = &run, original = &*std::ranges::lower_bound(runs, run, order);
   }
   const std::size_t copies = runs.size() - different.size();
-  if (copy == nullptr || different.size() < 2) return std::nullopt;  // nothing tells how often readings agree honestly
+  if (copy == nullptr || different.size() < 2)  // nothing tells how often readings agree honestly
+    return directions_copied(series);
   const double expected = std::min(1.0, expected_equal_pairs(series, different, runs.size()));
-  if (std::pow(expected, static_cast<double>(copies)) > hardly_ever) return std::nullopt;
+  if (std::pow(expected, static_cast<double>(copies)) > hardly_ever) return directions_copied(series);
   return note(
       "readings-copied", "3.18",
       fmt::format("found {} of {} runs, each direction counted, equal to another at all {} targets, such as run {} "

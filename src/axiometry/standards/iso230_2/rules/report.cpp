@@ -218,7 +218,7 @@ std::optional<Finding> impossible_date(const Case& c) {
 std::optional<Finding> date_not_read(const Case& c) {
   const std::string& date = c.metadata.conditions.date;
   if (names_nothing(date) || is_no_day(date) || !iso_date(date).empty()) return std::nullopt;
-  // "None: simulated" says that there is none, and why; only dates of calibrations would ask for one.
+  // simulated_date says that there is none, and why; only dates of calibrations would ask for one.
   const bool none = text::says_none(std::string_view(date).substr(0, date.find(':')));
   if (none && std::ranges::none_of(c.metadata.equipment, dates_calibration)) return std::nullopt;
   return missing("date-not-read", "8.1",
