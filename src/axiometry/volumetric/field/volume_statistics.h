@@ -40,6 +40,22 @@ VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std
 FieldSizes sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
                                       const std::function<Vector3(Vector3 axes_mm)>& compensated_um);
 
+/// A grid, and among how many places along each axis the largest is looked for beside its nodes.
+struct SearchedGrid {
+  std::size_t nodes = 11;
+  std::size_t searched = 64;
+};
+
+/// Before and after `compensated` is taken away at each place. Mean, 95 % and the rigid motion are those of the nodes;
+/// the largest is that of all places: of the largest node of each octant of the volume on, along one axis after the
+/// other among all places searched, then between these, until nothing grows. Held against 10⁵ places: within 1 %.
+struct FieldReduction {
+  FieldSizes before, after;  ///< without rigid motion; `after` has no uncertainties
+};
+/// Absent where the lengths do not tell the field with this tool. Contract: 2 ≤ nodes, 2 ≤ searched.
+std::optional<FieldReduction> field_reduction(const ErrorModel& model, Vector3 tool_mm, SearchedGrid grid,
+                                              const std::function<Vector3(Vector3 axes_mm)>& compensated_um);
+
 /// δ on a plane where one axis stands still, nodes with the first of the other two axes fastest; those that the lengths
 /// do not tell are absent.
 struct FieldSlice {
