@@ -62,8 +62,7 @@ Displaced displaced(const ErrorModel& model, Vector3 tool, const Sampling& sampl
     const double share = double(k) / double(sampling.places - 1);
     place.at_mm[a] = std::lerp(model.observed().lowest_mm[a], model.observed().highest_mm[a], share);
     for (std::size_t m = 0; m < motion_count; ++m)
-      errors.motions[a][m] =
-          sampling.found[a][k][m] - (sampling.taken != nullptr ? (*sampling.taken)[a][k][m] : 0.0);
+      errors.motions[a][m] = sampling.found[a][k][m] - (sampling.taken != nullptr ? (*sampling.taken)[a][k][m] : 0.0);
   }
   if (sampling.taken == nullptr)
     for (std::size_t s = 0; s < 3; ++s) errors.squareness_urad[s] = model.squareness(static_cast<Squareness>(s))->value;
@@ -110,8 +109,8 @@ TEST(TableEffect, CallsLargestWhatIsSoBetweenItsPlacesToo) {
         ASSERT_TRUE(effect);
         const SampledCurves all = sampled(model, dense, nodes), few = sampled(model, grid, nodes);
         const double before = largest_of_all(model, tool.offset_mm, {dense, all.found}, {grid, few.found});
-        const double after = largest_of_all(model, tool.offset_mm, {dense, all.found, &all.straight},
-                                            {grid, few.found, &few.straight});
+        const double after =
+            largest_of_all(model, tool.offset_mm, {dense, all.found, &all.straight}, {grid, few.found, &few.straight});
         EXPECT_GT(effect->before.largest.value, 0.99 * before) << chain << " " << tool.name << " " << nodes;
         EXPECT_LT(effect->before.largest.value, 1.01 * before) << chain << " " << tool.name << " " << nodes;
         EXPECT_GT(effect->after.largest.value, 0.99 * after) << chain << " " << tool.name << " " << nodes;

@@ -121,7 +121,8 @@ Vector3 direction_of(Vector3 f) { return norm(f) > 0.0 ? unit(f) : Vector3{1, 0,
 using FieldAt = std::function<Vector3(Vector3 axes_mm)>;
 
 /// Where |field| is largest on the line along one axis through a place.
-Vector3 largest_along(std::size_t axis, Vector3 from, const TravelBox& box, std::size_t searched, const FieldAt& field) {
+Vector3 largest_along(std::size_t axis, Vector3 from, const TravelBox& box, std::size_t searched,
+                      const FieldAt& field) {
   constexpr int between = 8;
   const double lowest = box.lowest_mm[axis], highest = box.highest_mm[axis];
   double most = norm(field(from)), at = from[axis];
@@ -229,8 +230,7 @@ std::optional<FieldReduction> field_reduction(const ErrorModel& model, Vector3 t
     const FieldAt left = [&](Vector3 q) { return grid.less(motion, at(q), q); };
     field = grid.without(std::move(field));
     FieldSizes sizes = sizes_of(field);
-    sizes.largest_at_mm =
-        largest_place(grid.largest_of_octants(field), model.observed(), searched.searched, left);
+    sizes.largest_at_mm = largest_place(grid.largest_of_octants(field), model.observed(), searched.searched, left);
     const Vector3 largest = left(sizes.largest_at_mm);
     sizes.largest.value = norm(largest);
     return std::pair{sizes, largest};

@@ -21,7 +21,7 @@ inline TrueMachine machine_with_repeatability(const char* chain, unsigned seed) 
 }
 
 inline Identification identified(const TrueMachine& machine, const VolumetricLengths& lengths,
-                          const IdentifyOptions& options = {}) {
+                                 const IdentifyOptions& options = {}) {
   auto result = identify(machine.model, lengths, options);
   if (!result) {
     ADD_FAILURE() << result.error().message;

@@ -17,7 +17,8 @@ constexpr std::size_t strain_kinds = 6;
 using Strains = Eigen::Matrix<double, static_cast<int>(strain_kinds), 1>;
 using PlaceRow = Eigen::Vector4d;  ///< and dead path
 
-/// Readings of one station, tool and segment, earlier or later ones; where breaks of the beam were found does not matter.
+/// Readings of one station, tool and segment, earlier or later ones; where breaks of the beam were found does not
+/// matter.
 struct SegmentPart {
   std::vector<std::size_t> readings;
   double sign = 1.0;
@@ -42,7 +43,8 @@ std::vector<SegmentPart> parts_of(const Problem& problem, std::span<const std::s
     const auto is_same = [&](const Stretch& other) {
       return other.virtual_station == stretches[j].virtual_station && other.segment == stretches[j].segment;
     };
-    segment_of_stretch.push_back(static_cast<std::size_t>(std::ranges::find_if(stretches, is_same) - stretches.begin()));
+    segment_of_stretch.push_back(
+        static_cast<std::size_t>(std::ranges::find_if(stretches, is_same) - stretches.begin()));
   }
   std::vector<std::size_t> segment_of;
   for (const std::size_t stretch : problem.unknowns.stretch_of) segment_of.push_back(segment_of_stretch[stretch]);

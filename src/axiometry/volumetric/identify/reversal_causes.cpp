@@ -256,14 +256,15 @@ std::optional<VolumetricFinding> varying_reversal(const Identifier& done, const 
   if (chance_of(gained, tried->quality) > varies_chance_most) return std::nullopt;
   const Varying which = varying(curves, *tried);
   const std::string where = which.axes.empty() ? "an axis"
-                            : which.error      ? fmt::format("{}, most clearly of {}", which.axes, error_name(*which.error))
-                                               : which.axes;
+                            : which.error ? fmt::format("{}, most clearly of {}", which.axes, error_name(*which.error))
+                                          : which.axes;
   return VolumetricFinding{
       "volumetric-reversal-varies", false,
-      fmt::format("what both directions differ by changes along {}: with curves in place of constants χ² falls from {:.0f} "
-                  "to {:.0f} for {:.0f} more unknowns, as chance has it once in a thousand cases at most; what is "
-                  "stated of each direction is too certain, and reversal is to be asked for as curves",
-                  where, own->chi_squared, tried->quality.chi_squared, gained.unknowns)};
+      fmt::format(
+          "what both directions differ by changes along {}: with curves in place of constants χ² falls from {:.0f} "
+          "to {:.0f} for {:.0f} more unknowns, as chance has it once in a thousand cases at most; what is "
+          "stated of each direction is too certain, and reversal is to be asked for as curves",
+          where, own->chi_squared, tried->quality.chi_squared, gained.unknowns)};
 }
 
 }  // namespace
@@ -292,8 +293,8 @@ void add_reversal_beyond_chance(const Identifier& done, const VolumetricLengths&
   };
   if (is_told("volumetric-reversal") || is_told("volumetric-chain-order")) return;
   const std::vector<std::size_t> kept = readings_to_try(done);
-  auto found = asked == Reversal::none ? reversal_beyond_chance(done, lengths, kept)
-                                       : varying_reversal(done, lengths, kept);
+  auto found =
+      asked == Reversal::none ? reversal_beyond_chance(done, lengths, kept) : varying_reversal(done, lengths, kept);
   if (found) findings.push_back(*std::move(found));
 }
 

@@ -38,7 +38,8 @@ TEST(ReversalCauses, NamesAReversalThatChangesAlongItsAxis) {
                   "volumetric-reversal-varies");
     };
     EXPECT_EQ(found(0.0, Reversal::constant), "") << seed;
-    EXPECT_THAT(found(1.0, Reversal::constant), HasSubstr("what both directions differ by changes along Y, most clearly of EYY: "))
+    EXPECT_THAT(found(1.0, Reversal::constant),
+                HasSubstr("what both directions differ by changes along Y, most clearly of EYY: "))
         << seed;
     EXPECT_EQ(found(1.0, Reversal::curves), "") << seed;
   }

@@ -30,7 +30,8 @@ TEST(SetupFindings, NameTwoStationsWhoseNamesAreExchanged) {
   EXPECT_EQ(exchange_told(machine, lengths), "");
   VolumetricLengths two = lengths;
   std::swap(two.stations[1], two.stations[3]);
-  EXPECT_THAT(exchange_told(machine, two), HasSubstr(R"(station "B" stands where "D" was said to, and "D" where "B" was)"));
+  EXPECT_THAT(exchange_told(machine, two),
+              HasSubstr(R"(station "B" stands where "D" was said to, and "D" where "B" was)"));
   EXPECT_EQ(told(identified(machine, two), "volumetric-station-place"), "");
   // Three in turn, or one that stands elsewhere, are no two exchanged.
   VolumetricLengths three = two;
@@ -48,8 +49,9 @@ TEST(SetupFindings, NameStationsExchangedInTheLengthsOfOneTool) {
     VolumetricLengths exchanged = lengths;
     for (VolumetricReading& reading : exchanged.readings)
       if (reading.tool == tool && reading.station > 1) reading.station = 5 - reading.station;
-    EXPECT_THAT(exchange_told(machine, exchanged),
-                HasSubstr(R"(the names of stations "C" and "D" are exchanged in the lengths with tool "short", or in )"))
+    EXPECT_THAT(
+        exchange_told(machine, exchanged),
+        HasSubstr(R"(the names of stations "C" and "D" are exchanged in the lengths with tool "short", or in )"))
         << tool;
   }
   // An instrument that was moved between the tools stands nowhere else.

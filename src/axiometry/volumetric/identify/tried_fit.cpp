@@ -61,9 +61,9 @@ std::optional<TriedFit> fitted_with(const Coefficients& coefficients, const Iden
   const Unknowns unknowns = unknowns_of(coefficients, lengths.readings, breaks, done.drift());
   const std::vector<Approaches> approaches = directions_of_rest(lengths.readings);
   const Problem whole = done.problem();
-  const ThinnedProblem few({whole.machine, coefficients, unknowns, whole.readings, whole.tools_mm, approaches,
-                            whole.weights, whole.threads},
-                           kept);
+  const ThinnedProblem few(
+      {whole.machine, coefficients, unknowns, whole.readings, whole.tools_mm, approaches, whole.weights, whole.threads},
+      kept);
   return fitted_to(few.problem(), done.fit().state);
 }
 
