@@ -94,19 +94,16 @@ double spread_about(std::span<const Vector3> vectors, Vector3 mean) {
   return spread;
 }
 
-/// Whether all stations show one offset.
-bool are_alike(std::span<const Vector3> errors) {
-  const Vector3 mean = mean_of(errors);
-  return spread_about(errors, mean) <= std::max(offset_told_mm, 0.3 * norm(mean));
-}
-
-/// The two stations whose names, exchanged at one of both tools, make all stand at one place.
-std::optional<NamesExchanged> exchanged_between(const Identification& result, std::size_t stations, std::size_t first,
-                                                std::size_t tool) {
+/// The two stations whose names, exchanged at one of both tools, make all stand at one place: a fiftieth of what they
+/// were apart is no chance.
+std::optional<NamesExchanged> exchanged_between(const Identification& result, std::size_t stations, std::size_t tool,
+                                                double spread_mm) {
   for (NamesExchanged names; names.one < stations; ++names.one)
-    for (names.other = names.one + 1; names.other < stations; ++names.other)
-      if (const auto errors = offset_errors(result, first, tool, names); errors.size() > 1 && are_alike(errors))
+    for (names.other = names.one + 1; names.other < stations; ++names.other) {
+      const auto errors = offset_errors(result, 0, tool, names);
+      if (errors.size() > 1 && spread_about(errors, mean_of(errors)) < std::max(offset_told_mm, 0.02 * spread_mm))
         return names;
+    }
   return std::nullopt;
 }
 
@@ -116,9 +113,10 @@ void add_tool_offsets(const MachineModel& machine, const VolumetricLengths& leng
     const std::vector<Vector3> errors = offset_errors(result, 0, tool);
     if (errors.empty()) continue;
     const Vector3 mean = mean_of(errors);
-    if (!are_alike(errors)) {
+    const double spread = spread_about(errors, mean);
+    if (spread > std::max(offset_told_mm, 0.3 * norm(mean))) {
       if (result.rank.null_directions > 0) continue;  // places may lie in directions that nothing tells
-      if (const auto names = exchanged_between(result, lengths.stations.size(), 0, tool)) {
+      if (const auto names = exchanged_between(result, lengths.stations.size(), tool, spread)) {
         findings.push_back(
             {"volumetric-stations-exchanged", true,
              fmt::format("the names of stations {} and {} are exchanged in the lengths with tool {}, or in those with "
@@ -132,7 +130,7 @@ void add_tool_offsets(const MachineModel& machine, const VolumetricLengths& leng
            fmt::format("where stations stand differs between tools {} and {} by {:.1f} mm, and not alike "
                        "for all stations: the instrument was moved between the tools, or stations are "
                        "mixed up",
-                       text::quoted(lengths.tools[0]), text::quoted(lengths.tools[tool]), spread_about(errors, mean))});
+                       text::quoted(lengths.tools[0]), text::quoted(lengths.tools[tool]), spread)});
       continue;
     }
     if (norm(mean) < offset_told_mm) continue;
@@ -219,10 +217,12 @@ void add_places(const MachineModel& machine, const VolumetricLengths& lengths, c
   double spread = 0.0;
   for (const Vector3& o : off) spread = std::max(spread, distance(o, mean));
   if (places.size() > 1 && spread < place_told_mm) {
-    findings.push_back({"volumetric-station-frame", true,
-                        fmt::format("all stations stand {} from where they were said to: they are stated in another "
-                                    "frame than the positions of the axes, or a tool offset is wrong",
-                                    vector_text(mean, 0))});
+    findings.push_back(
+        {"volumetric-station-frame", true,
+         fmt::format("all stations stand {} from where they were said to: they are stated in another "
+                     "frame than the positions of the axes, or tool offsets are wrong by it, of all tools alike or "
+                     "of one",
+                     vector_text(mean, 0))});
     return;
   }
   const Place worst =
