@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/volumetric/identify/mixed_days.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +18,8 @@ using test::four_stations;
 using test::identified;
 using test::machine_with_repeatability;
 using test::measured;
+using test::told;
 using test::TrueMachine;
-using testing::HasSubstr;
 
 constexpr std::size_t points_of_stretch = 80;
 
@@ -36,12 +35,14 @@ void make_second_day(const TrueMachine& machine, double um_per_m, VolumetricRead
 }
 
 /// Not that single stretches have axes of their own.
-std::string days_told(const TrueMachine& machine, const VolumetricLengths& lengths) {
-  const Identification result = identified(machine, lengths);
+std::string days_told(const Identification& result) {
   for (const VolumetricFinding& f : result.findings)
     if (f.id == "volumetric-axes-changed" && f.message.find("in the later lengths of each") != std::string::npos)
       return f.message;
   return "";
+}
+std::string days_told(const TrueMachine& machine, const VolumetricLengths& lengths) {
+  return days_told(identified(machine, lengths));
 }
 
 TEST(MixedDays, AreToldInMostAndNotWhereThereAreNone) {
@@ -49,7 +50,9 @@ TEST(MixedDays, AreToldInMostAndNotWhereThereAreNone) {
   for (unsigned seed = 200; seed < 240; ++seed) {
     TrueMachine machine = machine_with_repeatability(seed % 2 == 0 ? "XFYZ" : "FXYZ", seed);
     VolumetricLengths lengths = of_one_day(machine);
-    EXPECT_EQ(days_told(machine, lengths), "") << seed;
+    const Identification of_one = identified(machine, lengths);
+    EXPECT_EQ(days_told(of_one), "") << seed;
+    EXPECT_EQ(told(of_one, "volumetric-reversal"), "") << seed;
     if (seed % 2 != 0) continue;
     ++halves;
     for (std::size_t i = 0; i < lengths.readings.size(); ++i)
@@ -73,9 +76,7 @@ TEST(MixedDays, AreToldOfTwoFilesOfUnequalLength) {
     }
     lengths.readings = first;
     lengths.readings.insert(lengths.readings.end(), second.begin(), second.end());
-    const std::string told = days_told(machine, lengths);
-    found += told.empty() ? 0u : 1u;
-    if (!told.empty()) EXPECT_THAT(told, HasSubstr("axes seem longer, shorter or less square")) << seed;
+    found += days_told(machine, lengths).empty() ? 0u : 1u;
   }
   EXPECT_GE(found, 7u);
 }

@@ -59,14 +59,6 @@ TEST(ReversalCauses, TellsAReversalThatNobodyAskedForHoweverLargeResidualsAre) {
     }
 }
 
-TEST(ReversalCauses, TellsNoneOfCleanLengths) {
-  for (unsigned seed = 100; seed < 140; ++seed) {
-    TrueMachine machine = machine_with_repeatability(seed % 2 == 0 ? "XFYZ" : "YXFZ", seed);
-    const VolumetricLengths lengths = measured(machine, four_stations(), {.points = 60});
-    EXPECT_EQ(told(identified(machine, lengths), "volumetric-reversal"), "") << seed;
-  }
-}
-
 /// Curves of one span cannot follow the errors: what is left goes with places, not with directions.
 TEST(ReversalCauses, TellsNoneOfCurvesThatAreTooStraight) {
   for (unsigned seed = 140; seed < 150; ++seed) {
