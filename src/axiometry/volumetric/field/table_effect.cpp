@@ -39,9 +39,10 @@ std::optional<TableEffect> table_effect(const ErrorModel& model, Vector3 tool_mm
   AXIOMETRY_CONTRACT(nodes >= 2);
   // Eight in each span, within which what straight lines leave is a parabola.
   const std::size_t searched = std::clamp<std::size_t>(8 * (nodes - 1), searched_least, searched_most) + 1;
-  const auto reduced = field_reduction(model, tool_mm, {places_between(nodes), searched}, compensated_um);
-  if (!reduced) return std::nullopt;
-  return TableEffect{reduced->before, reduced->after};
+  const auto before = volume_statistics(model, tool_mm, places_between(nodes)).without_rigid_motion;
+  if (!before) return std::nullopt;
+  const SearchedGrid grid{places_between(nodes), searched};
+  return TableEffect{*before, sizes_without(model, tool_mm, grid, compensated_um).without_rigid_motion};
 }
 
 std::optional<TableEffect> effect_of_all_errors(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {

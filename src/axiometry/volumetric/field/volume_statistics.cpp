@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/volumetric/field/field_rows.h"
@@ -13,6 +12,7 @@ namespace axiometry::volumetric {
 namespace {
 
 constexpr double m_per_mm = 1e-3;
+constexpr std::size_t searched_places = 64;  // of a smooth field, along each axis
 
 /// A field on a grid, and the rigid motion within it: of a grid with equal steps the moments of inertia are diagonal.
 class VolumeGrid {
@@ -111,11 +111,6 @@ class VolumeGrid {
   Vector3 inertia_{};
 };
 
-std::size_t largest_of(const std::vector<Vector3>& field) {
-  return static_cast<std::size_t>(std::ranges::max_element(field, {}, [](Vector3 f) { return norm(f); }) -
-                                  field.begin());
-}
-
 Vector3 direction_of(Vector3 f) { return norm(f) > 0.0 ? unit(f) : Vector3{1, 0, 0}; }
 
 using FieldAt = std::function<Vector3(Vector3 axes_mm)>;
@@ -142,6 +137,7 @@ Vector3 largest_along(std::size_t axis, Vector3 from, const TravelBox& box, std:
   return q;
 }
 
+/// Of places to begin at on, along one axis after the other, until nothing grows.
 Vector3 largest_place(const std::vector<Vector3>& starts, const TravelBox& box, std::size_t searched,
                       const FieldAt& field) {
   constexpr int rounds_most = 6;
@@ -157,6 +153,23 @@ Vector3 largest_place(const std::vector<Vector3>& starts, const TravelBox& box, 
     if (norm(field(q)) > norm(field(best))) best = q;
   }
   return best;
+}
+
+/// Mean and 95 % of the nodes, the largest of all places; no uncertainty.
+FieldSizes searched_sizes(const VolumeGrid& grid, const std::vector<Vector3>& nodes, const TravelBox& box,
+                          std::size_t searched, const FieldAt& field) {
+  FieldSizes sizes = sizes_of(nodes);
+  sizes.largest_at_mm = largest_place(grid.largest_of_octants(nodes), box, searched, field);
+  sizes.largest.value = norm(field(sizes.largest_at_mm));
+  return sizes;
+}
+
+/// The same without the rigid motion of the nodes.
+FieldSizes searched_sizes_without_motion(const VolumeGrid& grid, const std::vector<Vector3>& nodes,
+                                         const TravelBox& box, std::size_t searched, const FieldAt& field) {
+  const VolumeGrid::RigidMotion motion = grid.rigid_motion(nodes);
+  return searched_sizes(grid, grid.without(nodes), box, searched,
+                        [&](Vector3 q) { return grid.less(motion, field(q), q); });
 }
 
 }  // namespace
@@ -178,66 +191,41 @@ VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std
   AXIOMETRY_CONTRACT(nodes >= 2 && nodes <= 101);
   const VolumeGrid grid(model, tool_mm, nodes);
   const std::vector<Vector3> field = grid.field_of(model.parts().values);
+  const FieldAt found = [&](Vector3 q) { return field_um(model, model.parts().values, q, tool_mm); };
   VolumeStatistics statistics;
   if (grid.is_told(false)) {
-    FieldSizes sizes = sizes_of(field);
-    const std::size_t at = largest_of(field);
+    FieldSizes sizes = searched_sizes(grid, field, model.observed(), searched_places, found);
     DenseRow row;
-    add_field(row, model, grid.places()[at], tool_mm, direction_of(field[at]));
+    add_field(row, model, sizes.largest_at_mm, tool_mm, direction_of(found(sizes.largest_at_mm)));
     sizes.largest = estimate_of(model, row);
-    sizes.largest_at_mm = grid.places()[at];
     statistics.as_found = sizes;
   }
   if (grid.is_told(true)) {
-    const std::vector<Vector3> left = grid.without(field);
-    FieldSizes sizes = sizes_of(left);
-    const std::size_t at = largest_of(left);
-    sizes.largest = estimate_of(model, grid.row_without(grid.places()[at], direction_of(left[at])));
-    sizes.largest_at_mm = grid.places()[at];
-    statistics.without_rigid_motion = sizes;
     const VolumeGrid::RigidMotion motion = grid.rigid_motion(field);
+    FieldSizes sizes = searched_sizes_without_motion(grid, field, model.observed(), searched_places, found);
+    const Vector3 largest = grid.less(motion, found(sizes.largest_at_mm), sizes.largest_at_mm);
+    sizes.largest = estimate_of(model, grid.row_without(sizes.largest_at_mm, direction_of(largest)));
+    statistics.without_rigid_motion = sizes;
     statistics.translation_um = motion.translation;
     statistics.rotation_urad = motion.rotation;
   }
   return statistics;
 }
 
-FieldSizes sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
-                                      const std::function<Vector3(Vector3 axes_mm)>& compensated_um) {
+ToldField told_field(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
   const VolumeGrid grid(model, tool_mm, nodes);
-  std::vector<Vector3> field = grid.field_of(model.parts().values);
-  for (std::size_t j = 0; j < field.size(); ++j) field[j] -= compensated_um(grid.places()[j]);
-  field = grid.without(std::move(field));
-  FieldSizes sizes = sizes_of(field);
-  const std::size_t at = largest_of(field);
-  sizes.largest.value = norm(field[at]);
-  sizes.largest_at_mm = grid.places()[at];
-  return sizes;
+  return {grid.is_told(false), grid.is_told(true)};
 }
 
-std::optional<FieldReduction> field_reduction(const ErrorModel& model, Vector3 tool_mm, SearchedGrid searched,
-                                              const FieldAt& compensated_um) {
+RemainingSizes sizes_without(const ErrorModel& model, Vector3 tool_mm, SearchedGrid searched,
+                             const FieldAt& compensated_um) {
   AXIOMETRY_CONTRACT(searched.nodes >= 2 && searched.searched >= 2);
   const VolumeGrid grid(model, tool_mm, searched.nodes);
-  if (!grid.is_told(true)) return std::nullopt;
-  const FieldAt found = [&](Vector3 q) {
-    return BeamRow(model.coefficients(), model.machine(), q, tool_mm).displacement_um(model.parts().values);
-  };
-  const auto sizes_without_motion = [&](const FieldAt& at) {
-    std::vector<Vector3> field;
-    for (const Vector3& q : grid.places()) field.push_back(at(q));
-    const VolumeGrid::RigidMotion motion = grid.rigid_motion(field);
-    const FieldAt left = [&](Vector3 q) { return grid.less(motion, at(q), q); };
-    field = grid.without(std::move(field));
-    FieldSizes sizes = sizes_of(field);
-    sizes.largest_at_mm = largest_place(grid.largest_of_octants(field), model.observed(), searched.searched, left);
-    const Vector3 largest = left(sizes.largest_at_mm);
-    sizes.largest.value = norm(largest);
-    return std::pair{sizes, largest};
-  };
-  auto [before, largest] = sizes_without_motion(found);
-  before.largest = estimate_of(model, grid.row_without(before.largest_at_mm, direction_of(largest)));
-  return FieldReduction{before, sizes_without_motion([&](Vector3 q) { return found(q) - compensated_um(q); }).first};
+  const FieldAt left = [&](Vector3 q) { return field_um(model, model.parts().values, q, tool_mm) - compensated_um(q); };
+  std::vector<Vector3> field;
+  for (const Vector3& q : grid.places()) field.push_back(left(q));
+  return {searched_sizes(grid, field, model.observed(), searched.searched, left),
+          searched_sizes_without_motion(grid, field, model.observed(), searched.searched, left)};
 }
 
 FieldSlice field_slice(const ErrorModel& model, Vector3 tool_mm, std::size_t fixed_axis, double at_mm,
