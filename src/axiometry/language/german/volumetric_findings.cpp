@@ -21,11 +21,10 @@ constexpr Phrase volumetric_findings_rows[] = {
      "this line tells such turns, more points do not",
      "alle Stationen stehen innerhalb von {0} um eine Gerade, und keine Länge ändert sich, wo Punkte sich um diese "
      "drehen; eine Station neben dieser Geraden bestimmt solche Drehungen, mehr Punkte nicht"},
-    {"all stations stand {0#} from where they were said to: they are stated in another frame than the positions of the "
-     "axes, or a tool offset is wrong",
-     "alle Stationen stehen um {0} neben dem angegebenen Ort: Sie sind in einem anderen Koordinatensystem angegeben "
-     "als "
-     "die Positionen der Achsen, oder ein Werkzeugversatz ist falsch"},
+    {"all stations stand {0#} from where they were said to: they are stated in another frame than the positions "
+     "of the axes, or tool offsets are wrong by it, of all tools alike or of one",
+     "alle Stationen stehen um {0} neben dem angegebenen Ort: Sie sind in einem anderen Koordinatensystem "
+     "angegeben als die Positionen der Achsen, oder Werkzeugversätze sind um dies falsch, alle gleich oder einer"},
     {"all tool points lie on one line, and a rotation about that line moves none of them; a tool beside it tells this "
      "rotation",
      "alle Werkzeugpunkte liegen auf einer Geraden, und eine Drehung um diese bewegt keinen von ihnen; ein Werkzeug "
@@ -57,6 +56,14 @@ constexpr Phrase volumetric_findings_rows[] = {
      "zwischen {0} und {1} springen alle Längen um {2}: Der Strahl war unterbrochen, und die Längen ab dort haben eine "
      "eigene Totstrecke; auf welcher Seite der Unterbrechung die {3} Längen dazwischen gemessen wurden, lässt sich "
      "nicht sagen, und sie sind ausgelassen"},
+    {"both directions of an axis differ: with a constant of each for each direction χ² falls from {0#} to {1#} "
+     "for {2#} more unknowns, as chance has it once in ten thousand cases at most; most clearly {3=} differs, by "
+     "{4#} between both directions of {5=}; what is stated of errors is of no direction, and reversal is to be "
+     "asked for (constant)",
+     "beide Richtungen einer Achse unterscheiden sich: mit einer Konstante jeder Abweichung für jede Richtung "
+     "fällt χ² von {0} auf {1} bei {2} Unbekannten mehr, was der Zufall höchstens einmal in zehntausend Fällen "
+     "bewirkt; am deutlichsten unterscheidet sich {3}, um {4} zwischen beiden Richtungen von {5}; was von "
+     "Abweichungen angegeben wird, gilt für keine Richtung, und Umkehr ist zu verlangen (constant)"},
     {"curves are taken to be smooth, as the lengths of all let it appear: {0}",
      "die Kurven gelten als glatt, wie es die Längen aller erkennen lassen: {0}"},
     {"curves are taken to be smooth, as was stated: {0}", "die Kurven gelten als glatt, wie angegeben: {0}"},
@@ -212,6 +219,10 @@ constexpr Phrase volumetric_findings_rows[] = {
     {"smoothness: {0}", "Glattheit: {0}"},
     {"station {0=} stands at {1#}, {2#} from where it was said to",
      "Station {0} steht bei {1}, {2} neben dem angegebenen Ort"},
+    {"station {0=} stands where {1=} was said to, and {2=} where {3=} was: the names of both are exchanged in the "
+     "lengths, or where they stand in the machine's file",
+     "Station {0} steht, wo {1} stehen soll, und {2}, wo {3} stehen soll: Die Namen beider sind in den Längen "
+     "vertauscht, oder ihre Orte in der Datei der Maschine"},
     {"station {0=} with tool {1=} stands about {2#} elsewhere in segment {3=} than in the others: the instrument was "
      "moved, or lengths of two set-ups or days are mixed",
      "Station {0} mit Werkzeug {1} steht im Segment {3} etwa {2} anderswo als in den übrigen: Das Messgerät wurde "
@@ -222,6 +233,12 @@ constexpr Phrase volumetric_findings_rows[] = {
      "die Achsen scheinen für einen Teil der Längen länger, kürzer oder weniger rechtwinklig als für die übrigen, "
      "am meisten für Station {0} mit Werkzeug {1} im Segment {2}: Maschine oder Luft waren dort wärmer oder "
      "kälter, oder Längen zweier Tage sind vermischt"},
+    {"the axes seem longer, shorter or less square in the later lengths of each station with a tool than in its "
+     "earlier ones: the machine or the air became warmer or colder, lengths of two days are mixed, or both "
+     "directions differ and all was measured forth and then back",
+     "die Achsen scheinen in den späteren Längen jeder Station mit einem Werkzeug länger, kürzer oder weniger "
+     "rechtwinklig als in den früheren: Maschine oder Luft wurden wärmer oder kälter, Längen zweier Tage sind "
+     "vermischt, oder beide Richtungen unterscheiden sich und alles wurde hin und dann zurück gemessen"},
     {"the lengths do not tell {0}; {1}: no number is given for it",
      "die Längen bestimmen {0} nicht; {1}: dafür ist kein Wert angegeben"},
     {"the lengths do not tell {0}; {1}: no number is given for them",
@@ -238,6 +255,10 @@ constexpr Phrase volumetric_findings_rows[] = {
      "not hold the truth",
      "die Längen zeigen, dass sich {0} stärker biegt, als die Glattheit zulässt, bis zu {1}-mal so stark: Die "
      "Unsicherheiten enthalten die Wahrheit womöglich nicht"},
+    {"the names of stations {0=} and {1=} are exchanged in the lengths with tool {2=}, or in those with tool "
+     "{3=}: exchanged once more, every station stands at one place with both",
+     "die Namen der Stationen {0} und {1} sind in den Längen mit Werkzeug {2} oder in denen mit Werkzeug {3} "
+     "vertauscht: noch einmal getauscht, steht jede Station mit beiden an einem Ort"},
     {"the number of stations and tools and the lines they stand on do not show why; coarser curves ask for less, and "
      "more points, approached from other directions, tell more",
      "aus der Anzahl der Stationen und Werkzeuge und den Geraden, auf denen sie stehen, geht nicht hervor, warum; "
@@ -277,6 +298,8 @@ constexpr Phrase volumetric_findings_rows[] = {
      "zu groß angegeben, und damit alle Unsicherheiten"},
     {"the result from which this was made should not be used as it is: {0}",
      "das Ergebnis, aus dem dies gemacht ist, sollte nicht so verwendet werden: {0}"},
+    {"the stations stand where they were said to if the names of {0=} and {1=} are exchanged, or if {2}",
+     "die Stationen stehen am angegebenen Ort, wenn die Namen von {0} und {1} vertauscht sind oder wenn {2}"},
     {"the stations stand where they were said to only if {0}: axes or signs of the positions, or of the stations, are "
      "mixed up",
      "die Stationen stehen nur dann am angegebenen Ort, wenn {0}: Achsen oder Vorzeichen der Positionen oder der "
@@ -298,12 +321,24 @@ constexpr Phrase volumetric_findings_rows[] = {
      "als mm gelesen"},
     {"these stations, tools and points will not tell {0=}; {1}",
      "diese Stationen, Werkzeuge und Punkte bestimmen {0} nicht; {1}"},
-    {"what both directions of an axis differ by changes along it: with curves in place of constants χ² falls from "
-     "{0#} to {1#} for {2#} more unknowns, as chance has it once in a thousand cases at most; what is stated of each "
+    {"what both directions differ by changes along an axis: with curves in place of constants χ² falls from {0#} "
+     "to {1#} for {2#} more unknowns, as chance has it once in a thousand cases at most; what is stated of each "
      "direction is too certain, and reversal is to be asked for as curves",
-     "worin sich beide Richtungen einer Achse unterscheiden, ändert sich längs der Achse: mit Kurven statt "
-     "Konstanten fällt χ² von {0} auf {1} bei {2} Unbekannten mehr, was der Zufall höchstens einmal in tausend "
+     "worin sich beide Richtungen unterscheiden, ändert sich längs einer Achse: mit Kurven statt Konstanten fällt "
+     "χ² von {0} auf {1} bei {2} Unbekannten mehr, was der Zufall höchstens einmal in tausend Fällen bewirkt; was "
+     "von jeder Richtung angegeben wird, ist zu sicher, und Umkehr ist als Kurven zu verlangen"},
+    {"what both directions differ by changes along {0=}, most clearly of {1=}: with curves in place of constants "
+     "χ² falls from {2#} to {3#} for {4#} more unknowns, as chance has it once in a thousand cases at most; what "
+     "is stated of each direction is too certain, and reversal is to be asked for as curves",
+     "worin sich beide Richtungen unterscheiden, ändert sich längs {0}, am deutlichsten bei {1}: mit Kurven statt "
+     "Konstanten fällt χ² von {2} auf {3} bei {4} Unbekannten mehr, was der Zufall höchstens einmal in tausend "
      "Fällen bewirkt; was von jeder Richtung angegeben wird, ist zu sicher, und Umkehr ist als Kurven zu verlangen"},
+    {"what both directions differ by changes along {0=}: with curves in place of constants χ² falls from {1#} to "
+     "{2#} for {3#} more unknowns, as chance has it once in a thousand cases at most; what is stated of each "
+     "direction is too certain, and reversal is to be asked for as curves",
+     "worin sich beide Richtungen unterscheiden, ändert sich längs {0}: mit Kurven statt Konstanten fällt χ² von "
+     "{1} auf {2} bei {3} Unbekannten mehr, was der Zufall höchstens einmal in tausend Fällen bewirkt; was von "
+     "jeder Richtung angegeben wird, ist zu sicher, und Umkehr ist als Kurven zu verlangen"},
     {"what residuals have too much goes with the direction in which axes came to rest: {0=} differs most, by {1#} "
      "between both directions of {2=}; where reversal is asked for (constant), errors hold it",
      "was die Residuen zu viel haben, hängt an der Richtung, in der Achsen zur Ruhe kamen: {0} unterscheidet sich "

@@ -67,24 +67,17 @@ FieldDifference field_difference(const ErrorModel& before, const ErrorModel& aft
                                  std::size_t nodes) {
   AXIOMETRY_CONTRACT(nodes >= 2 && nodes <= 101);
   FieldDifference difference;
-  const VolumeStatistics told_before = volume_statistics(before, tool_mm, nodes);
-  const VolumeStatistics told_after = volume_statistics(after, tool_mm, nodes);
+  const ToldField told_before = told_field(before, tool_mm, nodes), told_after = told_field(after, tool_mm, nodes);
   const auto before_um = [&](Vector3 q) { return field_um(before, before.parts().values, q, tool_mm); };
+  RemainingSizes sizes = sizes_without(after, tool_mm, {.nodes = nodes}, before_um);
   if (told_before.without_rigid_motion && told_after.without_rigid_motion)
-    difference.without_rigid_motion = sizes_without_rigid_motion(after, tool_mm, nodes, before_um);
+    difference.without_rigid_motion = sizes.without_rigid_motion;
   if (!told_before.as_found || !told_after.as_found) return difference;
-  const std::vector<Vector3> places = grid_places(after.observed(), nodes);
-  std::vector<Vector3> field;
-  for (const Vector3& q : places) field.push_back(field_um(after, after.parts().values, q, tool_mm) - before_um(q));
-  const auto at = std::ranges::max_element(field, {}, [](Vector3 d) { return norm(d); }) - field.begin();
-  const Vector3 largest = field[static_cast<std::size_t>(at)];
-  FieldSizes sizes = sizes_of(field);
-  sizes.largest_at_mm = places[static_cast<std::size_t>(at)];
-  sizes.largest.value = norm(largest);
-  const Vector3 along = sizes.largest.value > 0.0 ? unit(largest) : Vector3{1.0, 0.0, 0.0};
-  sizes.largest.u = std::hypot(u_along(before, sizes.largest_at_mm, tool_mm, along),
-                               u_along(after, sizes.largest_at_mm, tool_mm, along));
-  difference.as_found = sizes;
+  const Vector3 at = sizes.as_found.largest_at_mm;
+  const Vector3 largest = field_um(after, after.parts().values, at, tool_mm) - before_um(at);
+  const Vector3 along = norm(largest) > 0.0 ? unit(largest) : Vector3{1.0, 0.0, 0.0};
+  sizes.as_found.largest.u = std::hypot(u_along(before, at, tool_mm, along), u_along(after, at, tool_mm, along));
+  difference.as_found = sizes.as_found;
   return difference;
 }
 

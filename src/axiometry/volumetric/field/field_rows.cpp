@@ -26,15 +26,7 @@ void add_field(DenseRow& row, const ErrorModel& model, Vector3 axes_mm, Vector3 
 }
 
 Vector3 field_um(const ErrorModel& model, std::span<const double> coefficients, Vector3 axes_mm, Vector3 tool_mm) {
-  BeamRow beam(model.coefficients(), model.machine(), axes_mm, tool_mm);
-  Vector3 field;
-  for (std::size_t k = 0; k < 3; ++k) {
-    Vector3 along{};
-    along[k] = 1.0;
-    beam.along(along);
-    field[k] = beam.times(coefficients);
-  }
-  return field;
+  return BeamRow(model.coefficients(), model.machine(), axes_mm, tool_mm).displacement_um(coefficients);
 }
 
 DenseRow covariance_times(const ErrorModel& model, std::span<const double> row) {

@@ -15,6 +15,7 @@ namespace axiometry::volumetric {
 namespace {
 
 constexpr std::size_t places_least = 11;  // along each axis
+constexpr std::size_t searched_least = 64, searched_most = 192;
 
 /// Of whose spans none but the ends is a position of the tables: there a table leaves nothing.
 std::size_t places_between(std::size_t nodes) {
@@ -36,10 +37,12 @@ double on_straight_lines(const std::vector<CurveNode>& curve, double position) {
 std::optional<TableEffect> table_effect(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
                                         const std::function<Vector3(Vector3 axes_mm)>& compensated_um) {
   AXIOMETRY_CONTRACT(nodes >= 2);
-  const std::size_t places = places_between(nodes);
-  const auto before = volume_statistics(model, tool_mm, places).without_rigid_motion;
+  // Eight in each span, within which what straight lines leave is a parabola.
+  const std::size_t searched = std::clamp<std::size_t>(8 * (nodes - 1), searched_least, searched_most) + 1;
+  const auto before = volume_statistics(model, tool_mm, places_between(nodes)).without_rigid_motion;
   if (!before) return std::nullopt;
-  return TableEffect{*before, sizes_without_rigid_motion(model, tool_mm, places, compensated_um)};
+  const SearchedGrid grid{places_between(nodes), searched};
+  return TableEffect{*before, sizes_without(model, tool_mm, grid, compensated_um).without_rigid_motion};
 }
 
 std::optional<TableEffect> effect_of_all_errors(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {

@@ -16,7 +16,8 @@ struct TableEffect {
 };
 
 /// Of what is taken away at each place. Absent where the lengths do not tell the field with this tool. It is looked at
-/// between the positions of tables that have `nodes` along each axis. Contract: 2 ≤ nodes.
+/// between the positions of tables that have `nodes` along each axis, the largest all over (FieldSizes).
+/// Contract: 2 ≤ nodes.
 std::optional<TableEffect> table_effect(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
                                         const std::function<Vector3(Vector3 axes_mm)>& compensated_um);
 

@@ -12,6 +12,7 @@ namespace axiometry::volumetric {
 namespace {
 
 constexpr double m_per_mm = 1e-3;
+constexpr std::size_t searched_places = 64;  // of a smooth field, along each axis
 
 /// A field on a grid, and the rigid motion within it: of a grid with equal steps the moments of inertia are diagonal.
 class VolumeGrid {
@@ -47,16 +48,20 @@ class VolumeGrid {
   }
   std::vector<Vector3> without(std::vector<Vector3> field) const {
     const RigidMotion motion = rigid_motion(field);
-    for (std::size_t j = 0; j < field.size(); ++j)
-      field[j] -= motion.translation + cross(motion.rotation, lever_m(places_[j]));
+    for (std::size_t j = 0; j < field.size(); ++j) field[j] = less(motion, field[j], places_[j]);
     return field;
   }
 
-  /// The row of one component of without(): that of the place less the motion there, which all places make.
-  DenseRow row_without(std::size_t at, Vector3 along) const {
+  /// What a motion leaves of a field at any place.
+  Vector3 less(const RigidMotion& motion, Vector3 field, Vector3 at_mm) const {
+    return field - motion.translation - cross(motion.rotation, lever_m(at_mm));
+  }
+
+  /// The row of one component of without(): that of the place less the motion there, which all nodes make.
+  DenseRow row_without(Vector3 at_mm, Vector3 along) const {
     DenseRow row;
-    add_field(row, model_, places_[at], tool_, along);
-    const Vector3 turned = cross(lever_m(places_[at]), along);
+    add_field(row, model_, at_mm, tool_, along);
+    const Vector3 turned = cross(lever_m(at_mm), along);
     Vector3 share;
     for (std::size_t k = 0; k < 3; ++k) share[k] = turned[k] / inertia_[k];
     for (const Vector3& q : places_)
@@ -68,6 +73,20 @@ class VolumeGrid {
     std::vector<Vector3> field;
     for (const Vector3& q : places_) field.push_back(field_um(model_, coefficients, q, tool_));
     return field;
+  }
+
+  /// The largest node of each octant: between others may be the largest of all.
+  std::vector<Vector3> largest_of_octants(const std::vector<Vector3>& field) const {
+    std::array<std::optional<std::size_t>, 8> largest;
+    for (std::size_t j = 0; j < field.size(); ++j) {
+      std::size_t octant = 0;
+      for (std::size_t k = 0; k < 3; ++k) octant += places_[j][k] > middle_[k] ? std::size_t{1} << k : 0u;
+      if (!largest[octant] || norm(field[j]) > norm(field[*largest[octant]])) largest[octant] = j;
+    }
+    std::vector<Vector3> places;
+    for (const auto& node : largest)
+      if (node) places.push_back(places_[*node]);
+    return places;
   }
 
   /// Whether nothing of what the lengths do not tell is left beside a rigid motion, or beside a displacement alone.
@@ -92,12 +111,66 @@ class VolumeGrid {
   Vector3 inertia_{};
 };
 
-std::size_t largest_of(const std::vector<Vector3>& field) {
-  return static_cast<std::size_t>(std::ranges::max_element(field, {}, [](Vector3 f) { return norm(f); }) -
-                                  field.begin());
+Vector3 direction_of(Vector3 f) { return norm(f) > 0.0 ? unit(f) : Vector3{1, 0, 0}; }
+
+using FieldAt = std::function<Vector3(Vector3 axes_mm)>;
+
+/// Where |field| is largest on the line along one axis through a place.
+Vector3 largest_along(std::size_t axis, Vector3 from, const TravelBox& box, std::size_t searched,
+                      const FieldAt& field) {
+  constexpr int between = 8;
+  const double lowest = box.lowest_mm[axis], highest = box.highest_mm[axis];
+  double most = norm(field(from)), at = from[axis];
+  Vector3 q = from;
+  const auto look = [&](double position) {
+    q[axis] = std::clamp(position, lowest, highest);
+    if (const double size = norm(field(q)); size > most) {
+      most = size;
+      at = q[axis];
+    }
+  };
+  const double step = (highest - lowest) / static_cast<double>(searched - 1);
+  for (std::size_t k = 0; k < searched; ++k) look(lowest + step * static_cast<double>(k));
+  const double middle = at;
+  for (int k = -between + 1; k < between; ++k) look(middle + step / between * k);
+  q[axis] = at;
+  return q;
 }
 
-Vector3 direction_of(Vector3 f) { return norm(f) > 0.0 ? unit(f) : Vector3{1, 0, 0}; }
+/// Of places to begin at on, along one axis after the other, until nothing grows.
+Vector3 largest_place(const std::vector<Vector3>& starts, const TravelBox& box, std::size_t searched,
+                      const FieldAt& field) {
+  constexpr int rounds_most = 6;
+  constexpr double grown_least = 1e-3;  // of what is told to 1 %
+  Vector3 best = starts.front();
+  for (const Vector3& start : starts) {
+    Vector3 q = start;
+    for (int round = 0; round < rounds_most; ++round) {
+      const double before = norm(field(q));
+      for (std::size_t a = 0; a < axis_count; ++a) q = largest_along(a, q, box, searched, field);
+      if (norm(field(q)) <= (1.0 + grown_least) * before) break;
+    }
+    if (norm(field(q)) > norm(field(best))) best = q;
+  }
+  return best;
+}
+
+/// Mean and 95 % of the nodes, the largest of all places; no uncertainty.
+FieldSizes searched_sizes(const VolumeGrid& grid, const std::vector<Vector3>& nodes, const TravelBox& box,
+                          std::size_t searched, const FieldAt& field) {
+  FieldSizes sizes = sizes_of(nodes);
+  sizes.largest_at_mm = largest_place(grid.largest_of_octants(nodes), box, searched, field);
+  sizes.largest.value = norm(field(sizes.largest_at_mm));
+  return sizes;
+}
+
+/// The same without the rigid motion of the nodes.
+FieldSizes searched_sizes_without_motion(const VolumeGrid& grid, const std::vector<Vector3>& nodes,
+                                         const TravelBox& box, std::size_t searched, const FieldAt& field) {
+  const VolumeGrid::RigidMotion motion = grid.rigid_motion(nodes);
+  return searched_sizes(grid, grid.without(nodes), box, searched,
+                        [&](Vector3 q) { return grid.less(motion, field(q), q); });
+}
 
 }  // namespace
 
@@ -118,41 +191,41 @@ VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std
   AXIOMETRY_CONTRACT(nodes >= 2 && nodes <= 101);
   const VolumeGrid grid(model, tool_mm, nodes);
   const std::vector<Vector3> field = grid.field_of(model.parts().values);
+  const FieldAt found = [&](Vector3 q) { return field_um(model, model.parts().values, q, tool_mm); };
   VolumeStatistics statistics;
   if (grid.is_told(false)) {
-    FieldSizes sizes = sizes_of(field);
-    const std::size_t at = largest_of(field);
+    FieldSizes sizes = searched_sizes(grid, field, model.observed(), searched_places, found);
     DenseRow row;
-    add_field(row, model, grid.places()[at], tool_mm, direction_of(field[at]));
+    add_field(row, model, sizes.largest_at_mm, tool_mm, direction_of(found(sizes.largest_at_mm)));
     sizes.largest = estimate_of(model, row);
-    sizes.largest_at_mm = grid.places()[at];
     statistics.as_found = sizes;
   }
   if (grid.is_told(true)) {
-    const std::vector<Vector3> left = grid.without(field);
-    FieldSizes sizes = sizes_of(left);
-    const std::size_t at = largest_of(left);
-    sizes.largest = estimate_of(model, grid.row_without(at, direction_of(left[at])));
-    sizes.largest_at_mm = grid.places()[at];
-    statistics.without_rigid_motion = sizes;
     const VolumeGrid::RigidMotion motion = grid.rigid_motion(field);
+    FieldSizes sizes = searched_sizes_without_motion(grid, field, model.observed(), searched_places, found);
+    const Vector3 largest = grid.less(motion, found(sizes.largest_at_mm), sizes.largest_at_mm);
+    sizes.largest = estimate_of(model, grid.row_without(sizes.largest_at_mm, direction_of(largest)));
+    statistics.without_rigid_motion = sizes;
     statistics.translation_um = motion.translation;
     statistics.rotation_urad = motion.rotation;
   }
   return statistics;
 }
 
-FieldSizes sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
-                                      const std::function<Vector3(Vector3 axes_mm)>& compensated_um) {
+ToldField told_field(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
   const VolumeGrid grid(model, tool_mm, nodes);
-  std::vector<Vector3> field = grid.field_of(model.parts().values);
-  for (std::size_t j = 0; j < field.size(); ++j) field[j] -= compensated_um(grid.places()[j]);
-  field = grid.without(std::move(field));
-  FieldSizes sizes = sizes_of(field);
-  const std::size_t at = largest_of(field);
-  sizes.largest.value = norm(field[at]);
-  sizes.largest_at_mm = grid.places()[at];
-  return sizes;
+  return {grid.is_told(false), grid.is_told(true)};
+}
+
+RemainingSizes sizes_without(const ErrorModel& model, Vector3 tool_mm, SearchedGrid searched,
+                             const FieldAt& compensated_um) {
+  AXIOMETRY_CONTRACT(searched.nodes >= 2 && searched.searched >= 2);
+  const VolumeGrid grid(model, tool_mm, searched.nodes);
+  const FieldAt left = [&](Vector3 q) { return field_um(model, model.parts().values, q, tool_mm) - compensated_um(q); };
+  std::vector<Vector3> field;
+  for (const Vector3& q : grid.places()) field.push_back(left(q));
+  return {searched_sizes(grid, field, model.observed(), searched.searched, left),
+          searched_sizes_without_motion(grid, field, model.observed(), searched.searched, left)};
 }
 
 FieldSlice field_slice(const ErrorModel& model, Vector3 tool_mm, std::size_t fixed_axis, double at_mm,

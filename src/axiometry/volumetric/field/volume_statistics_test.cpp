@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "axiometry/volumetric/field/field_rows.h"
 #include "axiometry/volumetric/field/line_prediction.h"
 #include "axiometry/volumetric/known_machine_test_support.h"
 
@@ -65,6 +67,39 @@ TEST(VolumeStatistics, LieWithinTheirUncertaintyOfTheTruth) {
   EXPECT_LT(told->largest.u, 1.5);
   EXPECT_LE(told->mean, told->percent_95);
   EXPECT_LE(told->percent_95, told->largest.value);
+}
+
+/// Validation: of 41 × 41 × 41 places one by one, whatever the grid, the largest is not more.
+TEST(VolumeStatistics, CallLargestWhatIsLargestAnywhere) {
+  for (const std::size_t places : {60u, 100u}) {
+    const auto found = known_identification(known_machine(), places);
+    const ErrorModel& model = found.model;
+    for (const Vector3 tool : {Vector3{0, 0, -150}, Vector3{120, 60, -180}})
+      for (const std::size_t nodes : {3u, 11u}) {
+        const VolumeStatistics told = volume_statistics(model, tool, nodes);
+        ASSERT_TRUE(told.as_found && told.without_rigid_motion);
+        const RemainingSizes nothing_taken =
+            sizes_without(model, tool, {.nodes = nodes}, [](Vector3) { return Vector3{}; });
+        EXPECT_EQ(nothing_taken.as_found.largest_at_mm, told.as_found->largest_at_mm);
+        EXPECT_EQ(nothing_taken.without_rigid_motion.largest_at_mm, told.without_rigid_motion->largest_at_mm);
+        const Vector3 middle = place_in(model.observed(), {0.5, 0.5, 0.5});
+        double as_found = 0.0, without_motion = 0.0;
+        constexpr int steps = 40;
+        for (int i = 0; i <= steps; ++i)
+          for (int j = 0; j <= steps; ++j)
+            for (int k = 0; k <= steps; ++k) {
+              const Vector3 q = place_in(model.observed(), {i / double(steps), j / double(steps), k / double(steps)});
+              const Vector3 error = field_um(model, model.parts().values, q, tool);
+              as_found = std::max(as_found, norm(error));
+              without_motion = std::max(
+                  without_motion, norm(error - told.translation_um - cross(told.rotation_urad, 1e-3 * (q - middle))));
+            }
+        EXPECT_GE(told.as_found->largest.value, 0.99 * as_found) << nodes;
+        EXPECT_LE(told.as_found->largest.value, 1.01 * as_found) << nodes;
+        EXPECT_GE(told.without_rigid_motion->largest.value, 0.99 * without_motion) << nodes;
+        EXPECT_LE(told.without_rigid_motion->largest.value, 1.01 * without_motion) << nodes;
+      }
+  }
 }
 
 TEST(FieldSlice, HoldsTheFieldOfItsPlane) {

@@ -11,8 +11,10 @@
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
+#include "axiometry/volumetric/identify/mixed_days.h"
 #include "axiometry/volumetric/identify/one_sided_places.h"
 #include "axiometry/volumetric/identify/residual_causes.h"
+#include "axiometry/volumetric/identify/reversal_causes.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
@@ -317,7 +319,8 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
   add_residual_causes(done, machine, lengths, findings);
-  add_varying_reversal(done, lengths, findings);
+  add_mixed_days(done, findings);
+  add_reversal_beyond_chance(done, lengths, findings);
   add_set_aside(lengths, result, findings);
   add_breaks(done, lengths, result, findings);
   add_drift(result, findings);

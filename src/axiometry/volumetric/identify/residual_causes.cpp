@@ -12,62 +12,19 @@
 
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/numeric/distributions/f_distribution.h"
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
+#include "axiometry/volumetric/identify/reversal_causes.h"
+#include "axiometry/volumetric/identify/tried_fit.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr std::size_t tried_readings_most = 20'000;
-constexpr double gain_least = 100.0;          // of χ²: a few dozen unknowns take less by chance
-constexpr double share_least = 0.8;           // of what χ² has too much
 constexpr double strain_serious_ratio = 4.0;  // χ²/ν, as of all scatter
 constexpr std::size_t strain_readings_least = 20;
 constexpr std::size_t strained_stretches_most = 60;
-constexpr double chance_most = 1e-3;  // of a constant reversal that looks as if it changed along an axis
-constexpr double usual_lever_m = 0.3;  // by which rotations are held against displacements
 
 using Order = std::array<std::size_t, axis_count>;
-
-/// How well something fits.
-struct FitQuality {
-  double chi_squared = 0.0;
-  double degrees_of_freedom = 1.0;
-
-  double excess() const { return chi_squared - degrees_of_freedom; }
-  double ratio() const { return chi_squared / degrees_of_freedom; }
-};
-
-struct TriedFit {
-  Fit fit;
-  FitQuality quality;
-};
-
-/// Whether it takes most of what the other has too much, by more than the number of its unknowns alone does.
-bool explains(const FitQuality& other, const FitQuality& own) {
-  return own.excess() - other.excess() > gain_least && other.ratio() - 1.0 < (1.0 - share_least) * (own.ratio() - 1.0);
-}
-
-std::vector<std::size_t> readings_to_try(const Identifier& done) {
-  const std::size_t n = done.weights().size();
-  if (n > tried_readings_most) return some_of_each_stretch(done.unknowns(), tried_readings_most);
-  std::vector<std::size_t> all(n);
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
-
-/// From the places of the stations as they were found: errors are so small that these hardly depend on them.
-std::optional<TriedFit> fitted_to(const Problem& some, State start) {
-  start.coefficients.assign(some.coefficients.raw(), 0.0);
-  auto fit = least_squares(some, std::move(start));
-  if (!fit) return std::nullopt;
-  const std::size_t told = fit->solution.unknowns() - fit->solution.null_directions();
-  const auto used = static_cast<std::size_t>(std::ranges::count_if(some.weights, [](double w) { return w > 0.0; }));
-  if (used <= told) return std::nullopt;
-  const FitQuality quality{fit->chi_squared, static_cast<double>(used - told)};
-  return TriedFit{*std::move(fit), quality};
-}
 
 std::string letters_of(const Order& order, std::string_view between) {
   std::string text;
@@ -99,59 +56,6 @@ std::optional<VolumetricFinding> other_order(const Identifier& done, const Machi
                   "chain {} has it (χ²/ν = {:.2f})",
                   letters_of(best_order, ", "), best->quality.ratio(), letters_of(machine.chain.order(), ", "),
                   machine.chain.text(), own.ratio())};
-}
-
-/// By how much an error differs between its directions, µm or µrad.
-struct Difference {
-  ErrorMotion error;
-  double size = 0.0;
-};
-
-/// That which moves the tool point most.
-Difference largest_difference(const Coefficients& coefficients, const State& state) {
-  Difference largest;
-  double farthest_um = -1.0;
-  for (std::size_t a = 0; a < axis_count; ++a)
-    for (std::size_t m = 0; m < motion_count; ++m) {
-      const double size = 2.0 * std::abs(state.coefficients[coefficients.half(a) + m]);
-      const double moved_um = m >= first_rotation ? usual_lever_m * size : size;
-      if (moved_um <= farthest_um) continue;
-      farthest_um = moved_um;
-      largest = {{a, m}, size};
-    }
-  return largest;
-}
-
-Coefficients with_reversal(const Coefficients& c, Reversal reversal) {
-  return Coefficients({c.basis(0), c.basis(1), c.basis(2)}, reversal);
-}
-
-std::optional<TriedFit> fitted_with(const Coefficients& coefficients, const Identifier& done,
-                                    const VolumetricLengths& lengths, std::span<const std::size_t> kept) {
-  std::vector<std::size_t> breaks;
-  for (const BreakPlace& place : done.breaks()) breaks.push_back(place.before);
-  const Unknowns unknowns = unknowns_of(coefficients, lengths.readings, breaks, done.drift());
-  const std::vector<Approaches> approaches = directions_of_rest(lengths.readings);
-  const Problem whole = done.problem();
-  const ThinnedProblem few({whole.machine, coefficients, unknowns, whole.readings, whole.tools_mm, approaches,
-                            whole.weights, whole.threads},
-                           kept);
-  return fitted_to(few.problem(), done.fit().state);
-}
-
-std::optional<VolumetricFinding> untold_reversal(const Identifier& done, const VolumetricLengths& lengths,
-                                                 std::span<const std::size_t> kept, const FitQuality& own) {
-  if (done.coefficients().reversal() != Reversal::none) return std::nullopt;
-  const Coefficients both = with_reversal(done.coefficients(), Reversal::constant);
-  const auto tried = fitted_with(both, done, lengths, kept);
-  if (!tried || !explains(tried->quality, own)) return std::nullopt;
-  const Difference most = largest_difference(both, tried->fit.state);
-  return VolumetricFinding{
-      "volumetric-reversal", false,
-      fmt::format(
-          "what residuals have too much goes with the direction in which axes came to rest: {} differs most, by "
-          "{:.1f} {} between both directions of {}; where reversal is asked for (constant), errors hold it",
-          error_name(most.error), most.size, most.error.is_rotation() ? "µrad" : "µm", "XYZ"[most.error.axis])};
 }
 
 /// What axes of its own change in a length: three that are longer or shorter, in mm/m, and three angles between them.
@@ -251,37 +155,7 @@ std::optional<VolumetricFinding> changed_axes(const Identifier& done, const Volu
                   text::quoted(lengths.segments[stretch.segment]))};
 }
 
-/// Residuals of a set-up that is stated wrongly, or of a station that moved, are explained by that.
-bool is_told_otherwise(const std::vector<VolumetricFinding>& findings) {
-  return std::ranges::any_of(findings, [](const VolumetricFinding& f) {
-    return f.serious && (f.id == "volumetric-tool-offset" || f.id == "volumetric-axes-mixed-up" ||
-                         f.id == "volumetric-station-moved");
-  });
-}
-
 }  // namespace
-
-/// By the F test of both fits, of which one holds the other: it needs no σ.
-void add_varying_reversal(const Identifier& done, const VolumetricLengths& lengths,
-                          std::vector<VolumetricFinding>& findings) {
-  if (done.coefficients().reversal() != Reversal::constant || is_told_otherwise(findings)) return;
-  const std::vector<std::size_t> kept = readings_to_try(done);
-  const auto own = fitted_with(done.coefficients(), done, lengths, kept);
-  const Coefficients curves = with_reversal(done.coefficients(), Reversal::curves);
-  const auto tried = fitted_with(curves, done, lengths, kept);
-  if (!own || !tried) return;
-  const double gain = own->quality.chi_squared - tried->quality.chi_squared;
-  const double more = own->quality.degrees_of_freedom - tried->quality.degrees_of_freedom;
-  if (!(gain > 0.0 && more >= 1.0 && tried->quality.chi_squared > 0.0)) return;
-  const double f = gain / more / tried->quality.ratio();
-  if (numeric::f_tail(f, {more, tried->quality.degrees_of_freedom}) > chance_most) return;
-  findings.push_back(
-      {"volumetric-reversal-varies", false,
-       fmt::format("what both directions of an axis differ by changes along it: with curves in place of constants χ² "
-                   "falls from {:.0f} to {:.0f} for {:.0f} more unknowns, as chance has it once in a thousand cases at "
-                   "most; what is stated of each direction is too certain, and reversal is to be asked for as curves",
-                   own->quality.chi_squared, tried->quality.chi_squared, more)});
-}
 
 void add_residual_causes(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
                          std::vector<VolumetricFinding>& findings) {
@@ -293,7 +167,7 @@ void add_residual_causes(const Identifier& done, const MachineModel& machine, co
   const auto own = fitted_to(some, done.fit().state);
   if (!own || own->quality.excess() < gain_least) return;
   auto cause = other_order(done, machine, kept, own->quality);
-  if (!cause) cause = untold_reversal(done, lengths, kept, own->quality);
+  if (!cause) cause = reversal_that_explains(done, lengths, kept, own->quality);
   if (!cause) cause = changed_axes(done, lengths, some, *own);
   if (cause) findings.push_back(*std::move(cause));
 }

@@ -18,9 +18,4 @@ namespace axiometry::volumetric::detail {
 void add_residual_causes(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
                          std::vector<VolumetricFinding>& findings);
 
-/// Of constants of reversal where curves of both directions fit better by more than chance: then the directions differ
-/// by more in some places than in others.
-void add_varying_reversal(const Identifier& done, const VolumetricLengths& lengths,
-                          std::vector<VolumetricFinding>& findings);
-
 }  // namespace axiometry::volumetric::detail

@@ -62,13 +62,23 @@ std::string vector_text(Vector3 v, int decimals) {
                      format_fixed(v.z, decimals));
 }
 
+/// Two stations of which each may have the name of the other; none where both are the same.
+struct NamesExchanged {
+  std::size_t one = 0, other = 0;
+
+  std::size_t operator()(std::size_t station) const {
+    return station == one ? other : station == other ? one : station;
+  }
+};
+
 /// What is to be added to the stated offset of a tool less that of the first: s_first − s_tool, at every station that
 /// saw both. A tool that is longer than stated by d sees its station moved by −d.
-std::vector<Vector3> offset_errors(const Identification& result, std::size_t first, std::size_t tool) {
+std::vector<Vector3> offset_errors(const Identification& result, std::size_t first, std::size_t tool,
+                                   const NamesExchanged& of_tool = {}) {
   std::vector<Vector3> errors;
   for (const IdentifiedStation& a : result.stations)
     for (const IdentifiedStation& b : result.stations)
-      if (a.station == b.station && a.tool == first && b.tool == tool) errors.push_back(a.at_mm - b.at_mm);
+      if (a.station == of_tool(b.station) && a.tool == first && b.tool == tool) errors.push_back(a.at_mm - b.at_mm);
   return errors;
 }
 
@@ -78,16 +88,43 @@ Vector3 mean_of(std::span<const Vector3> vectors) {
   return 1.0 / static_cast<double>(vectors.size()) * sum;
 }
 
+double spread_about(std::span<const Vector3> vectors, Vector3 mean) {
+  double spread = 0.0;
+  for (const Vector3& v : vectors) spread = std::max(spread, distance(v, mean));
+  return spread;
+}
+
+/// The two stations whose names, exchanged at one of both tools, make all stand at one place: a fiftieth of what they
+/// were apart is no chance.
+std::optional<NamesExchanged> exchanged_between(const Identification& result, std::size_t stations, std::size_t tool,
+                                                double spread_mm) {
+  for (NamesExchanged names; names.one < stations; ++names.one)
+    for (names.other = names.one + 1; names.other < stations; ++names.other) {
+      const auto errors = offset_errors(result, 0, tool, names);
+      if (errors.size() > 1 && spread_about(errors, mean_of(errors)) < std::max(offset_told_mm, 0.02 * spread_mm))
+        return names;
+    }
+  return std::nullopt;
+}
+
 void add_tool_offsets(const MachineModel& machine, const VolumetricLengths& lengths, const Identification& result,
                       std::vector<VolumetricFinding>& findings) {
   for (std::size_t tool = 1; tool < lengths.tools.size(); ++tool) {
     const std::vector<Vector3> errors = offset_errors(result, 0, tool);
     if (errors.empty()) continue;
     const Vector3 mean = mean_of(errors);
-    double spread = 0.0;
-    for (const Vector3& e : errors) spread = std::max(spread, distance(e, mean));
+    const double spread = spread_about(errors, mean);
     if (spread > std::max(offset_told_mm, 0.3 * norm(mean))) {
       if (result.rank.null_directions > 0) continue;  // places may lie in directions that nothing tells
+      if (const auto names = exchanged_between(result, lengths.stations.size(), tool, spread)) {
+        findings.push_back(
+            {"volumetric-stations-exchanged", true,
+             fmt::format("the names of stations {} and {} are exchanged in the lengths with tool {}, or in those with "
+                         "tool {}: exchanged once more, every station stands at one place with both",
+                         text::quoted(lengths.stations[names->one]), text::quoted(lengths.stations[names->other]),
+                         text::quoted(lengths.tools[0]), text::quoted(lengths.tools[tool]))});
+        continue;
+      }
       findings.push_back(
           {"volumetric-station-moved", true,
            fmt::format("where stations stand differs between tools {} and {} by {:.1f} mm, and not alike "
@@ -124,6 +161,36 @@ double farthest(std::span<const Place> places, const Mixing& mixing) {
   return most;
 }
 
+/// The two of which each stands where the other was said to, while all others stand where they were said to.
+std::optional<NamesExchanged> exchanged_of(std::vector<Place> places) {
+  for (std::size_t one = 0; one < places.size(); ++one)
+    for (std::size_t other = one + 1; other < places.size(); ++other) {
+      std::swap(places[one].stated_mm, places[other].stated_mm);
+      if (farthest(places, {}) < place_told_mm) return NamesExchanged{one, other};
+      std::swap(places[one].stated_mm, places[other].stated_mm);
+    }
+  return std::nullopt;
+}
+
+VolumetricFinding exchanged_finding(const std::string& one, const std::string& other, const std::string& mixed) {
+  const std::string a = text::quoted(one), b = text::quoted(other);
+  return {"volumetric-stations-exchanged", true,
+          mixed.empty() ? fmt::format("station {} stands where {} was said to, and {} where {} was: the names of both "
+                                      "are exchanged in the lengths, or where they stand in the machine's file",
+                                      a, b, b, a)
+                        : fmt::format("the stations stand where they were said to if the names of {} and {} are "
+                                      "exchanged, or if {}",
+                                      a, b, mixed)};
+}
+
+/// The simplest by which all stations stand where they were said to; empty where none does, or one station tells it.
+std::string mixing_that_fits(std::span<const Place> places) {
+  if (places.size() < 2) return "";
+  for (const Mixing& mixing : mixings())
+    if (farthest(places, mixing) < place_told_mm) return mixing.text();
+  return "";
+}
+
 void add_places(const MachineModel& machine, const VolumetricLengths& lengths, const Identification& result,
                 std::vector<VolumetricFinding>& findings) {
   std::vector<Place> places;
@@ -132,24 +199,30 @@ void add_places(const MachineModel& machine, const VolumetricLengths& lengths, c
       if (lengths.stations[found.station] == stated.name && found.tool == result.stations.front().tool)
         places.push_back({stated.name, stated.at_mm, found.at_mm});
   if (places.empty() || farthest(places, {}) < place_told_mm) return;
-  for (const Mixing& mixing : mixings())
-    if (places.size() > 1 && farthest(places, mixing) < place_told_mm) {
-      findings.push_back({"volumetric-axes-mixed-up", true,
-                          fmt::format("the stations stand where they were said to only if {}: axes or signs of the "
-                                      "positions, or of the stations, are mixed up",
-                                      mixing.text())});
-      return;
-    }
+  const std::string mixed = mixing_that_fits(places);
+  if (const auto exchanged = exchanged_of(places)) {
+    findings.push_back(exchanged_finding(places[exchanged->one].name, places[exchanged->other].name, mixed));
+    return;
+  }
+  if (!mixed.empty()) {
+    findings.push_back({"volumetric-axes-mixed-up", true,
+                        fmt::format("the stations stand where they were said to only if {}: axes or signs of the "
+                                    "positions, or of the stations, are mixed up",
+                                    mixed)});
+    return;
+  }
   std::vector<Vector3> off;
   for (const Place& p : places) off.push_back(p.found_mm - p.stated_mm);
   const Vector3 mean = mean_of(off);
   double spread = 0.0;
   for (const Vector3& o : off) spread = std::max(spread, distance(o, mean));
   if (places.size() > 1 && spread < place_told_mm) {
-    findings.push_back({"volumetric-station-frame", true,
-                        fmt::format("all stations stand {} from where they were said to: they are stated in another "
-                                    "frame than the positions of the axes, or a tool offset is wrong",
-                                    vector_text(mean, 0))});
+    findings.push_back(
+        {"volumetric-station-frame", true,
+         fmt::format("all stations stand {} from where they were said to: they are stated in another "
+                     "frame than the positions of the axes, or tool offsets are wrong by it, of all tools alike or "
+                     "of one",
+                     vector_text(mean, 0))});
     return;
   }
   const Place worst =
