@@ -16,12 +16,6 @@
 /// part of it along (up to 15 % of the amplitude over two periods). By QR with column pivoting; the line's columns are
 /// centred and scaled, so that places far from zero cost no digits.
 ///
-/// The spectrum is that of Lomb and Scargle in its generalised form, with the line in place of the constant (M.
-/// Zechmeister, M. Kürster, Astron. Astrophys. 496 (2009) 577: "floating mean"): for each period the part of the sum of
-/// squares about the line that a sinusoid takes away. The chance that noise alone has such a peak somewhere in the band
-/// follows R. V. Baluev, Mon. Not. R. Astron. Soc. 385 (2008) 1279, eqs. 5 and 24, an upper bound that is close where
-/// it is small.
-///
 /// Derivation: docs/theory/periodic-error.md. Independent figures: tests/periodic_oracle.py.
 namespace axiometry::numeric {
 
@@ -68,34 +62,5 @@ std::optional<HarmonicFit> fit_harmonics(const HarmonicData& data, double period
 /// counts h times.
 std::optional<HarmonicFit> fit_harmonics_and_period(const HarmonicData& data, double period,
                                                     std::span<const std::size_t> orders);
-
-/// Periods searched, both ends included; 0 < shortest < longest.
-struct PeriodBand {
-  double shortest = 0.0;
-  double longest = 0.0;
-};
-
-struct SpectralLine {
-  double period = 0.0;
-  double amplitude = 0.0;  ///< amplitude of the sinusoid of this period alone, beside a line
-  double reduction = 0.0;  ///< 0 to 1: of the sum of squares about the line, the part that it takes away
-};
-
-struct Spectrum {
-  std::vector<SpectralLine> lines;  ///< lines from the longest period to the shortest, equally spaced in 1/P
-  SpectralLine highest;             ///< highest peak, found between the lines by golden section
-  bool at_end = false;              ///< the highest stands at an end of the band: there may be a higher one outside
-};
-
-/// How many periods spectrum() looks at: ten per 1/T.
-double spectral_lines(const HarmonicData& data, PeriodBand band);
-
-/// Contract: at least five places, a valid band, at most 1e7 spectral lines. Takes time in proportion to places and
-/// lines: of many places the sums come from Fourier transforms (fourier.h), as many digits as one by one, other
-/// roundings. Values on a line without any rest have no reduction anywhere.
-Spectrum spectrum(const HarmonicData& data, PeriodBand band);
-
-/// Probability that white noise alone has a peak of at least this reduction at some period of the band.
-double false_alarm_probability(const HarmonicData& data, PeriodBand band, double reduction);
 
 }  // namespace axiometry::numeric

@@ -12,6 +12,7 @@
 #include "axiometry/numeric/distributions/special_functions.h"
 #include "axiometry/numeric/harmonic_fit.h"
 #include "axiometry/numeric/moments.h"
+#include "axiometry/numeric/series/period_search.h"
 #include "axiometry/standards/iso230_2/periodic/enlarged_uncertainties.h"
 #include "axiometry/standards/iso230_2/periodic/findings.h"
 
@@ -21,6 +22,7 @@ namespace {
 using numeric::HarmonicData;
 using numeric::HarmonicFit;
 using numeric::PeriodBand;
+using numeric::PeriodSearch;
 
 constexpr std::size_t most_harmonics = 4;
 constexpr double significance = 0.01;
@@ -90,12 +92,12 @@ Result<PeriodBand> band_of(const Means& means, const PeriodicOptions& options, s
         fmt::format("found a band of periods from {:.6g} {} to {:.6g} {}, expected the shortest below the "
                     "longest (the mean spacing of the targets is {:.6g} {}, the measured travel {:.6g} {})",
                     band.shortest, unit, band.longest, unit, means.spacing(), unit, means.travel(), unit));
-  const double lines = numeric::spectral_lines(means.data(), band);
+  const double lines = numeric::spectral_lines(means.places, band);
   const double steps = lines * static_cast<double>(means.places.size());
   if (lines > most_lines || steps > most_steps) {
     if (options.period) {  // the spectrum is only shown: what fits around the known period
       band = {options.period->in_native() / 1.5, options.period->in_native() * 1.5};
-      if (numeric::spectral_lines(means.data(), band) <= most_lines) return band;
+      if (numeric::spectral_lines(means.places, band) <= most_lines) return band;
     }
     return fail(
         fmt::format("found {:.3g} periods to search between {:.6g} {} and {:.6g} {}, expected at most {:g}: "
@@ -249,25 +251,24 @@ void add_points(PeriodicDirection& result, const Means& means) {
 }
 
 /// The highest peak of what the fit leaves, where it stands out.
-std::optional<FurtherPeriod> further_period(const Means& means, const HarmonicFit& fit, PeriodBand band,
+std::optional<FurtherPeriod> further_period(const Means& means, const HarmonicFit& fit, const PeriodSearch& search,
                                             const NoiseCorrelation& noise, double rounding) {
-  const HarmonicData rest{means.places, fit.residuals};
-  const numeric::SpectralLine highest = numeric::spectrum(rest, band).highest;
-  const double chance = numeric::false_alarm_probability(
-      rest, band, noise.white_reduction(highest.reduction, highest.period / means.spacing()));
+  const numeric::SpectralLine highest = search.spectrum(fit.residuals).highest;
+  const double chance =
+      search.false_alarm_probability(noise.white_reduction(highest.reduction, highest.period / means.spacing()));
   if (chance >= significance || highest.amplitude <= rounding) return std::nullopt;
   return FurtherPeriod{Position::native(highest.period), Deviation::native(highest.amplitude), chance};
 }
 
 /// The reduction that is a false alarm in 1 % of bands without any period, as an amplitude beside these residuals.
-double noise_level(const Means& means, const HarmonicFit& fit, PeriodBand band) {
+double noise_level(const HarmonicFit& fit, const PeriodSearch& search) {
   double low = 0.0, high = 1.0;
   for (int k = 0; k < 50; ++k) {
     const double middle = (low + high) / 2.0;
-    (numeric::false_alarm_probability(means.data(), band, middle) > significance ? low : high) = middle;
+    (search.false_alarm_probability(middle) > significance ? low : high) = middle;
   }
   return std::sqrt(2.0 * high / std::max(1.0 - high, 1e-12) * fit.sum_of_squares /
-                   static_cast<double>(means.places.size()));
+                   static_cast<double>(fit.residuals.size()));
 }
 
 /// What the fits say by themselves.
@@ -294,8 +295,8 @@ void add_fits(PeriodicDirection& result, const Fits& fits, double rounding) {
 
 /// By white noise, then by noise that is as correlated as the residuals may be, to which a reduction that white noise
 /// gives is less.
-void add_chances(PeriodicDirection& result, const Means& means, PeriodBand band, const numeric::SpectralLine& highest,
-                 const HarmonicFit& fit, double rounding) {
+void add_chances(PeriodicDirection& result, const Means& means, const PeriodSearch& search,
+                 const numeric::SpectralLine& highest, const HarmonicFit& fit, double rounding) {
   if (std::sqrt(fit.sum_of_squares / static_cast<double>(means.places.size())) > rounding)
     result.residual_correlation = noise_correlation(fit.residuals, fit.degrees_of_freedom);
   const NoiseCorrelation& noise = result.residual_correlation;
@@ -307,24 +308,21 @@ void add_chances(PeriodicDirection& result, const Means& means, PeriodBand band,
     result.false_alarm = chance;
     result.false_alarm_correlated = std::max(chance, std::pow(1.0 - reduction, half));
   } else if (highest.amplitude > rounding) {
-    const auto chance_of = [&](double reduction) {
-      return numeric::false_alarm_probability(means.data(), band, reduction);
-    };
-    result.false_alarm = chance_of(highest.reduction);
-    result.false_alarm_correlated = chance_of(noise.white_reduction(highest.reduction, targets));
+    result.false_alarm = search.false_alarm_probability(highest.reduction);
+    result.false_alarm_correlated = search.false_alarm_probability(noise.white_reduction(highest.reduction, targets));
   }
   result.significant = result.false_alarm_correlated < significance;
 }
 
 /// What the spectrum says.
-void add_spectrum(PeriodicDirection& result, const Means& means, PeriodBand band, const numeric::Spectrum& spectrum,
-                  const HarmonicFit& fit, double rounding) {
-  add_chances(result, means, band, spectrum.highest, fit, rounding);
+void add_spectrum(PeriodicDirection& result, const Means& means, const PeriodSearch& search,
+                  const numeric::Spectrum& spectrum, const HarmonicFit& fit, double rounding) {
+  add_chances(result, means, search, spectrum.highest, fit, rounding);
   // At a period searched as the highest peak the F test of a period stated beforehand tells nothing.
   result.harmonics.front().chance = result.false_alarm;
   result.harmonics.front().significant = result.significant;
-  result.further = further_period(means, fit, band, result.residual_correlation, rounding);
-  result.noise_level = Deviation::native(noise_level(means, fit, band));
+  result.further = further_period(means, fit, search, result.residual_correlation, rounding);
+  result.noise_level = Deviation::native(noise_level(fit, search));
   result.peak_at_end = !result.period_known && spectrum.at_end;
   for (const numeric::SpectralLine& line : spectrum.lines)
     result.spectrum.push_back({Position::native(line.period), Deviation::native(line.amplitude)});
@@ -340,7 +338,8 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
     return fail(fmt::format("found {} with readings {}, expected at least {} for a periodic error",
                             counted(means.places.size(), "target"), arrow(direction), needed));
   AXIOMETRY_TRY(const PeriodBand band, band_of(means, options, unit));
-  const numeric::Spectrum spectrum = numeric::spectrum(means.data(), band);
+  const PeriodSearch search(means.places, band);
+  const numeric::Spectrum spectrum = search.spectrum(means.values);
   const double start = result.period_known ? options.period->in_native() : spectrum.highest.period;
   const double magnitude = std::abs(*std::ranges::max_element(means.values, {}, [](double x) { return std::abs(x); }));
   const double rounding = 1e-12 * magnitude;  // far above the rounding of the fit, far below any measurement
@@ -360,7 +359,7 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
     result.period.u = Position::native((band.longest - band.shortest) / std::sqrt(12.0));
   result.periods_covered = means.travel() / fits->curve.period;
   result.targets_per_period = fits->curve.period / means.spacing();
-  add_spectrum(result, means, band, spectrum, fits->curve, rounding);
+  add_spectrum(result, means, search, spectrum, fits->curve, rounding);
   enlarge_uncertainties(result, means.places.size());
   add_points(result, means);
   return result;
