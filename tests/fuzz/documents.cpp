@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } else {
     fuzzing::check_error(value.error());
   }
-  store::Evaluation evaluation;
+  store::EvaluationRecord evaluation;
   evaluation.options = bytes;
   if (const auto options = app::kept_options(evaluation); !options)
     AXIOMETRY_CONTRACT(options.error().kind == ErrorKind::damaged);

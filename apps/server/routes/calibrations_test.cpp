@@ -74,7 +74,7 @@ std::optional<double> figure_of(const Value& calibration, std::string_view param
 }
 
 TEST_F(CalibrationRoutes, keep_lines_with_their_files_and_figures) {
-  store::Machine mill;
+  store::MachineRecord mill;
   mill.name = "Mill 5";
   ASSERT_TRUE(archive.store().add(mill, {"Anna", ""}));
   const Value kept = value_of(keep_lines(R"({"title": "seven lines", "notes": "warm"})"), 201);
@@ -120,7 +120,7 @@ TEST_F(CalibrationRoutes, evaluate_again_into_a_version_and_keep_the_one_before)
 }
 
 TEST_F(CalibrationRoutes, edit_what_people_say) {
-  store::Machine mill;
+  store::MachineRecord mill;
   mill.name = "Other";
   ASSERT_TRUE(archive.store().add(mill, {"Anna", ""}));
   value_of(keep_lines(), 201);
@@ -260,7 +260,7 @@ const std::string eyx_head = "# machine.name: Mill 5\nposition_mm,run,direction,
 const std::string exy_head = "position_mm,run,direction,EXY_um";
 
 TEST_F(CalibrationRoutes, keep_straightness_angles_and_squareness_apart_from_tests) {
-  store::Machine mill;
+  store::MachineRecord mill;
   mill.name = "Mill 5";
   ASSERT_TRUE(archive.store().add(mill, {"Anna", ""}));
   const std::string eyx = readings(eyx_head, 0.02), exy = readings(exy_head, 0.01);

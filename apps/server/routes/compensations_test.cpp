@@ -290,8 +290,8 @@ TEST_F(CompensationRoutes, report_a_table_with_the_comments_of_an_earlier_progra
           .find("table")
           ->text();
   const auto keep_with = [&](const std::string& bytes) {
-    return archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::Compensation>> {
-      AXIOMETRY_TRY(auto kept, t.get<store::Compensation>(1));
+    return archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::CompensationRecord>> {
+      AXIOMETRY_TRY(auto kept, t.get<store::CompensationRecord>(1));
       const store::Content content = app::hashed_content("old.pmc", "compensation-table", bytes);
       AXIOMETRY_TRY_VOID(t.keep(content, {"A. Tester", ""}));
       kept.value.files.front().content = content.sha256;
@@ -321,8 +321,8 @@ TEST_F(CompensationRoutes, give_a_table_of_a_former_form_as_it_was_kept_and_say_
   std::string table = keep(1, options).find("table")->text();
   table.insert(table.find("I51=1"), "#1 DEFINE BLCOMP 1,500\n80\n");
   const auto former =
-      archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::Compensation>> {
-        AXIOMETRY_TRY(auto kept, t.get<store::Compensation>(1));
+      archive.store().write([&](store::Transaction& t) -> Result<store::Versioned<store::CompensationRecord>> {
+        AXIOMETRY_TRY(auto kept, t.get<store::CompensationRecord>(1));
         const store::Content content = app::hashed_content("old.pmc", "compensation-table", table);
         AXIOMETRY_TRY_VOID(t.keep(content, {"A. Tester", ""}));
         kept.value.files.front().content = content.sha256;

@@ -15,9 +15,9 @@ namespace axiometry::server {
 namespace {
 
 using json::Value;
-using store::Axis;
-using store::Instrument;
-using store::Machine;
+using store::AxisRecord;
+using store::InstrumentRecord;
+using store::MachineRecord;
 using store::Store;
 using store::Versioned;
 
@@ -26,30 +26,31 @@ template <typename Asset>
 struct KindOf;
 
 template <>
-struct KindOf<Machine> {
+struct KindOf<MachineRecord> {
   static constexpr std::string_view name = "machine";
   static constexpr std::string_view plural = "machines";
   static constexpr auto from = &app::machine_from;
 };
 
 template <>
-struct KindOf<Axis> {
+struct KindOf<AxisRecord> {
   static constexpr std::string_view name = "axis";
   static constexpr std::string_view plural = "axes";
   static constexpr auto from = &app::axis_from;
 };
 
 template <>
-struct KindOf<Instrument> {
+struct KindOf<InstrumentRecord> {
   static constexpr std::string_view name = "instrument";
   static constexpr std::string_view plural = "instruments";
   static constexpr auto from = &app::instrument_from;
 };
 
 /// The machines with what is theirs, in their order.
-std::vector<app::MachineSummary> summaries(std::vector<Versioned<Machine>> machines, std::vector<Versioned<Axis>> axes,
+std::vector<app::MachineSummary> summaries(std::vector<Versioned<MachineRecord>> machines,
+                                           std::vector<Versioned<AxisRecord>> axes,
                                            std::vector<store::MachineTests> tests) {
-  std::map<store::Id, std::vector<Versioned<Axis>>> axes_of;
+  std::map<store::Id, std::vector<Versioned<AxisRecord>>> axes_of;
   for (auto& axis : axes) axes_of[axis.value.machine].push_back(std::move(axis));
   std::map<store::Id, store::MachineTests> tests_of;
   for (auto& of_one : tests) tests_of.emplace(of_one.machine, std::move(of_one));
@@ -68,8 +69,8 @@ Result<Value> whole_value(const Store&, const Versioned<Asset>& thing) {
 }
 
 template <>
-Result<Value> whole_value(const Store& store, const Versioned<Machine>& machine) {
-  AXIOMETRY_TRY(auto axes, store.all<Axis>());
+Result<Value> whole_value(const Store& store, const Versioned<MachineRecord>& machine) {
+  AXIOMETRY_TRY(auto axes, store.all<AxisRecord>());
   AXIOMETRY_TRY(auto tests, store.machine_tests(machine.id));
   const auto all = summaries({machine}, std::move(axes), std::move(tests));
   return app::to_json(all.front());
@@ -84,9 +85,9 @@ Result<Value> listed(const Store& store) {
 }
 
 template <>
-Result<Value> listed<Machine>(const Store& store) {
-  AXIOMETRY_TRY(auto machines, store.all<Machine>());
-  AXIOMETRY_TRY(auto axes, store.all<Axis>());
+Result<Value> listed<MachineRecord>(const Store& store) {
+  AXIOMETRY_TRY(auto machines, store.all<MachineRecord>());
+  AXIOMETRY_TRY(auto axes, store.all<AxisRecord>());
   AXIOMETRY_TRY(auto tests, store.machine_tests());
   const auto all = summaries(std::move(machines), std::move(axes), std::move(tests));
   Value rows = Value::array();
@@ -175,8 +176,8 @@ Result<Response> trend(Store& store, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "axis"));
   AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", limit_max));
   AXIOMETRY_TRY(const auto parameters, parameters_of(request));
-  AXIOMETRY_TRY(auto axis, store.get<Axis>(id));
-  AXIOMETRY_TRY(auto machine, store.get<Machine>(axis.value.machine));
+  AXIOMETRY_TRY(auto axis, store.get<AxisRecord>(id));
+  AXIOMETRY_TRY(auto machine, store.get<MachineRecord>(axis.value.machine));
   AXIOMETRY_TRY(auto points, store.trend(id, parameters, limit.value_or(limit_usual)));
   return json_response(app::to_json(app::AxisTrend{std::move(axis), std::move(machine.value.name), std::move(points)}));
 }
@@ -203,9 +204,9 @@ void add_equipment_routes(Router& router, const Context& context) {
     router.add(
         method, pattern, [&store, handler](const Request& request) { return handler(store, request); }, weight);
   };
-  add_routes_of<Machine>(add_route);
-  add_routes_of<Axis>(add_route);
-  add_routes_of<Instrument>(add_route);
+  add_routes_of<MachineRecord>(add_route);
+  add_routes_of<AxisRecord>(add_route);
+  add_routes_of<InstrumentRecord>(add_route);
   add_route("GET", "/api/axes/{id}/trend", trend);
   add_route("GET", "/api/audit", audit);
 }

@@ -283,7 +283,7 @@ Result<Reading> read_issue(Workbench& workbench, const Request& request) {
                  .answer = [&workbench, issue = std::move(issue)](const Request& again) -> Result<Response> {
                    app::ReportRequest wanted = issue.wanted;
                    wanted.stop = again.stop;
-                   AXIOMETRY_TRY(const store::Document document,
+                   AXIOMETRY_TRY(const store::DocumentRecord document,
                                  workbench.issue(issue.test, issue.version, wanted, by_of(again, issue.reason)));
                    return kept_response(app::to_json(document), {.id = document.id}, 201);
                  }};
@@ -292,7 +292,7 @@ Result<Reading> read_issue(Workbench& workbench, const Request& request) {
 Result<Response> attach(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const SentFile file, file_of(request));
-  AXIOMETRY_TRY(const store::Document document,
+  AXIOMETRY_TRY(const store::DocumentRecord document,
                 workbench.attach(id, {file.name, file.media_type, file.bytes}, by_of(request)));
   return kept_response(app::to_json(document), {.id = document.id}, 201);
 }

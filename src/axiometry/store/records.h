@@ -30,7 +30,7 @@ struct Change {
   friend bool operator==(const Change&, const Change&) = default;
 };
 
-/// What is known as one thing over time, edited by versions that all stay. Versions count from 1.
+/// What is known as one asset over time, edited by versions that all stay. Versions count from 1.
 template <typename Asset>
 struct Versioned {
   Id id = 0;
@@ -39,7 +39,7 @@ struct Versioned {
   Asset value;
 };
 
-struct Machine {
+struct MachineRecord {
   std::string name;
   std::string manufacturer;
   std::string type;
@@ -51,7 +51,7 @@ struct Machine {
 
 /// Which machine of the archive a test means by what it states.
 struct MachineMeant {
-  std::optional<Versioned<Machine>> known;  ///< absent where one is added
+  std::optional<Versioned<MachineRecord>> known;  ///< absent where one is added
   bool takes_number = false;                ///< known by its name, it never had a serial number and takes the test's
   std::size_t others = 0;                   ///< called so too, where the test says no number that would tell them apart
 };
@@ -62,7 +62,7 @@ struct Limit {
   double value = 0.0;
 };
 
-struct Axis {
+struct AxisRecord {
   Id machine = 0;
   std::string name;  ///< "X"
   std::string kind;  ///< "linear" or "rotary"
@@ -70,7 +70,7 @@ struct Axis {
   std::string notes;
 };
 
-struct Instrument {
+struct InstrumentRecord {
   std::string role;  ///< "Laser interferometer"
   std::string manufacturer;
   std::string type;
@@ -106,7 +106,7 @@ struct KeptFigure {
 };
 
 /// What a tracking interferometer found of a machine as a whole. Its result is a content, so that a list reads none.
-struct Calibration {
+struct CalibrationRecord {
   std::string kind;  ///< calibration_kinds.h: "lines" of a plan, "volumetric": the 21 errors, and others
   std::string title;
   std::optional<Id> machine;
@@ -125,7 +125,7 @@ struct Calibration {
 };
 
 /// A table by which a control corrects an axis: measured, made, perhaps measured again.
-struct Compensation {
+struct CompensationRecord {
   Id test = 0;  ///< the test that it is made from
   int test_version = 0;
   std::optional<Id> retest;           ///< the test with the table active

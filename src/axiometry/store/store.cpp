@@ -59,13 +59,13 @@ Result<Counts> Store::counts() const {
 }
 
 template <typename Asset>
-Result<Versioned<Asset>> Store::add(const Asset& thing, const By& by) {
-  return write([&](Transaction& archive) { return archive.add(thing, by); });
+Result<Versioned<Asset>> Store::add(const Asset& asset, const By& by) {
+  return write([&](Transaction& archive) { return archive.add(asset, by); });
 }
 
 template <typename Asset>
-Result<Versioned<Asset>> Store::change(Id id, int base_version, const Asset& thing, const By& by) {
-  return write([&](Transaction& archive) { return archive.change(id, base_version, thing, by); });
+Result<Versioned<Asset>> Store::change(Id id, int base_version, const Asset& asset, const By& by) {
+  return write([&](Transaction& archive) { return archive.change(id, base_version, asset, by); });
 }
 
 template <typename Asset>
@@ -75,10 +75,10 @@ Result<Versioned<Asset>> Store::get(Id id, std::optional<int> version) const {
 
 template <typename Asset>
 Result<std::vector<Versioned<Asset>>> Store::all() const {
-  AXIOMETRY_TRY(auto things, state_->read([](Connection& connection) { return all_assets<Asset>(connection); }));
+  AXIOMETRY_TRY(auto assets, state_->read([](Connection& connection) { return all_assets<Asset>(connection); }));
   std::ranges::stable_sort(
-      things, {}, [](const Versioned<Asset>& thing) { return folded(ThingTable<Asset>::called(thing.value)); });
-  return things;
+      assets, {}, [](const Versioned<Asset>& asset) { return folded(AssetTable<Asset>::called(asset.value)); });
+  return assets;
 }
 
 template <typename Asset>
@@ -86,21 +86,21 @@ Result<std::vector<Versioned<Asset>>> Store::versions(Id id) const {
   return read([&](const Transaction& archive) { return archive.versions<Asset>(id); });
 }
 
-#define AXIOMETRY_THING(Asset)                                                       \
+#define AXIOMETRY_ASSET(Asset)                                                       \
   template Result<Versioned<Asset>> Store::add(const Asset&, const By&);             \
   template Result<Versioned<Asset>> Store::change(Id, int, const Asset&, const By&); \
   template Result<Versioned<Asset>> Store::get<Asset>(Id, std::optional<int>) const; \
   template Result<std::vector<Versioned<Asset>>> Store::all<Asset>() const;          \
   template Result<std::vector<Versioned<Asset>>> Store::versions<Asset>(Id) const
 
-AXIOMETRY_THING(Machine);
-AXIOMETRY_THING(Axis);
-AXIOMETRY_THING(Instrument);
-AXIOMETRY_THING(PlanRecord);
-AXIOMETRY_THING(Calibration);
-AXIOMETRY_THING(Compensation);
+AXIOMETRY_ASSET(MachineRecord);
+AXIOMETRY_ASSET(AxisRecord);
+AXIOMETRY_ASSET(InstrumentRecord);
+AXIOMETRY_ASSET(PlanRecord);
+AXIOMETRY_ASSET(CalibrationRecord);
+AXIOMETRY_ASSET(CompensationRecord);
 
-#undef AXIOMETRY_THING
+#undef AXIOMETRY_ASSET
 
 Result<std::vector<Id>> Store::receive(const Content& content, std::span<const NewTest> tests, const By& by) {
   return write([&](Transaction& archive) { return archive.receive(content, tests, by); });
@@ -155,15 +155,15 @@ Result<std::int64_t> Store::content_size(const std::string& sha256) const {
   return state_->read([&](Connection& connection) { return store::content_size(connection, sha256); });
 }
 
-Result<Document> Store::add_document(const Document& document, std::string_view bytes, const By& by) {
+Result<DocumentRecord> Store::add_document(const DocumentRecord& document, std::string_view bytes, const By& by) {
   return write([&](Transaction& archive) { return archive.add_document(document, bytes, by); });
 }
 
-Result<std::vector<Document>> Store::documents(Id test) const {
+Result<std::vector<DocumentRecord>> Store::documents(Id test) const {
   return read([&](const Transaction& archive) { return archive.documents(test); });
 }
 
-Result<Document> Store::document(Id id) const {
+Result<DocumentRecord> Store::document(Id id) const {
   return state_->read([&](Connection& connection) { return read_document(connection, id); });
 }
 

@@ -93,11 +93,11 @@ class Store {
 
   Result<Counts> counts() const;
 
-  /// Asset is Machine, Axis, Instrument, PlanRecord, Calibration or Compensation.
+  /// Asset is MachineRecord, AxisRecord, InstrumentRecord, PlanRecord, CalibrationRecord or CompensationRecord.
   template <typename Asset>
-  Result<Versioned<Asset>> add(const Asset& thing, const By& by);
+  Result<Versioned<Asset>> add(const Asset& asset, const By& by);
   template <typename Asset>
-  Result<Versioned<Asset>> change(Id id, int base_version, const Asset& thing, const By& by);
+  Result<Versioned<Asset>> change(Id id, int base_version, const Asset& asset, const By& by);
   template <typename Asset>
   Result<Versioned<Asset>> get(Id id, std::optional<int> version = {}) const;
   template <typename Asset>
@@ -127,9 +127,9 @@ class Store {
   Result<Content> content(const std::string& sha256) const;
   Result<std::int64_t> content_size(const std::string& sha256) const;  ///< size, to be asked before they are read
 
-  Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
-  Result<std::vector<Document>> documents(Id test) const;
-  Result<Document> document(Id id) const;  ///< its bytes: content(sha256)
+  Result<DocumentRecord> add_document(const DocumentRecord& document, std::string_view bytes, const By& by);
+  Result<std::vector<DocumentRecord>> documents(Id test) const;
+  Result<DocumentRecord> document(Id id) const;  ///< its bytes: content(sha256)
 
   Result<std::vector<AuditEntry>> audit(const std::string& subject, std::int64_t before, std::int64_t limit) const;
 

@@ -51,12 +51,12 @@ NewTest test_of(std::mt19937& random, Id number) {
   state.machine.serial_number = fmt::format("SN-{}", 1000 + machine);
   state.axis.name = axes[axis];
   state.axis.kind = axis == 3 ? "rotary" : "linear";
-  Instrument& laser = state.instruments.emplace_back();
+  InstrumentRecord& laser = state.instruments.emplace_back();
   laser.role = "Laser interferometer";
   laser.serial_number = fmt::format("L-{}", one_of(6));
   state.measured_on = fmt::format("{}-{:02}-{:02}", 2000 + one_of(26), 1 + one_of(12), 1 + one_of(28));
   state.changes = "{}";
-  Evaluation& evaluation = state.evaluation;
+  EvaluationRecord& evaluation = state.evaluation;
   evaluation.program = "axiometry 0.1.0";
   evaluation.standard = "ISO 230-2:2014";
   evaluation.options = R"({"methods":["gum"],"trials":null,"seed":1,"coverage":0.95,"corrections":[]})";

@@ -83,7 +83,7 @@ TEST_P(StoreGrowthTest, LooksOnceForWhatAllTestsOfAFileState) {
   CountingConnection connection = counting();
   NewTest test = new_test("a");
   for (int k = 0; k < 30; ++k) {
-    Instrument& instrument = test.state.instruments.emplace_back(test.state.instruments[0]);
+    InstrumentRecord& instrument = test.state.instruments.emplace_back(test.state.instruments[0]);
     instrument.serial_number = fmt::format("N-{}", k);
   }
   const auto receive = [&](const char* bytes, std::size_t count) {

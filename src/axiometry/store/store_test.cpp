@@ -49,7 +49,7 @@ TEST_P(StoreTest, GivesATestBackAsItCame) {
   EXPECT_EQ(found.state.axis.limits.at(0).value, 10.0);
   EXPECT_EQ(found.state.instruments.at(0).inputs, test.state.instruments[0].inputs);
   EXPECT_EQ(found.state.changes, test.state.changes);
-  const Evaluation& evaluation = found.state.evaluation;
+  const EvaluationRecord& evaluation = found.state.evaluation;
   EXPECT_EQ(evaluation.seed, test.state.evaluation.seed);
   EXPECT_EQ(evaluation.result, test.state.evaluation.result);
   EXPECT_EQ(evaluation.figures.at(0).value, 0.1 + 0.2);
@@ -113,17 +113,17 @@ TEST_P(StoreTest, KeepsAllThatIsWrittenTogetherOrNothing) {
 
 TEST_P(StoreTest, ReadsAsOfOneMomentWhileAnotherWrites) {
   const auto store = new_store();
-  Machine mill;
+  MachineRecord mill;
   mill.name = "Mill";
   must(store->add(mill, by_anna));
   const auto versions = store->read([&](const Transaction& archive) -> Result<std::size_t> {
-    AXIOMETRY_TRY(const auto before, archive.get<Machine>(1));
+    AXIOMETRY_TRY(const auto before, archive.get<MachineRecord>(1));
     must(store->change(1, before.version, mill, by_anna));
-    AXIOMETRY_TRY(const auto all, archive.versions<Machine>(1));
+    AXIOMETRY_TRY(const auto all, archive.versions<MachineRecord>(1));
     return all.size();
   });
   EXPECT_EQ(must(versions), 1u);
-  EXPECT_EQ(must(store->versions<Machine>(1)).size(), 2u);
+  EXPECT_EQ(must(store->versions<MachineRecord>(1)).size(), 2u);
 }
 
 TEST_P(StoreTest, TellsOfEachMachineHowManyTestsItHasAndTheLatest) {
@@ -261,12 +261,12 @@ TEST_P(StoreTest, CountsOneMeasurementOnceInTheHistoryOfItsAxis) {
 TEST_P(StoreTest, KeepsIssuedReportsAndAttachments) {
   const auto store = new_store();
   must(store->receive(content_of("abc"), std::vector{new_test("a")}, by_anna));
-  Document report;
+  DocumentRecord report;
   report.test = 1;
   report.name = "report.pdf";
   report.media_type = "application/pdf";
   report.language = "de";
-  const Document kept = must(store->add_document(report, std::string_view("%PDF\0", 5), by_anna));
+  const DocumentRecord kept = must(store->add_document(report, std::string_view("%PDF\0", 5), by_anna));
   EXPECT_EQ(kept.id, 1);
   EXPECT_EQ(kept.size, 5);
   EXPECT_EQ(must(store->content(must(store->document(1)).sha256)).bytes, std::string_view("%PDF\0", 5));

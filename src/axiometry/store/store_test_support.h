@@ -28,7 +28,7 @@ inline NewTest new_test(const std::string& title, double value = 1.5) {
   state.axis.name = "X";
   state.axis.kind = "linear";
   state.axis.limits = {{"A", 10.0}};
-  Instrument& laser = state.instruments.emplace_back();
+  InstrumentRecord& laser = state.instruments.emplace_back();
   laser.role = "Laser interferometer";
   laser.manufacturer = "Maker";
   laser.type = "XL";
@@ -54,7 +54,7 @@ inline Content content_of(const std::string& bytes, const std::string& name = "r
 }
 
 /// With everything that one may have, of the bytes "abc" and instrument 1 of new_test().
-inline Calibration new_calibration(const std::string& title) {
+inline CalibrationRecord new_calibration(const std::string& title) {
   return {.kind = "volumetric",
           .title = title,
           .machine = 1,
@@ -73,7 +73,7 @@ inline Calibration new_calibration(const std::string& title) {
 }
 
 /// Of test 1, with everything that one may have but a re-test, of the bytes "abc".
-inline Compensation new_compensation() {
+inline CompensationRecord new_compensation() {
   return {.test = 1,
           .test_version = 1,
           .retest = {},
@@ -140,20 +140,20 @@ class BothStores : public testing::TestWithParam<std::string> {
     must(store->receive(content_of("abc"), std::vector{new_test("a", 0.1 + 0.2), new_test("b")}, by_anna));
     must(store->revise(1, 1, new_test("a ä 'again'", 1e-300).state, {"Ben", "reason"}));
     must(store->withdraw(2, true, by_anna));
-    Document document;
+    DocumentRecord document;
     document.test = 1;
     document.name = "photo.png";
-    document.kind = Document::Kind::attachment;
+    document.kind = DocumentRecord::Kind::attachment;
     must(store->add_document(document, std::string_view("bytes\0\xff", 7), by_anna));
     document.name = "report.pdf";
-    document.kind = Document::Kind::report;
+    document.kind = DocumentRecord::Kind::report;
     must(store->add_document(document, "report", by_anna));
     must(store->add(PlanRecord{"Plan", 1, sha256("abc")}, by_anna));
-    Calibration calibration = new_calibration("volume");
+    CalibrationRecord calibration = new_calibration("volume");
     must(store->add(calibration, by_anna));
     calibration.withdrawn = true;
     must(store->change(1, 1, calibration, {"Ben", "wrong machine"}));
-    Compensation compensation = new_compensation();
+    CompensationRecord compensation = new_compensation();
     must(store->add(compensation, by_anna));
     compensation.retest = 2;
     compensation.retest_version = 1;

@@ -39,46 +39,48 @@ Result<Versioned<Asset>> Transaction::get(Id id, std::optional<int> version) con
 
 template <typename Asset>
 Result<std::vector<Versioned<Asset>>> Transaction::versions(Id id) const {
-  return thing_versions<Asset>(connection_, id);
+  return asset_versions<Asset>(connection_, id);
 }
 
 template <typename Asset>
-Result<Versioned<Asset>> Transaction::add(const Asset& thing, const By& by) {
-  return add_thing(connection_, thing, change_now(by));
+Result<Versioned<Asset>> Transaction::add(const Asset& asset, const By& by) {
+  return add_asset(connection_, asset, change_now(by));
 }
 
 template <typename Asset>
-Result<Versioned<Asset>> Transaction::change(Id id, int base_version, const Asset& thing, const By& by) {
-  return change_thing(connection_, Versioned<Asset>{id, base_version + 1, change_now(by), thing});
+Result<Versioned<Asset>> Transaction::change(Id id, int base_version, const Asset& asset, const By& by) {
+  return change_asset(connection_, Versioned<Asset>{id, base_version + 1, change_now(by), asset});
 }
 
-#define AXIOMETRY_THING(Asset)                                                             \
+#define AXIOMETRY_ASSET(Asset)                                                             \
   template Result<Versioned<Asset>> Transaction::get<Asset>(Id, std::optional<int>) const; \
   template Result<std::vector<Versioned<Asset>>> Transaction::versions<Asset>(Id) const;   \
   template Result<Versioned<Asset>> Transaction::add(const Asset&, const By&);             \
   template Result<Versioned<Asset>> Transaction::change(Id, int, const Asset&, const By&)
 
-AXIOMETRY_THING(Machine);
-AXIOMETRY_THING(Axis);
-AXIOMETRY_THING(Instrument);
-AXIOMETRY_THING(PlanRecord);
-AXIOMETRY_THING(Calibration);
-AXIOMETRY_THING(Compensation);
+AXIOMETRY_ASSET(MachineRecord);
+AXIOMETRY_ASSET(AxisRecord);
+AXIOMETRY_ASSET(InstrumentRecord);
+AXIOMETRY_ASSET(PlanRecord);
+AXIOMETRY_ASSET(CalibrationRecord);
+AXIOMETRY_ASSET(CompensationRecord);
 
-#undef AXIOMETRY_THING
+#undef AXIOMETRY_ASSET
 
-Result<std::optional<Versioned<Machine>>> Transaction::known(const Machine& stated) const {
+Result<std::optional<Versioned<MachineRecord>>> Transaction::known(const MachineRecord& stated) const {
   return known_machine(connection_, stated);
 }
 
-Result<MachineMeant> Transaction::meant(const Machine& stated) const { return machine_meant(connection_, stated); }
+Result<MachineMeant> Transaction::meant(const MachineRecord& stated) const {
+  return machine_meant(connection_, stated);
+}
 
-Result<std::optional<Versioned<Axis>>> Transaction::known(const Machine& stated, const Axis& axis,
-                                                          std::optional<Id> linked) const {
+Result<std::optional<Versioned<AxisRecord>>> Transaction::known(const MachineRecord& stated, const AxisRecord& axis,
+                                                                std::optional<Id> linked) const {
   return known_axis(connection_, StatedAxis{stated, axis, linked});
 }
 
-Result<std::optional<Versioned<Instrument>>> Transaction::known(const Instrument& stated) const {
+Result<std::optional<Versioned<InstrumentRecord>>> Transaction::known(const InstrumentRecord& stated) const {
   return known_instrument(connection_, stated);
 }
 
@@ -98,7 +100,7 @@ Result<std::vector<Change>> Transaction::test_versions(Id id) const {
 
 Result<TestPage> Transaction::tests(const TestFilter& filter) const { return find_tests(connection_, filter); }
 
-Result<std::vector<Document>> Transaction::documents(Id test) const { return documents_of(connection_, test); }
+Result<std::vector<DocumentRecord>> Transaction::documents(Id test) const { return documents_of(connection_, test); }
 
 Result<CalibrationPage> Transaction::calibrations(const CalibrationFilter& filter) const {
   return find_calibrations(connection_, filter);
@@ -127,7 +129,7 @@ Result<int> Transaction::revise(Id test, int base_version, const TestState& stat
   return revise_test(connection_, test, base_version, state, by);
 }
 
-Result<Document> Transaction::add_document(const Document& document, std::string_view bytes, const By& by) {
+Result<DocumentRecord> Transaction::add_document(const DocumentRecord& document, std::string_view bytes, const By& by) {
   return write_document(connection_, document, bytes, by);
 }
 

@@ -45,16 +45,16 @@ class Transaction {
 
   /// Which machine, axis or instrument of the archive receive() and revise() would take for what a test states: by the
   /// one rule of stated_assets.h. Nothing where they would add one. `linked`: the machine of a test that is kept.
-  Result<std::optional<Versioned<Machine>>> known(const Machine& stated) const;
-  Result<MachineMeant> meant(const Machine& stated) const;
-  Result<std::optional<Versioned<Axis>>> known(const Machine& stated, const Axis& axis,
-                                               std::optional<Id> linked = {}) const;
-  Result<std::optional<Versioned<Instrument>>> known(const Instrument& stated) const;
+  Result<std::optional<Versioned<MachineRecord>>> known(const MachineRecord& stated) const;
+  Result<MachineMeant> meant(const MachineRecord& stated) const;
+  Result<std::optional<Versioned<AxisRecord>>> known(const MachineRecord& stated, const AxisRecord& axis,
+                                                     std::optional<Id> linked = {}) const;
+  Result<std::optional<Versioned<InstrumentRecord>>> known(const InstrumentRecord& stated) const;
 
   Result<TestRecord> test(Id id, std::optional<int> version = {}) const;
   Result<std::vector<Change>> test_versions(Id id) const;
   Result<TestPage> tests(const TestFilter& filter) const;
-  Result<std::vector<Document>> documents(Id test) const;
+  Result<std::vector<DocumentRecord>> documents(Id test) const;
   Result<CalibrationPage> calibrations(const CalibrationFilter& filter) const;
   Result<std::vector<CompensationRow>> compensations(const CompensationFilter& filter) const;
   Result<Content> content(const std::string& sha256) const;
@@ -62,13 +62,13 @@ class Transaction {
   Result<std::vector<std::string>> contents(std::string_view format) const;
 
   template <typename Asset>
-  Result<Versioned<Asset>> add(const Asset& thing, const By& by);
+  Result<Versioned<Asset>> add(const Asset& asset, const By& by);
   template <typename Asset>
-  Result<Versioned<Asset>> change(Id id, int base_version, const Asset& thing, const By& by);
+  Result<Versioned<Asset>> change(Id id, int base_version, const Asset& asset, const By& by);
   Result<std::vector<Id>> receive(const Content& content, std::span<const NewTest> tests, const By& by);
   Result<int> revise(Id test, int base_version, const TestState& state, const By& by);
   Result<std::string> keep(const Content& content, const By& by);
-  Result<Document> add_document(const Document& document, std::string_view bytes, const By& by);
+  Result<DocumentRecord> add_document(const DocumentRecord& document, std::string_view bytes, const By& by);
 
  private:
   Connection& connection_;

@@ -126,7 +126,7 @@ Result<int> keep_lengths(const CalibrateArguments& given) {
   }
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {}));
   AXIOMETRY_TRY(const auto kept, app::keep_calibration(*archive, calibration, {"import", "axiometry store calibrate"}));
-  const store::Calibration& c = kept.calibration.value;
+  const store::CalibrationRecord& c = kept.calibration.value;
   print_kept_calibration(kept);
   if (c.serious > 0) fmt::print("{}: the result should not be used as it is\n", counted(c.serious, "serious finding"));
   return c.serious > 0 || c.verdict == "does not conform" ? exit_exceeded

@@ -24,7 +24,7 @@
 namespace axiometry::cli {
 namespace {
 
-using store::Calibration;
+using store::CalibrationRecord;
 
 struct CalibrationArguments {
   std::string address;

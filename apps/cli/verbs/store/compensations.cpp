@@ -29,7 +29,7 @@
 namespace axiometry::cli {
 namespace {
 
-using store::Compensation;
+using store::CompensationRecord;
 
 struct CompensationArguments {
   std::string address;
@@ -120,7 +120,7 @@ Result<int> keep(const CompensationArguments& a) {
 Result<int> list_kept(const CompensationArguments& a) {
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
   if (a.test > 0) AXIOMETRY_TRY_VOID(archive->test(a.test));
-  if (a.axis > 0) AXIOMETRY_TRY_VOID(archive->get<store::Axis>(a.axis));
+  if (a.axis > 0) AXIOMETRY_TRY_VOID(archive->get<store::AxisRecord>(a.axis));
   store::CompensationFilter filter{.withdrawn = a.withdrawn, .limit = a.limit};
   if (a.test > 0) filter.test = a.test;
   if (a.axis > 0) filter.axis = a.axis;

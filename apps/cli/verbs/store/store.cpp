@@ -89,7 +89,7 @@ Result<int> info(const StoreArguments& arguments) {
 std::string figure_text(const store::TestRow& row, std::string_view letter) {
   constexpr std::pair<std::string_view, std::string_view> senses[] = {{"", ""}, {"_up", "↑"}, {"_down", "↓"}};
   for (const auto& [suffix, arrow] : senses)
-    for (const store::Figure& figure : row.figures)
+    for (const store::FigureRecord& figure : row.figures)
       if (figure.parameter == fmt::format("{}{}", letter, suffix))
         return fmt::format("{}{} {} {}", letter, arrow, format_fixed(figure.value, 1),
                            row.unit == "arcsec" ? "″" : "µm");

@@ -21,7 +21,7 @@ std::optional<double> limit_of(const std::vector<store::Limit>& limits, std::str
 }
 
 /// "A 12 → 5 µm, B 3 → – µm"; empty where both are the same.
-std::string differences(const std::vector<store::Limit>& before, const store::Axis& now) {
+std::string differences(const std::vector<store::Limit>& before, const store::AxisRecord& now) {
   const AxisKind kind = now.kind == axis_kind_name(AxisKind::rotary) ? AxisKind::rotary : AxisKind::linear;
   const auto shown = [](std::optional<double> limit) { return limit ? format_exact(*limit) : std::string("–"); };
   std::string text;
@@ -36,7 +36,7 @@ std::string differences(const std::vector<store::Limit>& before, const store::Ax
 
 }  // namespace
 
-std::optional<iso230_2::Finding> changed_limits(const FromArchive& taken, const std::optional<store::Axis>& now) {
+std::optional<iso230_2::Finding> changed_limits(const FromArchive& taken, const std::optional<store::AxisRecord>& now) {
   if (!taken.axis || !now) return std::nullopt;
   const std::string changed = differences(taken.axis->limits, *now);
   if (changed.empty()) return std::nullopt;

@@ -12,7 +12,7 @@
 namespace axiometry::app {
 
 /// A note of what has changed since, "A 12 → 5 µm"; nothing where the limits are still the same, or none were taken.
-std::optional<iso230_2::Finding> changed_limits(const FromArchive& taken, const std::optional<store::Axis>& now);
+std::optional<iso230_2::Finding> changed_limits(const FromArchive& taken, const std::optional<store::AxisRecord>& now);
 
 /// The result that a version keeps, with that note among its findings.
 json::Value with_finding(json::Value result, const std::optional<iso230_2::Finding>& finding);

@@ -31,23 +31,23 @@ struct TextMember {
   std::string Asset::*text;
 };
 
-constexpr TextMember<store::Machine> machine_lines[] = {
-    {"name", &store::Machine::name},
-    {"manufacturer", &store::Machine::manufacturer},
-    {"type", &store::Machine::type},
-    {"serial_number", &store::Machine::serial_number},
-    {"controller", &store::Machine::controller},
-    {"location", &store::Machine::location},
+constexpr TextMember<store::MachineRecord> machine_lines[] = {
+    {"name", &store::MachineRecord::name},
+    {"manufacturer", &store::MachineRecord::manufacturer},
+    {"type", &store::MachineRecord::type},
+    {"serial_number", &store::MachineRecord::serial_number},
+    {"controller", &store::MachineRecord::controller},
+    {"location", &store::MachineRecord::location},
 };
 
-constexpr TextMember<store::Instrument> instrument_lines[] = {
-    {"role", &store::Instrument::role},
-    {"manufacturer", &store::Instrument::manufacturer},
-    {"type", &store::Instrument::type},
-    {"serial_number", &store::Instrument::serial_number},
-    {"certificate", &store::Instrument::certificate},
-    {"calibrated_on", &store::Instrument::calibrated_on},
-    {"calibration_due", &store::Instrument::calibration_due},
+constexpr TextMember<store::InstrumentRecord> instrument_lines[] = {
+    {"role", &store::InstrumentRecord::role},
+    {"manufacturer", &store::InstrumentRecord::manufacturer},
+    {"type", &store::InstrumentRecord::type},
+    {"serial_number", &store::InstrumentRecord::serial_number},
+    {"certificate", &store::InstrumentRecord::certificate},
+    {"calibrated_on", &store::InstrumentRecord::calibrated_on},
+    {"calibration_due", &store::InstrumentRecord::calibration_due},
 };
 
 template <typename Asset>
@@ -107,9 +107,9 @@ Result<void> check_inputs(const Changes& inputs, const Value& at) {
 
 }  // namespace
 
-json::Value to_json(const store::Versioned<store::Machine>& machine) {
+json::Value to_json(const store::Versioned<store::MachineRecord>& machine) {
   Value object = entity(machine);
-  add_lines<store::Machine>(object, machine.value, machine_lines);
+  add_lines<store::MachineRecord>(object, machine.value, machine_lines);
   object.add("notes", machine.value.notes);
   return object;
 }
@@ -128,7 +128,7 @@ json::Value to_json(const MachineSummary& summary) {
   return object;
 }
 
-json::Value to_json(const store::Versioned<store::Axis>& axis) {
+json::Value to_json(const store::Versioned<store::AxisRecord>& axis) {
   Value object = entity(axis);
   object.add("machine", id_value(axis.value.machine));
   object.add("name", axis.value.name);
@@ -138,9 +138,9 @@ json::Value to_json(const store::Versioned<store::Axis>& axis) {
   return object;
 }
 
-json::Value to_json(const store::Versioned<store::Instrument>& instrument) {
+json::Value to_json(const store::Versioned<store::InstrumentRecord>& instrument) {
   Value object = entity(instrument);
-  add_lines<store::Instrument>(object, instrument.value, instrument_lines);
+  add_lines<store::InstrumentRecord>(object, instrument.value, instrument_lines);
   object.add("inputs", to_json(instrument.value.inputs));
   object.add("notes", instrument.value.notes);
   return object;
@@ -186,19 +186,19 @@ json::Value to_json(const AxisTrend& trend) {
   return object;
 }
 
-Result<Edit<store::Machine>> machine_from(const json::Value& value) {
+Result<Edit<store::MachineRecord>> machine_from(const json::Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "machine"));
-  Edit<store::Machine> edit;
-  AXIOMETRY_TRY_VOID(take_lines<store::Machine>(members, value, edit.value, machine_lines));
+  Edit<store::MachineRecord> edit;
+  AXIOMETRY_TRY_VOID(take_lines<store::MachineRecord>(members, value, edit.value, machine_lines));
   AXIOMETRY_TRY_VOID(take_edit(members, value, edit));
   if (edit.value.name.empty()) return fail("found a machine without a name, expected one", value.at());
   return edit;
 }
 
-Result<Edit<store::Axis>> axis_from(const json::Value& value) {
+Result<Edit<store::AxisRecord>> axis_from(const json::Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "axis"));
-  Edit<store::Axis> edit;
-  store::Axis& axis = edit.value;
+  Edit<store::AxisRecord> edit;
+  store::AxisRecord& axis = edit.value;
   AXIOMETRY_TRY(const Value* machine, members.required("machine"));
   AXIOMETRY_TRY(axis.machine, given_number("machine", *machine));
   AXIOMETRY_TRY_VOID(take_text(members, value, "name", axis.name, &given_line));
@@ -215,11 +215,11 @@ Result<Edit<store::Axis>> axis_from(const json::Value& value) {
   return edit;
 }
 
-Result<Edit<store::Instrument>> instrument_from(const json::Value& value) {
+Result<Edit<store::InstrumentRecord>> instrument_from(const json::Value& value) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(value, "instrument"));
-  Edit<store::Instrument> edit;
-  store::Instrument& instrument = edit.value;
-  AXIOMETRY_TRY_VOID(take_lines<store::Instrument>(members, value, instrument, instrument_lines));
+  Edit<store::InstrumentRecord> edit;
+  store::InstrumentRecord& instrument = edit.value;
+  AXIOMETRY_TRY_VOID(take_lines<store::InstrumentRecord>(members, value, instrument, instrument_lines));
   AXIOMETRY_TRY_VOID(check_date(value, "calibrated_on", instrument.calibrated_on));
   AXIOMETRY_TRY_VOID(check_date(value, "calibration_due", instrument.calibration_due));
   if (const Value* inputs = members.optional("inputs")) {

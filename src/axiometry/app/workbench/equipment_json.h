@@ -14,19 +14,19 @@ namespace axiometry::app {
 
 /// A machine in a list: with its axes, how many tests it has and the latest of them.
 struct MachineSummary {
-  store::Versioned<store::Machine> machine;
-  std::vector<store::Versioned<store::Axis>> axes;
+  store::Versioned<store::MachineRecord> machine;
+  std::vector<store::Versioned<store::AxisRecord>> axes;
   std::optional<store::MachineTests> tests{};  ///< nothing: it has none
 };
 
 json::Value to_json(const MachineSummary& summary);
-json::Value to_json(const store::Versioned<store::Machine>& machine);  ///< JSON without what only a list has
-json::Value to_json(const store::Versioned<store::Axis>& axis);
-json::Value to_json(const store::Versioned<store::Instrument>& instrument);
+json::Value to_json(const store::Versioned<store::MachineRecord>& machine);  ///< JSON without what only a list has
+json::Value to_json(const store::Versioned<store::AxisRecord>& axis);
+json::Value to_json(const store::Versioned<store::InstrumentRecord>& instrument);
 json::Value to_json(const store::AuditEntry& entry);
 
 struct AxisTrend {
-  store::Versioned<store::Axis> axis;
+  store::Versioned<store::AxisRecord> axis;
   std::string machine_name;
   std::vector<store::TrendPoint> points;
 };
@@ -43,9 +43,9 @@ struct Edit {
 /// Each fails, with line and column, on unknown members, on members of another kind and on texts as given_line() and
 /// given_text() do; a machine on an empty name; an axis without a machine, a name or a kind, and as limits_from(); an
 /// instrument without a manufacturer, type, serial number and role, and on inputs that no test could take.
-Result<Edit<store::Machine>> machine_from(const json::Value& value);
-Result<Edit<store::Axis>> axis_from(const json::Value& value);
-Result<Edit<store::Instrument>> instrument_from(const json::Value& value);
+Result<Edit<store::MachineRecord>> machine_from(const json::Value& value);
+Result<Edit<store::AxisRecord>> axis_from(const json::Value& value);
+Result<Edit<store::InstrumentRecord>> instrument_from(const json::Value& value);
 
 /// {"reason"}; an empty body will do.
 Result<std::string> reason_from(const json::Value& value);

@@ -28,7 +28,8 @@ std::span<const std::string_view> said_together(const std::string& key) {
 }
 
 /// Those inputs that nobody else states, and of them those that belong to another's statement.
-InstrumentInputs inputs_taken(const store::Instrument& instrument, const Metadata& metadata, const Changes& changes) {
+InstrumentInputs inputs_taken(const store::InstrumentRecord& instrument, const Metadata& metadata,
+                              const Changes& changes) {
   const auto stated = [&](std::string_view key) {
     const Field* field = find_field(key);
     const bool named = std::ranges::find(changes, key, &Changes::value_type::first) != changes.end();
@@ -43,7 +44,7 @@ InstrumentInputs inputs_taken(const store::Instrument& instrument, const Metadat
   return found;
 }
 
-using KnownInstruments = std::vector<store::Versioned<store::Instrument>>;
+using KnownInstruments = std::vector<store::Versioned<store::InstrumentRecord>>;
 
 std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Metadata& metadata,
                                         const Changes& changes) {
@@ -62,9 +63,9 @@ std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Met
 }
 
 /// A component of the test equipment as an instrument; nothing of a line that identifies none.
-std::optional<store::Instrument> instrument_of(const Equipment& component) {
+std::optional<store::InstrumentRecord> instrument_of(const Equipment& component) {
   if (component.serial_number.empty() && component.manufacturer.empty() && component.type.empty()) return {};
-  store::Instrument instrument;
+  store::InstrumentRecord instrument;
   instrument.role = report::printable(component.role);
   instrument.manufacturer = report::printable(component.manufacturer);
   instrument.type = report::printable(component.type);
@@ -72,12 +73,12 @@ std::optional<store::Instrument> instrument_of(const Equipment& component) {
   return instrument;
 }
 
-bool has_calibration(const store::Instrument& instrument) {
+bool has_calibration(const store::InstrumentRecord& instrument) {
   return !instrument.certificate.empty() || !instrument.calibrated_on.empty() || !instrument.calibration_due.empty();
 }
 
 /// Whether two versions tell of one calibration: the later one then mends what the earlier one said of it.
-bool same_calibration(const store::Instrument& a, const store::Instrument& b) {
+bool same_calibration(const store::InstrumentRecord& a, const store::InstrumentRecord& b) {
   if (!a.certificate.empty() && a.certificate == b.certificate) return true;
   if (!a.calibrated_on.empty()) return a.calibrated_on == b.calibrated_on;
   return b.calibrated_on.empty() && a.certificate.empty() && b.certificate.empty();
@@ -99,10 +100,10 @@ KnownInstruments calibrations_in(const KnownInstruments& versions) {
 /// The newest calibration that is not later than this day, "2014-05-15". Where it did not hold any more, or where there
 /// is none, one of an unknown day. Where the day of the test is not known, the only one there is: of several nobody can
 /// tell which held.
-const store::Versioned<store::Instrument>* calibration_on(const std::string& day,
-                                                          const KnownInstruments& calibrations) {
-  const store::Versioned<store::Instrument>* newest = nullptr;
-  const store::Versioned<store::Instrument>* undated = nullptr;
+const store::Versioned<store::InstrumentRecord>* calibration_on(const std::string& day,
+                                                                const KnownInstruments& calibrations) {
+  const store::Versioned<store::InstrumentRecord>* newest = nullptr;
+  const store::Versioned<store::InstrumentRecord>* undated = nullptr;
   for (const auto& one : calibrations) {
     const std::string since = named_days(one.value.calibrated_on).first;
     if (since.empty()) undated = &one;
@@ -147,7 +148,7 @@ Result<Instruments> linked_instruments(const store::Transaction& archive, const 
     instruments.all.clear();
   }
   for (const store::Id id : linked) {
-    AXIOMETRY_TRY(auto instrument, archive.get<store::Instrument>(id));
+    AXIOMETRY_TRY(auto instrument, archive.get<store::InstrumentRecord>(id));
     instruments.all.push_back(std::move(instrument));
   }
   return instruments;
@@ -159,17 +160,17 @@ Result<std::vector<KnownCalibration>> calibrations_of(const store::Transaction& 
   std::vector<KnownCalibration> known;
   for (std::size_t k = 0; k < instruments.size(); ++k) {
     if (!instruments[k] || states_calibration(metadata.equipment[k])) continue;
-    AXIOMETRY_TRY(const KnownInstruments versions, archive.versions<store::Instrument>(*instruments[k]));
+    AXIOMETRY_TRY(const KnownInstruments versions, archive.versions<store::InstrumentRecord>(*instruments[k]));
     const KnownInstruments calibrations = calibrations_in(versions);
     const auto* held = calibration_on(day, calibrations);
     if (held == nullptr) continue;
-    const store::Instrument& told = held->value;
+    const store::InstrumentRecord& told = held->value;
     known.push_back({held->id, held->version, {k, told.certificate, told.calibrated_on, told.calibration_due}});
   }
   return known;
 }
 
-using KnownAxis = std::optional<store::Versioned<store::Axis>>;
+using KnownAxis = std::optional<store::Versioned<store::AxisRecord>>;
 
 std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
   if (!axis || axis->value.limits.empty()) return {};
@@ -178,22 +179,22 @@ std::optional<AxisLimits> limits_of(const KnownAxis& axis) {
 
 }  // namespace
 
-std::string instrument_name(const store::Instrument& instrument) {
+std::string instrument_name(const store::InstrumentRecord& instrument) {
   std::string name;
   for (const std::string* part : {&instrument.manufacturer, &instrument.type, &instrument.serial_number})
     if (!part->empty()) name += (name.empty() ? "" : " ") + *part;
   return name.empty() ? instrument.role : name;
 }
 
-std::vector<store::Instrument> instruments_of(const Metadata& metadata) {
-  std::vector<store::Instrument> instruments;
+std::vector<store::InstrumentRecord> instruments_of(const Metadata& metadata) {
+  std::vector<store::InstrumentRecord> instruments;
   for (const Equipment& component : metadata.equipment)
     if (auto instrument = instrument_of(component)) instruments.push_back(*std::move(instrument));
   return instruments;
 }
 
-store::Machine machine_of(const Metadata& metadata) {
-  store::Machine machine;
+store::MachineRecord machine_of(const Metadata& metadata) {
+  store::MachineRecord machine;
   machine.name = report::printable(metadata.machine.name);
   machine.type = report::printable(metadata.machine.type);
   machine.serial_number = report::printable(metadata.machine.serial_number);
@@ -201,8 +202,8 @@ store::Machine machine_of(const Metadata& metadata) {
   return machine;
 }
 
-store::Axis axis_of(const Metadata& metadata) {
-  store::Axis axis;
+store::AxisRecord axis_of(const Metadata& metadata) {
+  store::AxisRecord axis;
   axis.name = report::printable(metadata.axis.name);
   axis.kind = axis_kind_name(metadata.axis.kind);
   return axis;
@@ -218,7 +219,7 @@ Result<FromArchive> find_in_archive(const store::Transaction& archive, const Arc
   AXIOMETRY_TRY(taken.calibrations, calibrations_of(archive, metadata, instruments.by_component));
   const bool linked_axis = links && links->axis && !concerns(changes, "machine.") && !concerns(changes, "axis.");
   if (linked_axis) {
-    AXIOMETRY_TRY(auto axis, archive.get<store::Axis>(*links->axis));
+    AXIOMETRY_TRY(auto axis, archive.get<store::AxisRecord>(*links->axis));
     taken.axis = limits_of(std::move(axis));
     return taken;
   }

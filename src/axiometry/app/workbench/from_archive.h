@@ -61,12 +61,12 @@ json::Value to_json(const FromArchive& taken);
 Result<FromArchive> from_archive_of(const json::Value& value);
 
 /// How people call an instrument: "Example Instruments LI-1 1234", or its role.
-std::string instrument_name(const store::Instrument& instrument);
+std::string instrument_name(const store::InstrumentRecord& instrument);
 
 /// The instruments that the metadata list, in their order; lines that say nothing are left out.
-std::vector<store::Instrument> instruments_of(const Metadata& metadata);
-store::Machine machine_of(const Metadata& metadata);
-store::Axis axis_of(const Metadata& metadata);
+std::vector<store::InstrumentRecord> instruments_of(const Metadata& metadata);
+store::MachineRecord machine_of(const Metadata& metadata);
+store::AxisRecord axis_of(const Metadata& metadata);
 
 /// What the archive has linked a test with; nothing of a test that it does not have.
 struct ArchiveLinks {

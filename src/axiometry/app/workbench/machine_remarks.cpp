@@ -11,13 +11,15 @@
 namespace axiometry::app {
 namespace {
 
-Result<std::vector<std::string>> remarks_on(const store::Transaction& archive, const store::Machine& stated) {
+Result<std::vector<std::string>> remarks_on(const store::Transaction& archive, const store::MachineRecord& stated) {
   AXIOMETRY_TRY(const store::MachineMeant meant, archive.meant(stated));
   std::vector<std::string> remarks;
   if (meant.takes_number)
     remarks.push_back(fmt::format("machine {} had no serial number and takes over {}, which this test states",
                                   meant.known->id, text::quoted(stated.serial_number)));
-  const auto has_number = [](const store::Machine& machine) { return !text::trim(machine.serial_number).empty(); };
+  const auto has_number = [](const store::MachineRecord& machine) {
+    return !text::trim(machine.serial_number).empty();
+  };
   if (meant.known && !has_number(stated) && has_number(meant.known->value))
     remarks.push_back(
         fmt::format("this test states no serial number: by the name {} alone it is kept with machine {}, whose number "
@@ -39,7 +41,7 @@ Result<std::vector<std::vector<std::string>>> machine_remarks(const store::Trans
   std::vector<std::vector<std::string>> all;
   for (const store::NewTest& test : tests) {
     auto& remarks = all.emplace_back();
-    const store::Machine& machine = test.state.machine;
+    const store::MachineRecord& machine = test.state.machine;
     if (!told.emplace(machine.name, machine.serial_number).second) continue;
     AXIOMETRY_TRY(remarks, remarks_on(archive, machine));
   }

@@ -40,12 +40,12 @@ std::unexpected<Error> damaged(const Error& error) {
 
 }  // namespace
 
-std::vector<store::Figure> figures_of(const Evaluated& evaluated) {
-  std::vector<store::Figure> figures;
+std::vector<store::FigureRecord> figures_of(const Evaluated& evaluated) {
+  std::vector<store::FigureRecord> figures;
   for (const auto& parameter : iso230_2::parameters) {
     const auto& value = evaluated.assessment.evaluation.parameters.*parameter.member;
     if (!value) continue;
-    store::Figure figure{std::string(parameter.key), value->in_native(), {}, {}, {}};
+    store::FigureRecord figure{std::string(parameter.key), value->in_native(), {}, {}, {}};
     if (const auto known = iso230_2::uncertainty_of_record(evaluated.assessment, parameter)) {
       if (known->U) figure.U = known->U->in_native();
       figure.low = known->interval.lower;
@@ -69,11 +69,11 @@ std::string kept_verdict(std::span<const iso230_2::Judgement> judgements) {
   return verdict ? verdict_text(*verdict) : std::string();
 }
 
-store::Evaluation evaluation_of(const Evaluated& evaluated, const KeptOptions& how) {
+store::EvaluationRecord evaluation_of(const Evaluated& evaluated, const KeptOptions& how) {
   Value kept = to_json(how.options);
   kept.add("from_archive", to_json(how.from_archive));
   if (how.profile) kept.add("import_profile", formats::profile_to_json(*how.profile));
-  store::Evaluation evaluation;
+  store::EvaluationRecord evaluation;
   evaluation.program = fmt::format("axiometry {}", version);
   evaluation.standard = edition_of(evaluated.test.metadata.axis);
   evaluation.options = json::dump(kept, 0);
@@ -106,7 +106,7 @@ std::string first_title(const Evaluated& evaluated) {
   return shortened(report::printable(title));
 }
 
-Result<KeptOptions> kept_options(const store::Evaluation& evaluation) {
+Result<KeptOptions> kept_options(const store::EvaluationRecord& evaluation) {
   auto value = json::parse(evaluation.options);
   if (!value) return damaged(value.error());
   KeptOptions kept;

@@ -17,7 +17,7 @@ namespace axiometry::app {
 
 /// Every parameter that exists, with the uncertainty of record (verdict/uncertainty_of_record.h) where there is one,
 /// and with its limit and verdict.
-std::vector<store::Figure> figures_of(const Evaluated& evaluated);
+std::vector<store::FigureRecord> figures_of(const Evaluated& evaluated);
 
 /// Of all limits together, as lists keep it: overall_verdict(), empty where nothing could be judged. Of several lines
 /// it is asked with the judgements of all: one that could not be judged leaves the whole undecided.
@@ -31,7 +31,7 @@ struct KeptOptions {
 };
 
 /// What a version keeps of an evaluation: options, result, figures. `program` is this one.
-store::Evaluation evaluation_of(const Evaluated& evaluated, const KeptOptions& how);
+store::EvaluationRecord evaluation_of(const Evaluated& evaluated, const KeptOptions& how);
 
 /// The whole state but title and plan.
 store::TestState state_of(const Evaluated& evaluated, const Changes& changes, const KeptOptions& how);
@@ -40,7 +40,7 @@ store::TestState state_of(const Evaluated& evaluated, const Changes& changes, co
 std::string first_title(const Evaluated& evaluated);
 
 /// Fails with `damaged` on what evaluation_of() does not write.
-Result<KeptOptions> kept_options(const store::Evaluation& evaluation);
+Result<KeptOptions> kept_options(const store::EvaluationRecord& evaluation);
 /// Likewise of TestState::changes.
 Result<Changes> kept_changes(const store::TestState& state);
 

@@ -126,7 +126,7 @@ TEST(FromArchive, ComesBackAsItWasWritten) {
 
 TEST(ChangedLimits, AreToldByParameter) {
   FromArchive taken;
-  store::Axis now;
+  store::AxisRecord now;
   now.kind = "linear";
   now.limits = {{"A", 5.0}, {"B", 2.0}};
   EXPECT_FALSE(changed_limits(taken, now)) << "none were taken";
@@ -153,7 +153,7 @@ TEST(FromArchive, SaysWhoseEachInputIsAndWhatItLeavesOut) {
 }
 
 TEST(KeptOptions, HoldTheProfileOfATableAndNeedNone) {
-  store::Evaluation evaluation;
+  store::EvaluationRecord evaluation;
   evaluation.options = R"({"methods": ["gum"], "from_archive": {"instruments": [], "calibrations": [], "axis": null}})";
   const auto without = kept_options(evaluation);
   ASSERT_TRUE(without) << without.error().to_string();

@@ -177,10 +177,10 @@ auto keep_as_evaluated(State& state, Evaluate evaluate, Keep keep) {
 struct LookedUp {
   store::TestRecord record;
   std::vector<store::Change> versions;
-  std::vector<store::Document> documents;
-  std::optional<store::Machine> machine;
-  std::optional<store::Axis> axis;
-  std::vector<store::Versioned<store::Instrument>> instruments;
+  std::vector<store::DocumentRecord> documents;
+  std::optional<store::MachineRecord> machine;
+  std::optional<store::AxisRecord> axis;
+  std::vector<store::Versioned<store::InstrumentRecord>> instruments;
 };
 
 Result<LookedUp> look_up(const store::Transaction& archive, store::Id id, std::optional<int> version) {
@@ -189,15 +189,15 @@ Result<LookedUp> look_up(const store::Transaction& archive, store::Id id, std::o
   AXIOMETRY_TRY(found.versions, archive.test_versions(id));
   AXIOMETRY_TRY(found.documents, archive.documents(id));
   if (found.record.machine) {
-    AXIOMETRY_TRY(auto machine, archive.get<store::Machine>(*found.record.machine));
+    AXIOMETRY_TRY(auto machine, archive.get<store::MachineRecord>(*found.record.machine));
     found.machine = std::move(machine.value);
   }
   if (found.record.axis) {
-    AXIOMETRY_TRY(auto axis, archive.get<store::Axis>(*found.record.axis));
+    AXIOMETRY_TRY(auto axis, archive.get<store::AxisRecord>(*found.record.axis));
     found.axis = std::move(axis.value);
   }
   for (const store::Id one : found.record.instruments) {
-    AXIOMETRY_TRY(auto instrument, archive.get<store::Instrument>(one));
+    AXIOMETRY_TRY(auto instrument, archive.get<store::InstrumentRecord>(one));
     found.instruments.push_back(std::move(instrument));
   }
   return found;

@@ -73,9 +73,9 @@ class Workbench {
   Result<bool> runs_trials_for(store::Id test, std::optional<int> version) const;
 
   /// Keeps a report as it is now, for good.
-  Result<store::Document> issue(store::Id test, std::optional<int> version, const ReportRequest& request,
-                                const store::By& by);
-  Result<store::Document> attach(store::Id test, const Attachment& attachment, const store::By& by);
+  Result<store::DocumentRecord> issue(store::Id test, std::optional<int> version, const ReportRequest& request,
+                                      const store::By& by);
+  Result<store::DocumentRecord> attach(store::Id test, const Attachment& attachment, const store::By& by);
   /// With a media type that no browser runs: what is no picture, PDF or plain text is octets.
   Result<Rendered> document(store::Id id) const;
   /// Of a document that is a log of temperatures: those that may be given a role. Fails as formats::sensors_of_log().

@@ -238,7 +238,7 @@ json::Value to_json(const KeptTest& kept, const Reader& reader) {
   object.add("changes", to_json(kept.draft.changes));
   object.add("options", to_json(kept.draft.options));
   Value& documents = object.add("documents", Value::array());
-  for (const store::Document& document : kept.documents) documents.push(to_json(document));
+  for (const store::DocumentRecord& document : kept.documents) documents.push(to_json(document));
   add_outcome(object, kept.outcome, reader);
   return object;
 }
@@ -251,12 +251,12 @@ json::Value to_json(const store::TestPage& page, const Reader& reader) {
   return object;
 }
 
-json::Value to_json(const store::Document& document) {
+json::Value to_json(const store::DocumentRecord& document) {
   Value object = Value::object();
   object.add("id", id_value(document.id));
   object.add("test", id_value(document.test));
   object.add("version", document.version);
-  object.add("kind", document.kind == store::Document::Kind::report ? "report" : "attachment");
+  object.add("kind", document.kind == store::DocumentRecord::Kind::report ? "report" : "attachment");
   object.add("name", document.name);
   object.add("media_type", document.media_type);
   object.add("language", document.language);
@@ -274,9 +274,9 @@ json::Value to_json(const store::Change& change) {
   return object;
 }
 
-json::Value figures_to_json(std::span<const store::Figure> figures) {
+json::Value figures_to_json(std::span<const store::FigureRecord> figures) {
   Value list = Value::array();
-  for (const store::Figure& figure : figures) {
+  for (const store::FigureRecord& figure : figures) {
     Value& row = list.push(Value::object());
     row.add("parameter", figure.parameter);
     row.add("value", figure.value);

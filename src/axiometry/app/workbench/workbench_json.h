@@ -18,9 +18,9 @@ json::Value to_json(const Preview& preview, const Reader& reader);    ///< Previ
 json::Value to_json(const Received& received, const Reader& reader);  ///< Received
 json::Value to_json(const KeptTest& kept, const Reader& reader);      ///< Test
 json::Value to_json(const store::TestPage& page, const Reader& reader);
-json::Value to_json(const store::Document& document);
+json::Value to_json(const store::DocumentRecord& document);
 json::Value to_json(const store::Change& change);
-json::Value figures_to_json(std::span<const store::Figure> figures);
+json::Value figures_to_json(std::span<const store::FigureRecord> figures);
 json::Value error_to_json(const Error& error, const Reader& reader);  ///< the inner object of a Failure
 
 /// null for an empty text.

@@ -38,8 +38,8 @@ class TheWorkbenchBesideOthers : public testing::Test {
 };
 
 /// The interferometer of Table 2; all that a version says tells its number.
-store::Instrument laser_as_of(int version) {
-  store::Instrument laser;
+store::InstrumentRecord laser_as_of(int version) {
+  store::InstrumentRecord laser;
   laser.manufacturer = "Example Instruments";
   laser.type = "LI-1";
   laser.serial_number = "1234";
@@ -55,7 +55,7 @@ void expect_one_version(const KeptTest& test) {
   ASSERT_EQ(taken.instruments.size(), 1u);
   ASSERT_EQ(taken.calibrations.size(), 1u);
   const auto& linked = test.record.state.instruments;
-  const auto laser = std::ranges::find(linked, "1234", &store::Instrument::serial_number);
+  const auto laser = std::ranges::find(linked, "1234", &store::InstrumentRecord::serial_number);
   ASSERT_NE(laser, linked.end());
   EXPECT_EQ(taken.calibrations[0].version, taken.instruments[0].version);
   EXPECT_EQ(laser->certificate, fmt::format("C-{}", taken.instruments[0].version));

@@ -160,8 +160,8 @@ Result<bool> Workbench::runs_trials_for(store::Id id, std::optional<int> version
   return kept.options.monte_carlo;
 }
 
-Result<store::Document> Workbench::issue(store::Id id, std::optional<int> version, const ReportRequest& request,
-                                         const store::By& by) {
+Result<store::DocumentRecord> Workbench::issue(store::Id id, std::optional<int> version, const ReportRequest& request,
+                                               const store::By& by) {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
   if (record.withdrawn)
     return fail(ErrorKind::conflict,
@@ -172,33 +172,33 @@ Result<store::Document> Workbench::issue(store::Id id, std::optional<int> versio
     AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
     AXIOMETRY_TRY([[maybe_unused]] const auto verified, second_opinion_of(*evaluated, request.options, rendered.bytes));
   }
-  store::Document document;
+  store::DocumentRecord document;
   document.test = id;
   document.version = record.version;
-  document.kind = store::Document::Kind::report;
+  document.kind = store::DocumentRecord::Kind::report;
   document.name = rendered.file_name;
   document.media_type = rendered.media_type;
   document.language = language::tag(request.language);
-  return state_->store.write([&](store::Transaction& archive) -> Result<store::Document> {
+  return state_->store.write([&](store::Transaction& archive) -> Result<store::DocumentRecord> {
     AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
     return archive.add_document(document, rendered.bytes, by);
   });
 }
 
-Result<store::Document> Workbench::attach(store::Id id, const Attachment& attachment, const store::By& by) {
+Result<store::DocumentRecord> Workbench::attach(store::Id id, const Attachment& attachment, const store::By& by) {
   if (attachment.bytes.empty()) return fail("found an empty file, expected an attachment");
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id));
-  store::Document document;
+  store::DocumentRecord document;
   document.test = id;
   document.version = record.version;
-  document.kind = store::Document::Kind::attachment;
+  document.kind = store::DocumentRecord::Kind::attachment;
   AXIOMETRY_TRY(document.name, given_file_name(attachment.name));
   document.media_type = checked_media_type(attachment.media_type);
   return state_->store.add_document(document, attachment.bytes, by);
 }
 
 Result<Rendered> Workbench::document(store::Id id) const {
-  AXIOMETRY_TRY(const store::Document document, state_->store.document(id));
+  AXIOMETRY_TRY(const store::DocumentRecord document, state_->store.document(id));
   AXIOMETRY_TRY(store::Content content, state_->store.content(document.sha256));
   const std::string type = checked_media_type(document.media_type);
   const bool shown = std::ranges::find(harmless, type) != harmless.end();
@@ -206,7 +206,7 @@ Result<Rendered> Workbench::document(store::Id id) const {
 }
 
 Result<std::vector<std::string>> Workbench::temperature_sensors(store::Id id) const {
-  AXIOMETRY_TRY(const store::Document document, state_->store.document(id));
+  AXIOMETRY_TRY(const store::DocumentRecord document, state_->store.document(id));
   AXIOMETRY_TRY(const auto bytes, state_->log_bytes(document.sha256));
   return in_file(formats::sensors_of_log(*bytes), document.name);
 }

@@ -25,12 +25,12 @@ namespace {
 /// Far below the last digit that anybody shows, far above what another library of mathematics changes.
 bool same_number(double a, double b) { return std::abs(a - b) <= 1e-6 * std::max(std::abs(a), std::abs(b)) + 1e-9; }
 
-bool same_figure(const store::Figure& a, const store::Figure& b) {
+bool same_figure(const store::FigureRecord& a, const store::FigureRecord& b) {
   if (a.parameter != b.parameter || !same_number(a.value, b.value) || a.U.has_value() != b.U.has_value()) return false;
   return !a.U || same_number(*a.U, *b.U);
 }
 
-std::string figure_text(const store::Figure& figure) {
+std::string figure_text(const store::FigureRecord& figure) {
   std::string text = fmt::format("{} = {}", figure.parameter, format_fixed(figure.value, 4));
   if (figure.U) text += fmt::format(", U = {}", format_fixed(*figure.U, 4));
   return text;
@@ -214,7 +214,7 @@ Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store
   AXIOMETRY_TRY(Changes changes, kept_changes(record.state));
   AXIOMETRY_TRY(Test test, measured(record));
   if (auto& axis = kept.from_archive.axis; axis && axis->set_on.empty()) {
-    AXIOMETRY_TRY(const auto then, store.get<store::Axis>(axis->axis, axis->version));
+    AXIOMETRY_TRY(const auto then, store.get<store::AxisRecord>(axis->axis, axis->version));
     axis->set_on = iso_date(then.change.at);
   }
   AXIOMETRY_TRY(Found found,
@@ -229,7 +229,7 @@ Result<std::shared_ptr<const Evaluated>> Workbench::State::evaluated(const store
 Result<std::optional<iso230_2::Finding>> Workbench::State::changed_limits_of(const store::TestRecord& record) {
   AXIOMETRY_TRY(const KeptOptions kept, kept_options(record.state.evaluation));
   if (!kept.from_archive.axis) return std::nullopt;
-  AXIOMETRY_TRY(auto now, store.get<store::Axis>(kept.from_archive.axis->axis));
+  AXIOMETRY_TRY(auto now, store.get<store::AxisRecord>(kept.from_archive.axis->axis));
   return changed_limits(kept.from_archive, std::move(now.value));
 }
 

@@ -351,22 +351,22 @@ TEST_F(TheWorkbench, ShowsCorrectedReadingsBesideThoseThatWereMeasured) {
 }
 
 /// The interferometer that the file of Table 2 names.
-store::Instrument laser_of_table2() {
-  store::Instrument laser;
+store::InstrumentRecord laser_of_table2() {
+  store::InstrumentRecord laser;
   laser.manufacturer = "Example Instruments";
   laser.type = "LI-1";
   laser.serial_number = "1234";
   return laser;
 }
 
-void calibrate(store::Instrument& instrument, const EquipmentCalibration& calibration) {
+void calibrate(store::InstrumentRecord& instrument, const EquipmentCalibration& calibration) {
   instrument.certificate = calibration.certificate;
   instrument.calibrated_on = calibration.calibrated_on;
   instrument.calibration_due = calibration.calibration_due;
 }
 
 TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
-  store::Instrument laser = laser_of_table2();
+  store::InstrumentRecord laser = laser_of_table2();
   laser.inputs = {{"uncertainty.instrument_resolution", "0.5"}, {"uncertainty.misalignment_mm", "100"}};
   ASSERT_TRUE(store.add(laser, me));
   const auto id = keep(example_table2);
@@ -383,7 +383,7 @@ TEST_F(TheWorkbench, TakesInputsFromTheInstrumentWhereNobodyStatesThem) {
 }
 
 TEST_F(TheWorkbench, TakesACertificateOfAnInstrumentAsAWholeOrNotAtAll) {
-  store::Instrument laser = laser_of_table2();
+  store::InstrumentRecord laser = laser_of_table2();
   laser.inputs = {{"uncertainty.device_calibration", "2"}};
   ASSERT_TRUE(store.add(laser, me));
   const auto test = workbench.test(keep(example_table2));
@@ -396,7 +396,7 @@ TEST_F(TheWorkbench, TakesACertificateOfAnInstrumentAsAWholeOrNotAtAll) {
 }
 
 TEST_F(TheWorkbench, StatesTheCalibrationThatHeldOnTheDayOfTheTest) {
-  store::Instrument laser = laser_of_table2();
+  store::InstrumentRecord laser = laser_of_table2();
   calibrate(laser, {0, "C-2014", "2014-01-10", "2015-01-10"});
   const auto added = store.add(laser, me);
   ASSERT_TRUE(added);
@@ -424,7 +424,7 @@ TEST_F(TheWorkbench, StatesTheCalibrationThatHeldOnTheDayOfTheTest) {
 }
 
 TEST_F(TheWorkbench, TakesACalibrationAsItWasToldLast) {
-  store::Instrument laser = laser_of_table2();
+  store::InstrumentRecord laser = laser_of_table2();
   calibrate(laser, {0, "C-2012", "2014-05-10", "2015-05-10"});
   auto kept = store.add(laser, me);
   ASSERT_TRUE(kept);
@@ -447,7 +447,7 @@ TEST_F(TheWorkbench, TakesACalibrationAsItWasToldLast) {
 }
 
 TEST_F(TheWorkbench, ReportsAVersionWithTheInputsOfItsDayAlthoughTheInstrumentHasChanged) {
-  store::Instrument laser = laser_of_table2();
+  store::InstrumentRecord laser = laser_of_table2();
   laser.inputs = {{"uncertainty.instrument_resolution", "0.5"}};
   const auto added = store.add(laser, me);
   ASSERT_TRUE(added);
@@ -462,9 +462,9 @@ TEST_F(TheWorkbench, ReportsAVersionWithTheInputsOfItsDayAlthoughTheInstrumentHa
 
 TEST_F(TheWorkbench, AppliesTheLimitsOfTheAxisWhereTheTestStatesNone) {
   const auto id = keep(example_table2);
-  const auto axis = store.get<store::Axis>(*workbench.test(id)->record.axis);
+  const auto axis = store.get<store::AxisRecord>(*workbench.test(id)->record.axis);
   ASSERT_TRUE(axis);
-  store::Axis limited = axis->value;
+  store::AxisRecord limited = axis->value;
   limited.limits = {{"A", 5.0}, {"B", 50.0}};
   ASSERT_TRUE(store.change(axis->id, axis->version, limited, me));
   const auto outcome = workbench.draft(id, {});
@@ -485,8 +485,8 @@ TEST_F(TheWorkbench, AppliesTheLimitsOfTheAxisWhereTheTestStatesNone) {
 
 TEST_F(TheWorkbench, SaysThatAVersionWasJudgedWithLimitsThatTheAxisHasNoMore) {
   const auto id = keep(example_table2);
-  const auto axis = store.get<store::Axis>(*workbench.test(id)->record.axis);
-  store::Axis limited = axis->value;
+  const auto axis = store.get<store::AxisRecord>(*workbench.test(id)->record.axis);
+  store::AxisRecord limited = axis->value;
   limited.limits = {{"A", 12.0}};
   ASSERT_TRUE(store.change(axis->id, axis->version, limited, me));
   const auto judged = workbench.revise(id, {.draft = {}, .base_version = 1, .title = ""}, me);
@@ -506,10 +506,10 @@ TEST_F(TheWorkbench, SaysThatAVersionWasJudgedWithLimitsThatTheAxisHasNoMore) {
 TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {
   const auto first = keep(example_table2);
   const auto record = workbench.test(first)->record;
-  auto machine = store.get<store::Machine>(*record.machine);
+  auto machine = store.get<store::MachineRecord>(*record.machine);
   machine->value.name = "M-17";
   ASSERT_TRUE(store.change(machine->id, 1, machine->value, me));
-  auto axis = store.get<store::Axis>(*record.axis);
+  auto axis = store.get<store::AxisRecord>(*record.axis);
   axis->value.limits = {{"A", 5.0}};
   ASSERT_TRUE(store.change(axis->id, 1, axis->value, me));
   const auto second = workbench.test(keep(example_table2, "second.json"));
@@ -518,11 +518,11 @@ TEST_F(TheWorkbench, FindsTheAxisOfAMachineThatWasRenamed) {
 }
 
 TEST_F(TheWorkbench, EvaluatesAtOnceWithTheLimitsOfTheAxisThatItLinksTheTestWith) {
-  store::Machine mill;
+  store::MachineRecord mill;
   mill.name = "FRÄSE 7";
   const auto machine = store.add(mill, me);
   ASSERT_TRUE(machine);
-  store::Axis axis;
+  store::AxisRecord axis;
   axis.machine = machine->id;
   axis.name = "x";
   axis.kind = "linear";
@@ -548,7 +548,7 @@ TEST_F(TheWorkbench, JudgesARevisionByTheAxisOfTheMachineThatItStaysWith) {
   keep(of("A1"), "a1.csv");
   const auto id = keep(of(""), "unnumbered.csv");
   const auto record = workbench.test(id)->record;
-  auto axis = store.get<store::Axis>(*record.axis);
+  auto axis = store.get<store::AxisRecord>(*record.axis);
   axis->value.limits = {{"A", 1.0}};
   ASSERT_TRUE(store.change(axis->id, 1, axis->value, me));
   keep(of("B2"), "b2.csv");

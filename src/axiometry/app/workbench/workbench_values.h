@@ -110,10 +110,10 @@ struct KeptTest {
   store::TestRecord record;
   std::size_t size = 0;                 ///< bytes of the file
   std::vector<store::Change> versions;  ///< the first is version 1
-  std::optional<store::Machine> machine;
-  std::optional<store::Axis> axis;
-  std::vector<store::Versioned<store::Instrument>> instruments;
-  std::vector<store::Document> documents;
+  std::optional<store::MachineRecord> machine;
+  std::optional<store::AxisRecord> axis;
+  std::vector<store::Versioned<store::InstrumentRecord>> instruments;
+  std::vector<store::DocumentRecord> documents;
   Draft draft;                                      ///< draft of this version
   std::optional<formats::ImportProfile> profile{};  ///< profile by which its file is read, where it came with one
   Outcome outcome;

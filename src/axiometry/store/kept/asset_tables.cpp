@@ -78,41 +78,41 @@ Result<void> check_content(Connection& connection, const std::string& sha256, st
   return {};
 }
 
-std::vector<Cell> ThingTable<Machine>::cells(const Machine& m) {
+std::vector<Cell> AssetTable<MachineRecord>::cells(const MachineRecord& m) {
   return {m.name, m.manufacturer, m.type, m.serial_number, m.controller, m.location, m.notes};
 }
 
-Result<Machine> ThingTable<Machine>::thing(const Row& row, std::size_t first) {
-  return Machine{.name = row.text(first),
-                 .manufacturer = row.text(first + 1),
-                 .type = row.text(first + 2),
-                 .serial_number = row.text(first + 3),
-                 .controller = row.text(first + 4),
-                 .location = row.text(first + 5),
-                 .notes = row.text(first + 6)};
+Result<MachineRecord> AssetTable<MachineRecord>::asset(const Row& row, std::size_t first) {
+  return MachineRecord{.name = row.text(first),
+                       .manufacturer = row.text(first + 1),
+                       .type = row.text(first + 2),
+                       .serial_number = row.text(first + 3),
+                       .controller = row.text(first + 4),
+                       .location = row.text(first + 5),
+                       .notes = row.text(first + 6)};
 }
 
-Result<void> ThingTable<Machine>::check(Connection&, const Machine& machine) {
+Result<void> AssetTable<MachineRecord>::check(Connection&, const MachineRecord& machine) {
   if (text::trim(machine.name).empty()) return fail("found a machine without a name, expected one");
   return {};
 }
 
-std::string ThingTable<Machine>::called(const Machine& machine) { return machine.name; }
+std::string AssetTable<MachineRecord>::called(const MachineRecord& machine) { return machine.name; }
 
-std::vector<Cell> ThingTable<Axis>::cells(const Axis& a) {
+std::vector<Cell> AssetTable<AxisRecord>::cells(const AxisRecord& a) {
   return {a.machine, a.name, a.kind, limits_text(a.limits), a.notes};
 }
 
-Result<Axis> ThingTable<Axis>::thing(const Row& row, std::size_t first) {
+Result<AxisRecord> AssetTable<AxisRecord>::asset(const Row& row, std::size_t first) {
   AXIOMETRY_TRY(std::vector<Limit> limits, limits_of(row.text(first + 3)));
-  return Axis{.machine = row.integer(first),
-              .name = row.text(first + 1),
-              .kind = row.text(first + 2),
-              .limits = std::move(limits),
-              .notes = row.text(first + 4)};
+  return AxisRecord{.machine = row.integer(first),
+                    .name = row.text(first + 1),
+                    .kind = row.text(first + 2),
+                    .limits = std::move(limits),
+                    .notes = row.text(first + 4)};
 }
 
-Result<void> ThingTable<Axis>::check(Connection& connection, const Axis& axis) {
+Result<void> AssetTable<AxisRecord>::check(Connection& connection, const AxisRecord& axis) {
   if (text::trim(axis.name).empty()) return fail("found an axis without a name, expected one");
   if (axis.kind != "linear" && axis.kind != "rotary")
     return fail(fmt::format("found the kind of axis {}, expected linear or rotary", text::quoted(axis.kind)));
@@ -127,9 +127,9 @@ Result<void> ThingTable<Axis>::check(Connection& connection, const Axis& axis) {
   return check_exists(connection, "machine", axis.machine);
 }
 
-std::string ThingTable<Axis>::called(const Axis& axis) { return axis.name; }
+std::string AssetTable<AxisRecord>::called(const AxisRecord& axis) { return axis.name; }
 
-std::vector<Cell> ThingTable<Instrument>::cells(const Instrument& i) {
+std::vector<Cell> AssetTable<InstrumentRecord>::cells(const InstrumentRecord& i) {
   return {i.role,
           i.manufacturer,
           i.type,
@@ -141,20 +141,20 @@ std::vector<Cell> ThingTable<Instrument>::cells(const Instrument& i) {
           i.notes};
 }
 
-Result<Instrument> ThingTable<Instrument>::thing(const Row& row, std::size_t first) {
+Result<InstrumentRecord> AssetTable<InstrumentRecord>::asset(const Row& row, std::size_t first) {
   AXIOMETRY_TRY(auto inputs, inputs_of(row.text(first + 7)));
-  return Instrument{.role = row.text(first),
-                    .manufacturer = row.text(first + 1),
-                    .type = row.text(first + 2),
-                    .serial_number = row.text(first + 3),
-                    .certificate = row.text(first + 4),
-                    .calibrated_on = row.text(first + 5),
-                    .calibration_due = row.text(first + 6),
-                    .inputs = std::move(inputs),
-                    .notes = row.text(first + 8)};
+  return InstrumentRecord{.role = row.text(first),
+                          .manufacturer = row.text(first + 1),
+                          .type = row.text(first + 2),
+                          .serial_number = row.text(first + 3),
+                          .certificate = row.text(first + 4),
+                          .calibrated_on = row.text(first + 5),
+                          .calibration_due = row.text(first + 6),
+                          .inputs = std::move(inputs),
+                          .notes = row.text(first + 8)};
 }
 
-Result<void> ThingTable<Instrument>::check(Connection&, const Instrument& instrument) {
+Result<void> AssetTable<InstrumentRecord>::check(Connection&, const InstrumentRecord& instrument) {
   if (text::trim(called(instrument)).empty())
     return fail("found an instrument without manufacturer, type, serial number and role, expected one of them");
   std::vector<std::string_view> keys;
@@ -162,24 +162,24 @@ Result<void> ThingTable<Instrument>::check(Connection&, const Instrument& instru
   return check_keys(std::move(keys), "input");
 }
 
-std::string ThingTable<Instrument>::called(const Instrument& i) {
+std::string AssetTable<InstrumentRecord>::called(const InstrumentRecord& i) {
   return fmt::format("{} {} {} {}", i.manufacturer, i.type, i.serial_number, i.role);
 }
 
-std::vector<Cell> ThingTable<PlanRecord>::cells(const PlanRecord& plan) {
+std::vector<Cell> AssetTable<PlanRecord>::cells(const PlanRecord& plan) {
   return {plan.title, plan.axis ? Cell(*plan.axis) : Cell(), plan.content};
 }
 
-Result<PlanRecord> ThingTable<PlanRecord>::thing(const Row& row, std::size_t first) {
+Result<PlanRecord> AssetTable<PlanRecord>::asset(const Row& row, std::size_t first) {
   return PlanRecord{.title = row.text(first), .axis = row.optional_integer(first + 1), .content = row.text(first + 2)};
 }
 
-Result<void> ThingTable<PlanRecord>::check(Connection& connection, const PlanRecord& plan) {
+Result<void> AssetTable<PlanRecord>::check(Connection& connection, const PlanRecord& plan) {
   if (text::trim(plan.title).empty()) return fail("found a plan without a title, expected one");
   AXIOMETRY_TRY_VOID(check_content(connection, plan.content, "the plan's"));
   return plan.axis ? check_exists(connection, "axis", *plan.axis) : Result<void>();
 }
 
-std::string ThingTable<PlanRecord>::called(const PlanRecord& plan) { return plan.title; }
+std::string AssetTable<PlanRecord>::called(const PlanRecord& plan) { return plan.title; }
 
 }  // namespace axiometry::store

@@ -29,7 +29,7 @@ std::string fingerprint(Id id, int version, const Change& change, std::span<cons
 
 template <typename Asset>
 std::string selection(std::string_view rest) {
-  using Table = ThingTable<Asset>;
+  using Table = AssetTable<Asset>;
   std::string columns;
   std::string_view names = Table::columns;
   while (!names.empty()) {
@@ -43,52 +43,52 @@ std::string selection(std::string_view rest) {
 
 template <typename Asset>
 Result<Versioned<Asset>> versioned(const Row& row) {
-  AXIOMETRY_TRY(Asset thing, ThingTable<Asset>::thing(row, own_columns));
-  return Versioned<Asset>{row.integer(0), row.number(1), {row.text(2), row.text(3), row.text(4)}, std::move(thing)};
+  AXIOMETRY_TRY(Asset asset, AssetTable<Asset>::asset(row, own_columns));
+  return Versioned<Asset>{row.integer(0), row.number(1), {row.text(2), row.text(3), row.text(4)}, std::move(asset)};
 }
 
 template <typename Asset>
 Result<std::vector<Versioned<Asset>>> all_versioned(const Rows& rows) {
-  std::vector<Versioned<Asset>> things;
+  std::vector<Versioned<Asset>> assets;
   for (const Row& row : rows) {
-    AXIOMETRY_TRY(Versioned<Asset> thing, versioned<Asset>(row));
-    things.push_back(std::move(thing));
+    AXIOMETRY_TRY(Versioned<Asset> asset, versioned<Asset>(row));
+    assets.push_back(std::move(asset));
   }
-  return things;
+  return assets;
 }
 
 template <typename Asset>
-Result<void> write_version(Connection& connection, const Versioned<Asset>& thing, std::string_view what) {
-  using Table = ThingTable<Asset>;
-  const std::vector<Cell> cells = Table::cells(thing.value);
-  const Change& change = thing.change;
-  const std::string hash = fingerprint(thing.id, thing.version, change, cells);
-  std::vector<Parameter> parameters = {thing.id, thing.version, change.at, change.actor, change.reason, hash};
+Result<void> write_version(Connection& connection, const Versioned<Asset>& asset, std::string_view what) {
+  using Table = AssetTable<Asset>;
+  const std::vector<Cell> cells = Table::cells(asset.value);
+  const Change& change = asset.change;
+  const std::string hash = fingerprint(asset.id, asset.version, change, cells);
+  std::vector<Parameter> parameters = {asset.id, asset.version, change.at, change.actor, change.reason, hash};
   for (const Cell& cell : cells) parameters.push_back(parameter(cell));
   AXIOMETRY_TRY_VOID(
       connection.run(fmt::format("INSERT INTO {}_version (id, version, at, actor, reason, sha256, {}) VALUES ({})",
                                  Table::name, Table::columns, places(1, parameters.size())),
                      parameters));
   json::Value detail = json::Value::object();
-  detail.add("version", thing.version);
+  detail.add("version", asset.version);
   detail.add("sha256", hash);
   return record(connection, change,
-                {fmt::format("{}.{}", Table::name, what), fmt::format("{} {}", Table::name, thing.id), detail});
+                {fmt::format("{}.{}", Table::name, what), fmt::format("{} {}", Table::name, asset.id), detail});
 }
 
-Result<void> follow(Connection& connection, const Versioned<Machine>&, const Versioned<Machine>& now) {
+Result<void> follow(Connection& connection, const Versioned<MachineRecord>&, const Versioned<MachineRecord>& now) {
   return rename_machine_in_lists(connection, now.id, now.value.name);
 }
 
 /// A test belongs to the machine for good, and its axis with it.
-Result<void> follow(Connection& connection, const Versioned<Axis>& before, const Versioned<Axis>& now) {
+Result<void> follow(Connection& connection, const Versioned<AxisRecord>& before, const Versioned<AxisRecord>& now) {
   if (before.value.machine != now.value.machine)
     return fail(fmt::format("found the machine {} for an axis of machine {}, expected it to stay", now.value.machine,
                             before.value.machine));
   return rename_axis_in_lists(connection, now.id, now.value);
 }
 
-Result<void> follow(Connection&, const Versioned<Instrument>&, const Versioned<Instrument>&) { return {}; }
+Result<void> follow(Connection&, const Versioned<InstrumentRecord>&, const Versioned<InstrumentRecord>&) { return {}; }
 Result<void> follow(Connection&, const Versioned<PlanRecord>&, const Versioned<PlanRecord>&) { return {}; }
 
 bool has_same_bytes(const std::vector<KeptFile>& a, const std::vector<KeptFile>& b) {
@@ -96,7 +96,7 @@ bool has_same_bytes(const std::vector<KeptFile>& a, const std::vector<KeptFile>&
 }
 
 /// What was measured stays what it was evaluated from.
-Result<void> follow(Connection&, const Versioned<Calibration>& before, const Versioned<Calibration>& now) {
+Result<void> follow(Connection&, const Versioned<CalibrationRecord>& before, const Versioned<CalibrationRecord>& now) {
   if (before.value.kind != now.value.kind || !has_same_bytes(before.value.files, now.value.files))
     return fail(fmt::format(
         "found another kind or other files for calibration {}, expected those that it was kept with", now.id));
@@ -104,8 +104,9 @@ Result<void> follow(Connection&, const Versioned<Calibration>& before, const Ver
 }
 
 /// What is in the control stays what it was made of.
-Result<void> follow(Connection&, const Versioned<Compensation>& before, const Versioned<Compensation>& now) {
-  const Compensation &a = before.value, &b = now.value;
+Result<void> follow(Connection&, const Versioned<CompensationRecord>& before,
+                    const Versioned<CompensationRecord>& now) {
+  const CompensationRecord &a = before.value, &b = now.value;
   if (a.test == b.test && a.test_version == b.test_version && a.axis == b.axis && a.control == b.control &&
       a.options == b.options && has_same_bytes(a.files, b.files))
     return {};
@@ -115,14 +116,14 @@ Result<void> follow(Connection&, const Versioned<Compensation>& before, const Ve
                   now.id));
 }
 
-/// What the trail says was done to a thing.
+/// What the trail says was done to an asset.
 template <typename Asset>
 std::string_view deed(const Versioned<Asset>&, const Versioned<Asset>&) {
   return "changed";
 }
 
 template <typename Asset>
-requires requires(const Asset& thing) { thing.withdrawn; }
+requires requires(const Asset& asset) { asset.withdrawn; }
 std::string_view deed(const Versioned<Asset>& before, const Versioned<Asset>& now) {
   if (before.value.withdrawn == now.value.withdrawn) return "changed";
   return now.value.withdrawn ? "withdrawn" : "reinstated";
@@ -167,19 +168,19 @@ Result<Id> next_id(Connection& connection, std::string_view table) {
 }
 
 template <typename Asset>
-Result<Versioned<Asset>> add_thing(Connection& connection, const Asset& thing, const Change& change) {
-  using Table = ThingTable<Asset>;
-  AXIOMETRY_TRY_VOID(Table::check(connection, thing));
+Result<Versioned<Asset>> add_asset(Connection& connection, const Asset& asset, const Change& change) {
+  using Table = AssetTable<Asset>;
+  AXIOMETRY_TRY_VOID(Table::check(connection, asset));
   AXIOMETRY_TRY(const Id id, next_id(connection, Table::name));
-  Versioned<Asset> added{id, 1, change, thing};
+  Versioned<Asset> added{id, 1, change, asset};
   AXIOMETRY_TRY_VOID(connection.run(fmt::format("INSERT INTO {} (id, latest) VALUES ($1, 1)", Table::name), {id}));
   AXIOMETRY_TRY_VOID(write_version(connection, added, "added"));
   return added;
 }
 
 template <typename Asset>
-Result<Versioned<Asset>> change_thing(Connection& connection, const Versioned<Asset>& changed) {
-  using Table = ThingTable<Asset>;
+Result<Versioned<Asset>> change_asset(Connection& connection, const Versioned<Asset>& changed) {
+  using Table = AssetTable<Asset>;
   AXIOMETRY_TRY(const Versioned<Asset> latest, get_asset<Asset>(connection, changed.id));
   if (changed.version != latest.version + 1)
     return fail(ErrorKind::conflict,
@@ -195,7 +196,7 @@ Result<Versioned<Asset>> change_thing(Connection& connection, const Versioned<As
 
 template <typename Asset>
 Result<Versioned<Asset>> get_asset(Connection& connection, Id id, std::optional<int> version) {
-  using Table = ThingTable<Asset>;
+  using Table = AssetTable<Asset>;
   const std::string latest = fmt::format("(SELECT latest FROM {} WHERE id = $1)", Table::name);
   std::vector<Parameter> parameters = {id};
   if (version) parameters.emplace_back(*version);
@@ -213,7 +214,7 @@ Result<std::vector<Versioned<Asset>>> latest_assets(Connection& connection, std:
                                                     std::span<const Parameter> parameters) {
   AXIOMETRY_TRY(const Rows rows,
                 connection.query(selection<Asset>(fmt::format("JOIN {} t ON t.id = v.id AND t.latest = v.version {}",
-                                                              ThingTable<Asset>::name, rest)),
+                                                              AssetTable<Asset>::name, rest)),
                                  parameters));
   return all_versioned<Asset>(rows);
 }
@@ -223,21 +224,21 @@ Result<std::vector<Versioned<Asset>>> all_assets(Connection& connection) {
   return latest_assets<Asset>(connection, "ORDER BY v.id", {});
 }
 
-Result<std::vector<Versioned<Axis>>> axes_of(Connection& connection, Id machine) {
-  return latest_assets<Axis>(connection, "WHERE v.machine = $1 ORDER BY v.id", std::vector<Parameter>{machine});
+Result<std::vector<Versioned<AxisRecord>>> axes_of(Connection& connection, Id machine) {
+  return latest_assets<AxisRecord>(connection, "WHERE v.machine = $1 ORDER BY v.id", std::vector<Parameter>{machine});
 }
 
 template <typename Asset>
-Result<std::vector<Versioned<Asset>>> thing_versions(Connection& connection, Id id) {
+Result<std::vector<Versioned<Asset>>> asset_versions(Connection& connection, Id id) {
   AXIOMETRY_TRY(const Rows rows, connection.query(selection<Asset>("WHERE v.id = $1 ORDER BY v.version"), {id}));
   if (rows.empty())
-    return fail(ErrorKind::not_found, fmt::format("found no {} {}, expected one", ThingTable<Asset>::name, id));
+    return fail(ErrorKind::not_found, fmt::format("found no {} {}, expected one", AssetTable<Asset>::name, id));
   return all_versioned<Asset>(rows);
 }
 
 template <typename Asset>
 Result<void> verify_assets(Connection& connection, const Attested& attested, std::vector<std::string>& problems) {
-  using Table = ThingTable<Asset>;
+  using Table = AssetTable<Asset>;
   AXIOMETRY_TRY(const Rows heads, connection.query(fmt::format("SELECT id, latest FROM {} ORDER BY id", Table::name)));
   AXIOMETRY_TRY(const Rows rows, connection.query(selection<Asset>("ORDER BY v.id, v.version")));
   auto row = rows.begin();
@@ -264,23 +265,23 @@ Result<void> verify_assets(Connection& connection, const Attested& attested, std
   return {};
 }
 
-#define AXIOMETRY_THING(Asset)                                                                       \
-  template Result<Versioned<Asset>> add_thing(Connection&, const Asset&, const Change&);             \
-  template Result<Versioned<Asset>> change_thing(Connection&, const Versioned<Asset>&);              \
+#define AXIOMETRY_ASSET(Asset)                                                                       \
+  template Result<Versioned<Asset>> add_asset(Connection&, const Asset&, const Change&);             \
+  template Result<Versioned<Asset>> change_asset(Connection&, const Versioned<Asset>&);              \
   template Result<Versioned<Asset>> get_asset<Asset>(Connection&, Id, std::optional<int>);           \
   template Result<std::vector<Versioned<Asset>>> latest_assets<Asset>(Connection&, std::string_view, \
                                                                       std::span<const Parameter>);   \
   template Result<std::vector<Versioned<Asset>>> all_assets<Asset>(Connection&);                     \
-  template Result<std::vector<Versioned<Asset>>> thing_versions<Asset>(Connection&, Id);             \
+  template Result<std::vector<Versioned<Asset>>> asset_versions<Asset>(Connection&, Id);             \
   template Result<void> verify_assets<Asset>(Connection&, const Attested&, std::vector<std::string>&)
 
-AXIOMETRY_THING(Machine);
-AXIOMETRY_THING(Axis);
-AXIOMETRY_THING(Instrument);
-AXIOMETRY_THING(PlanRecord);
-AXIOMETRY_THING(Calibration);
-AXIOMETRY_THING(Compensation);
+AXIOMETRY_ASSET(MachineRecord);
+AXIOMETRY_ASSET(AxisRecord);
+AXIOMETRY_ASSET(InstrumentRecord);
+AXIOMETRY_ASSET(PlanRecord);
+AXIOMETRY_ASSET(CalibrationRecord);
+AXIOMETRY_ASSET(CompensationRecord);
 
-#undef AXIOMETRY_THING
+#undef AXIOMETRY_ASSET
 
 }  // namespace axiometry::store

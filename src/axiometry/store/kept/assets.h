@@ -14,10 +14,10 @@
 namespace axiometry::store {
 
 template <typename Asset>
-Result<Versioned<Asset>> add_thing(Connection& connection, const Asset& thing, const Change& change);
+Result<Versioned<Asset>> add_asset(Connection& connection, const Asset& asset, const Change& change);
 
 template <typename Asset>
-Result<Versioned<Asset>> change_thing(Connection& connection, const Versioned<Asset>& changed);  ///< its new version
+Result<Versioned<Asset>> change_asset(Connection& connection, const Versioned<Asset>& changed);  ///< its new version
 
 template <typename Asset>
 Result<Versioned<Asset>> get_asset(Connection& connection, Id id, std::optional<int> version = {});
@@ -31,10 +31,10 @@ template <typename Asset>
 Result<std::vector<Versioned<Asset>>> all_assets(Connection& connection);  ///< latest versions, by id
 
 /// Likewise, of one machine.
-Result<std::vector<Versioned<Axis>>> axes_of(Connection& connection, Id machine);
+Result<std::vector<Versioned<AxisRecord>>> axes_of(Connection& connection, Id machine);
 
 template <typename Asset>
-Result<std::vector<Versioned<Asset>>> thing_versions(Connection& connection, Id id);
+Result<std::vector<Versioned<Asset>>> asset_versions(Connection& connection, Id id);
 
 /// Whether each version has the hash that it was kept with and that the audit trail knows, and the versions and ids are
 /// complete.

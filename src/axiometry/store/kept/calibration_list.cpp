@@ -19,7 +19,7 @@ namespace axiometry::store {
 namespace {
 
 using CalibrationOrder = CalibrationFilter::Order;
-using Versions = std::vector<Versioned<Calibration>>;
+using Versions = std::vector<Versioned<CalibrationRecord>>;
 
 /// Conditions on the latest version, v; the texts of the filter must outlive the parameters.
 struct Asked {
@@ -52,7 +52,7 @@ std::string_view column_of(CalibrationOrder order) {
   return "v.id";
 }
 
-bool has_words(const Calibration& calibration, const std::string& machine, std::span<const std::string> words) {
+bool has_words(const CalibrationRecord& calibration, const std::string& machine, std::span<const std::string> words) {
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
   std::string text = fmt::format("{} {} {}", calibration.title, calibration.notes, machine);
   for (const KeptFile& file : calibration.files) text += " " + file.name;
@@ -68,7 +68,7 @@ void sort_by_title(Versions& found, bool descending) {
 }
 
 Result<std::map<Id, std::string>> machine_names(Connection& connection) {
-  AXIOMETRY_TRY(auto machines, all_assets<Machine>(connection));
+  AXIOMETRY_TRY(auto machines, all_assets<MachineRecord>(connection));
   std::map<Id, std::string> names;
   for (auto& machine : machines) names.emplace(machine.id, std::move(machine.value.name));
   return names;
@@ -88,12 +88,13 @@ Result<CalibrationPage> find_calibrations(Connection& connection, const Calibrat
   const std::string end_of_day = filter.measured_to.empty() ? "" : filter.measured_to + after_all;
   const Asked question = asked(filter, end_of_day);
   const std::string_view direction = filter.descending ? "DESC" : "ASC";
-  AXIOMETRY_TRY(Versions found, latest_assets<Calibration>(connection,
-                                                           fmt::format("{} ORDER BY {} {}, v.id {}", question.where,
-                                                                       column_of(filter.order), direction, direction),
-                                                           question.parameters));
+  AXIOMETRY_TRY(Versions found,
+                latest_assets<CalibrationRecord>(connection,
+                                                 fmt::format("{} ORDER BY {} {}, v.id {}", question.where,
+                                                             column_of(filter.order), direction, direction),
+                                                 question.parameters));
   AXIOMETRY_TRY(const auto machines, machine_names(connection));
-  const auto machine_of = [&](const Calibration& c) {
+  const auto machine_of = [&](const CalibrationRecord& c) {
     const auto machine = c.machine ? machines.find(*c.machine) : machines.end();
     return machine == machines.end() ? std::string() : machine->second;
   };

@@ -30,7 +30,7 @@ struct CalibrationFilter {
 
 /// One line of a list: its result is not read for it.
 struct CalibrationRow {
-  Versioned<Calibration> calibration;  ///< the latest version
+  Versioned<CalibrationRecord> calibration;  ///< the latest version
   std::string received_at;             ///< time of the first version
   std::string machine_name;            ///< as it is called now; empty without a machine
 };

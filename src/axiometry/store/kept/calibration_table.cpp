@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_measured_on = 200;  // as long as that of a test may be
 
-Result<void> check_values(const Calibration& c) {
+Result<void> check_values(const CalibrationRecord& c) {
   if (!is_calibration_kind(c.kind))
     return fail(
         fmt::format("found the kind of calibration {}, expected {}", text::quoted(c.kind), calibration_kinds_text));
@@ -32,7 +32,7 @@ Result<void> check_values(const Calibration& c) {
 
 }  // namespace
 
-std::vector<Cell> ThingTable<Calibration>::cells(const Calibration& c) {
+std::vector<Cell> AssetTable<CalibrationRecord>::cells(const CalibrationRecord& c) {
   const std::optional<std::int64_t> known_as = c.instrument_version;
   return {c.kind,
           c.title,
@@ -51,10 +51,10 @@ std::vector<Cell> ThingTable<Calibration>::cells(const Calibration& c) {
           figures_text(c.figures)};
 }
 
-Result<Calibration> ThingTable<Calibration>::thing(const Row& row, std::size_t first) {
+Result<CalibrationRecord> AssetTable<CalibrationRecord>::asset(const Row& row, std::size_t first) {
   AXIOMETRY_TRY(auto files, kept_files(row.text(first + 8), "calibration"));
   AXIOMETRY_TRY(auto figures, kept_figures(row.text(first + 14), "calibration"));
-  return Calibration{
+  return CalibrationRecord{
       .kind = row.text(first),
       .title = row.text(first + 1),
       .machine = row.optional_integer(first + 2),
@@ -72,7 +72,7 @@ Result<Calibration> ThingTable<Calibration>::thing(const Row& row, std::size_t f
       .figures = std::move(figures)};
 }
 
-Result<void> ThingTable<Calibration>::check(Connection& connection, const Calibration& c) {
+Result<void> AssetTable<CalibrationRecord>::check(Connection& connection, const CalibrationRecord& c) {
   AXIOMETRY_TRY_VOID(check_values(c));
   if (c.machine) AXIOMETRY_TRY_VOID(check_exists(connection, "machine", *c.machine));
   if (c.instrument) AXIOMETRY_TRY_VOID(check_exists(connection, "instrument", *c.instrument));
@@ -80,6 +80,6 @@ Result<void> ThingTable<Calibration>::check(Connection& connection, const Calibr
   return check_content(connection, c.result, "those of the result");
 }
 
-std::string ThingTable<Calibration>::called(const Calibration& c) { return c.title; }
+std::string AssetTable<CalibrationRecord>::called(const CalibrationRecord& c) { return c.title; }
 
 }  // namespace axiometry::store

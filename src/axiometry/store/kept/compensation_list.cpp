@@ -23,7 +23,7 @@ Result<std::vector<CompensationRow>> find_compensations(Connection& connection, 
     where += fmt::format(" AND v.axis = ${}", parameters.size());
   }
   AXIOMETRY_TRY(auto found,
-                latest_assets<Compensation>(connection, where + " ORDER BY v.id DESC LIMIT $1", parameters));
+                latest_assets<CompensationRecord>(connection, where + " ORDER BY v.id DESC LIMIT $1", parameters));
   std::vector<CompensationRow> rows;
   for (auto& compensation : found) {
     AXIOMETRY_TRY(

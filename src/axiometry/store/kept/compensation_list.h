@@ -22,7 +22,7 @@ struct CompensationFilter {
 };
 
 struct CompensationRow {
-  Versioned<Compensation> compensation;  ///< the latest version
+  Versioned<CompensationRecord> compensation;  ///< the latest version
   std::string made_at;                   ///< time of the first version
 };
 

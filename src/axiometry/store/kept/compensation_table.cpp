@@ -10,7 +10,7 @@
 namespace axiometry::store {
 namespace {
 
-Result<void> check_compensation(const Compensation& c) {
+Result<void> check_compensation(const CompensationRecord& c) {
   if (text::trim(c.control).empty()) return fail("found a compensation without a control, expected one");
   if (c.retest.has_value() != c.retest_version.has_value())
     return fail("found a re-test without its version, expected both or none");
@@ -35,7 +35,7 @@ std::optional<int> optional_number(const Row& row, std::size_t column) {
 
 }  // namespace
 
-std::vector<Cell> ThingTable<Compensation>::cells(const Compensation& c) {
+std::vector<Cell> AssetTable<CompensationRecord>::cells(const CompensationRecord& c) {
   const std::optional<std::int64_t> retest_version = c.retest_version;
   return {c.test,
           std::int64_t{c.test_version},
@@ -53,26 +53,26 @@ std::vector<Cell> ThingTable<Compensation>::cells(const Compensation& c) {
           figures_text(c.figures)};
 }
 
-Result<Compensation> ThingTable<Compensation>::thing(const Row& row, std::size_t first) {
+Result<CompensationRecord> AssetTable<CompensationRecord>::asset(const Row& row, std::size_t first) {
   AXIOMETRY_TRY(auto files, kept_files(row.text(first + 8), "compensation"));
   AXIOMETRY_TRY(auto figures, kept_figures(row.text(first + 13), "compensation"));
-  return Compensation{.test = row.integer(first),
-                      .test_version = row.number(first + 1),
-                      .retest = row.optional_integer(first + 2),
-                      .retest_version = optional_number(row, first + 3),
-                      .axis = row.optional_integer(first + 4),
-                      .control = row.text(first + 5),
-                      .notes = row.text(first + 6),
-                      .withdrawn = row.flag(first + 7),
-                      .files = std::move(files),
-                      .program = row.text(first + 9),
-                      .options = row.text(first + 10),
-                      .result = row.text(first + 11),
-                      .serious = row.number(first + 12),
-                      .figures = std::move(figures)};
+  return CompensationRecord{.test = row.integer(first),
+                            .test_version = row.number(first + 1),
+                            .retest = row.optional_integer(first + 2),
+                            .retest_version = optional_number(row, first + 3),
+                            .axis = row.optional_integer(first + 4),
+                            .control = row.text(first + 5),
+                            .notes = row.text(first + 6),
+                            .withdrawn = row.flag(first + 7),
+                            .files = std::move(files),
+                            .program = row.text(first + 9),
+                            .options = row.text(first + 10),
+                            .result = row.text(first + 11),
+                            .serious = row.number(first + 12),
+                            .figures = std::move(figures)};
 }
 
-Result<void> ThingTable<Compensation>::check(Connection& connection, const Compensation& c) {
+Result<void> AssetTable<CompensationRecord>::check(Connection& connection, const CompensationRecord& c) {
   AXIOMETRY_TRY_VOID(check_compensation(c));
   AXIOMETRY_TRY_VOID(check_test(connection, c.test, c.test_version));
   if (c.retest) AXIOMETRY_TRY_VOID(check_test(connection, *c.retest, *c.retest_version));
@@ -81,7 +81,7 @@ Result<void> ThingTable<Compensation>::check(Connection& connection, const Compe
   return check_content(connection, c.result, "those of the result");
 }
 
-std::string ThingTable<Compensation>::called(const Compensation& c) {
+std::string AssetTable<CompensationRecord>::called(const CompensationRecord& c) {
   return fmt::format("{} {:010}", c.control, c.test);
 }
 

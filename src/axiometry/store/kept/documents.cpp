@@ -17,15 +17,17 @@ namespace {
 constexpr std::string_view document_columns =
     "id, test, version, kind, name, media_type, language, content, size, at, actor, reason";
 
-std::string_view kind_name(Document::Kind kind) { return kind == Document::Kind::report ? "report" : "attachment"; }
+std::string_view kind_name(DocumentRecord::Kind kind) {
+  return kind == DocumentRecord::Kind::report ? "report" : "attachment";
+}
 
-Document::Kind document_kind(std::string_view name) {
-  for (const Document::Kind kind : {Document::Kind::report, Document::Kind::attachment})
+DocumentRecord::Kind document_kind(std::string_view name) {
+  for (const DocumentRecord::Kind kind : {DocumentRecord::Kind::report, DocumentRecord::Kind::attachment})
     if (kind_name(kind) == name) return kind;
   throw DamagedCell();
 }
 
-Document document_of(const Row& row) {
+DocumentRecord document_of(const Row& row) {
   return {.id = row.integer(0),
           .test = row.integer(1),
           .version = row.number(2),
@@ -45,7 +47,7 @@ std::unexpected<Error> no_content(const std::string& hash) {
 
 }  // namespace
 
-std::string fingerprint(const Document& d) {
+std::string fingerprint(const DocumentRecord& d) {
   return Fingerprint()
       .add_cell(d.id)
       .add_cell(d.test)
@@ -62,10 +64,10 @@ std::string fingerprint(const Document& d) {
       .finish();
 }
 
-Result<Document> write_document(Connection& connection, const Document& document, std::string_view bytes,
-                                const By& by) {
+Result<DocumentRecord> write_document(Connection& connection, const DocumentRecord& document, std::string_view bytes,
+                                      const By& by) {
   AXIOMETRY_TRY(const TestVersion version, read_version(connection, document.test, document.version));
-  Document written = document;
+  DocumentRecord written = document;
   written.change = change_now(by);
   written.sha256 = sha256(bytes);
   written.size = static_cast<std::int64_t>(bytes.size());
@@ -88,17 +90,17 @@ Result<Document> write_document(Connection& connection, const Document& document
   return written;
 }
 
-Result<std::vector<Document>> documents_of(Connection& connection, Id test) {
+Result<std::vector<DocumentRecord>> documents_of(Connection& connection, Id test) {
   AXIOMETRY_TRY(const TestHead head, read_head(connection, test));
   AXIOMETRY_TRY(const Rows rows,
                 connection.query(fmt::format("SELECT {} FROM document WHERE test = $1 ORDER BY id", document_columns),
                                  {head.id}));
-  std::vector<Document> documents;
+  std::vector<DocumentRecord> documents;
   for (const Row& row : rows) documents.push_back(document_of(row));
   return documents;
 }
 
-Result<Document> read_document(Connection& connection, Id id) {
+Result<DocumentRecord> read_document(Connection& connection, Id id) {
   AXIOMETRY_TRY(const Rows rows,
                 connection.query(fmt::format("SELECT {} FROM document WHERE id = $1", document_columns), {id}));
   if (rows.empty()) return fail(ErrorKind::not_found, fmt::format("found no document {}, expected one", id));

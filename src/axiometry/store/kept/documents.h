@@ -10,12 +10,13 @@
 /// Reports as issued, and attachments, within a transaction. As in store.h.
 namespace axiometry::store {
 
-Result<Document> write_document(Connection& connection, const Document& document, std::string_view bytes, const By& by);
-Result<std::vector<Document>> documents_of(Connection& connection, Id test);
-Result<Document> read_document(Connection& connection, Id id);
+Result<DocumentRecord> write_document(Connection& connection, const DocumentRecord& document, std::string_view bytes,
+                                      const By& by);
+Result<std::vector<DocumentRecord>> documents_of(Connection& connection, Id test);
+Result<DocumentRecord> read_document(Connection& connection, Id id);
 
 /// The hash of all its fields.
-std::string fingerprint(const Document& document);
+std::string fingerprint(const DocumentRecord& document);
 
 /// The bytes of this hash, whatever they are of. Fails with `damaged` when they no longer have it.
 Result<Content> read_content(Connection& connection, const std::string& sha256);

@@ -28,17 +28,17 @@ Asset completed(Asset earlier, const Asset& latest) {
   return earlier;
 }
 
-/// The first thing whose latest version fits, else the first with any version that does.
+/// The first asset whose latest version fits, else the first with any version that does.
 template <typename Asset, typename Fits>
-Result<std::optional<Versioned<Asset>>> find(Connection& connection, const std::vector<Versioned<Asset>>& things,
+Result<std::optional<Versioned<Asset>>> find(Connection& connection, const std::vector<Versioned<Asset>>& assets,
                                              Fits fits) {
-  for (const Versioned<Asset>& thing : things)
-    if (fits(thing.value)) return thing;
-  for (const Versioned<Asset>& thing : things) {
-    if (thing.version == 1) continue;
-    AXIOMETRY_TRY(const std::vector<Versioned<Asset>> versions, thing_versions<Asset>(connection, thing.id));
+  for (const Versioned<Asset>& asset : assets)
+    if (fits(asset.value)) return asset;
+  for (const Versioned<Asset>& asset : assets) {
+    if (asset.version == 1) continue;
+    AXIOMETRY_TRY(const std::vector<Versioned<Asset>> versions, asset_versions<Asset>(connection, asset.id));
     for (const Versioned<Asset>& version : versions)
-      if (fits(completed(version.value, thing.value))) return thing;
+      if (fits(completed(version.value, asset.value))) return asset;
   }
   return std::nullopt;
 }
@@ -47,9 +47,10 @@ Result<std::optional<Versioned<Asset>>> find(Connection& connection, const std::
 bool same_maker(std::string_view a, std::string_view b) { return !given(a) || !given(b) || same(a, b); }
 
 /// Without a serial number only kind and maker tell: the one that has no number either, or the only one.
-KnownInstrument unnumbered(const std::vector<Versioned<Instrument>>& instruments, const Instrument& stated) {
-  std::vector<const Versioned<Instrument>*> alike;
-  for (const Versioned<Instrument>& instrument : instruments)
+KnownInstrument unnumbered(const std::vector<Versioned<InstrumentRecord>>& instruments,
+                           const InstrumentRecord& stated) {
+  std::vector<const Versioned<InstrumentRecord>*> alike;
+  for (const Versioned<InstrumentRecord>& instrument : instruments)
     if (same(instrument.value.manufacturer, stated.manufacturer) && same(instrument.value.type, stated.type))
       alike.push_back(&instrument);
   for (const auto* instrument : alike)
@@ -57,28 +58,28 @@ KnownInstrument unnumbered(const std::vector<Versioned<Instrument>>& instruments
   return std::nullopt;
 }
 
-Result<KnownInstrument> known_among(Connection& connection, const std::vector<Versioned<Instrument>>& instruments,
-                                    const Instrument& stated) {
+Result<KnownInstrument> known_among(Connection& connection, const std::vector<Versioned<InstrumentRecord>>& instruments,
+                                    const InstrumentRecord& stated) {
   const bool numbered = given(stated.serial_number);
   if (!numbered && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
   if (!numbered) return unnumbered(instruments, stated);
-  return find(connection, instruments, [&](const Instrument& instrument) {
+  return find(connection, instruments, [&](const InstrumentRecord& instrument) {
     return same(instrument.serial_number, stated.serial_number) &&
            same_maker(instrument.manufacturer, stated.manufacturer);
   });
 }
 
 /// All that are called so; where none is, those that were.
-Result<std::vector<Versioned<Machine>>> machines_called(Connection& connection,
-                                                        const std::vector<Versioned<Machine>>& machines,
-                                                        std::string_view name) {
-  std::vector<Versioned<Machine>> found;
-  for (const Versioned<Machine>& machine : machines)
+Result<std::vector<Versioned<MachineRecord>>> machines_called(Connection& connection,
+                                                              const std::vector<Versioned<MachineRecord>>& machines,
+                                                              std::string_view name) {
+  std::vector<Versioned<MachineRecord>> found;
+  for (const Versioned<MachineRecord>& machine : machines)
     if (same(machine.value.name, name)) found.push_back(machine);
   if (!found.empty()) return found;
-  for (const Versioned<Machine>& machine : machines) {
+  for (const Versioned<MachineRecord>& machine : machines) {
     if (machine.version == 1) continue;
-    AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection, machine.id));
+    AXIOMETRY_TRY(const auto versions, asset_versions<MachineRecord>(connection, machine.id));
     if (std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, name); }))
       found.push_back(machine);
   }
@@ -86,30 +87,30 @@ Result<std::vector<Versioned<Machine>>> machines_called(Connection& connection,
 }
 
 /// A number that no machine has: that of the only one so called, if it never had another.
-Result<MachineMeant> first_of_number(Connection& connection, const std::vector<Versioned<Machine>>& so_called) {
+Result<MachineMeant> first_of_number(Connection& connection, const std::vector<Versioned<MachineRecord>>& so_called) {
   if (so_called.size() != 1) return MachineMeant{};
-  AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection, so_called.front().id));
+  AXIOMETRY_TRY(const auto versions, asset_versions<MachineRecord>(connection, so_called.front().id));
   const bool had_one =
       std::ranges::any_of(versions, [](const auto& version) { return given(version.value.serial_number); });
   return had_one ? MachineMeant{} : MachineMeant{.known = so_called.front(), .takes_number = true};
 }
 
 /// Without a number only the name tells: the only one so called, else the one that has no number either.
-MachineMeant without_number(const std::vector<Versioned<Machine>>& so_called) {
+MachineMeant without_number(const std::vector<Versioned<MachineRecord>>& so_called) {
   if (so_called.size() == 1) return {.known = so_called.front()};
-  for (const Versioned<Machine>& machine : so_called)
+  for (const Versioned<MachineRecord>& machine : so_called)
     if (!given(machine.value.serial_number)) return {.known = machine, .others = so_called.size() - 1};
   return {.others = so_called.size()};
 }
 
 }  // namespace
 
-Result<MachineMeant> machine_meant(Connection& connection, const Machine& stated) {
+Result<MachineMeant> machine_meant(Connection& connection, const MachineRecord& stated) {
   const bool numbered = given(stated.serial_number);
   if (!numbered && !given(stated.name)) return MachineMeant{};
-  AXIOMETRY_TRY(const auto machines, all_assets<Machine>(connection));
+  AXIOMETRY_TRY(const auto machines, all_assets<MachineRecord>(connection));
   if (numbered) {
-    AXIOMETRY_TRY(auto found, find(connection, machines, [&](const Machine& machine) {
+    AXIOMETRY_TRY(auto found, find(connection, machines, [&](const MachineRecord& machine) {
                     return same(machine.serial_number, stated.serial_number) &&
                            same_maker(machine.manufacturer, stated.manufacturer);
                   }));
@@ -120,21 +121,21 @@ Result<MachineMeant> machine_meant(Connection& connection, const Machine& stated
   return numbered ? first_of_number(connection, so_called) : without_number(so_called);
 }
 
-Result<KnownMachine> known_machine(Connection& connection, const Machine& stated) {
+Result<KnownMachine> known_machine(Connection& connection, const MachineRecord& stated) {
   AXIOMETRY_TRY(MachineMeant meant, machine_meant(connection, stated));
   return std::move(meant.known);
 }
 
-Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& stated) {
+Result<KnownAxis> known_axis(Connection& connection, Id machine, const AxisRecord& stated) {
   if (!given(stated.name)) return std::nullopt;
   AXIOMETRY_TRY(const auto axes, axes_of(connection, machine));
   return find(connection, axes,
-              [&](const Axis& axis) { return axis.kind == stated.kind && same(axis.name, stated.name); });
+              [&](const AxisRecord& axis) { return axis.kind == stated.kind && same(axis.name, stated.name); });
 }
 
-Result<bool> stays_linked(Connection& connection, Id linked, const Machine& stated) {
+Result<bool> stays_linked(Connection& connection, Id linked, const MachineRecord& stated) {
   if (given(stated.serial_number) || !given(stated.name)) return false;
-  AXIOMETRY_TRY(const auto versions, thing_versions<Machine>(connection, linked));
+  AXIOMETRY_TRY(const auto versions, asset_versions<MachineRecord>(connection, linked));
   return std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, stated.name); });
 }
 
@@ -148,32 +149,32 @@ Result<KnownAxis> known_axis(Connection& connection, const StatedAxis& stated) {
   return known_axis(connection, machine->id, stated.axis);
 }
 
-Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated) {
-  AXIOMETRY_TRY(const auto instruments, all_assets<Instrument>(connection));
+Result<KnownInstrument> known_instrument(Connection& connection, const InstrumentRecord& stated) {
+  AXIOMETRY_TRY(const auto instruments, all_assets<InstrumentRecord>(connection));
   return known_among(connection, instruments, stated);
 }
 
-Result<Id> StatedAssets::found_or_added(const Machine& stated) {
+Result<Id> StatedAssets::found_or_added(const MachineRecord& stated) {
   AXIOMETRY_TRY(const MachineMeant meant, machine_meant(connection_, stated));
   if (meant.known && !meant.takes_number) return meant.known->id;
   machines_.clear();  // what a name alone means may be another one now
   if (meant.known) {
-    Versioned<Machine> numbered = *meant.known;
+    Versioned<MachineRecord> numbered = *meant.known;
     ++numbered.version;
     numbered.value.serial_number = stated.serial_number;
     numbered.change = change_;
     numbered.change.reason =
         change_.reason.empty() ? std::string(number_taken) : fmt::format("{} ({})", number_taken, change_.reason);
-    AXIOMETRY_TRY(numbered, change_thing(connection_, numbered));
+    AXIOMETRY_TRY(numbered, change_asset(connection_, numbered));
     return numbered.id;
   }
-  Machine added = stated;
+  MachineRecord added = stated;
   if (!given(added.name)) added.name = given(added.type) ? added.type : added.serial_number;
-  AXIOMETRY_TRY(const Versioned<Machine> machine, add_thing(connection_, added, change_));
+  AXIOMETRY_TRY(const Versioned<MachineRecord> machine, add_asset(connection_, added, change_));
   return machine.id;
 }
 
-Result<std::optional<Id>> StatedAssets::machine(const Machine& stated) {
+Result<std::optional<Id>> StatedAssets::machine(const MachineRecord& stated) {
   if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
   if (linked_) {
     AXIOMETRY_TRY(const bool stays, stays_linked(connection_, *linked_, stated));
@@ -185,30 +186,30 @@ Result<std::optional<Id>> StatedAssets::machine(const Machine& stated) {
   return machines_[names] = id;
 }
 
-Result<std::optional<Id>> StatedAssets::axis(Id machine, const Axis& stated) {
+Result<std::optional<Id>> StatedAssets::axis(Id machine, const AxisRecord& stated) {
   if (!given(stated.name)) return std::nullopt;
   const std::pair<Id, Names> names{machine, {stated.kind, stated.name}};
   if (const auto looked_for = axes_.find(names); looked_for != axes_.end()) return looked_for->second;
   AXIOMETRY_TRY(const KnownAxis known, known_axis(connection_, machine, stated));
   if (known) return axes_[names] = known->id;
-  Axis added = stated;
+  AxisRecord added = stated;
   added.machine = machine;
-  AXIOMETRY_TRY(const Versioned<Axis> axis, add_thing(connection_, added, change_));
+  AXIOMETRY_TRY(const Versioned<AxisRecord> axis, add_asset(connection_, added, change_));
   return axes_[names] = axis.id;
 }
 
-Result<InstrumentUse> StatedAssets::found_or_added(const Instrument& stated) {
+Result<InstrumentUse> StatedAssets::found_or_added(const InstrumentRecord& stated) {
   if (!instruments_) {
-    AXIOMETRY_TRY(instruments_, all_assets<Instrument>(connection_));
+    AXIOMETRY_TRY(instruments_, all_assets<InstrumentRecord>(connection_));
   }
   AXIOMETRY_TRY(const KnownInstrument known, known_among(connection_, *instruments_, stated));
   if (known) return InstrumentUse{known->id, known->version};
-  AXIOMETRY_TRY(const Versioned<Instrument> added, add_thing(connection_, stated, change_));
+  AXIOMETRY_TRY(const Versioned<InstrumentRecord> added, add_asset(connection_, stated, change_));
   instruments_->push_back(added);
   return InstrumentUse{added.id, added.version};
 }
 
-Result<std::optional<InstrumentUse>> StatedAssets::instrument(const Instrument& stated) {
+Result<std::optional<InstrumentUse>> StatedAssets::instrument(const InstrumentRecord& stated) {
   if (!given(stated.serial_number) && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
   const Names names{stated.serial_number, stated.manufacturer, stated.type};
   if (const auto looked_for = uses_.find(names); looked_for != uses_.end()) return looked_for->second;

@@ -22,28 +22,28 @@ struct InstrumentUse {
   friend bool operator==(const InstrumentUse&, const InstrumentUse&) = default;
 };
 
-using KnownMachine = std::optional<Versioned<Machine>>;
-using KnownAxis = std::optional<Versioned<Axis>>;
-using KnownInstrument = std::optional<Versioned<Instrument>>;
+using KnownMachine = std::optional<Versioned<MachineRecord>>;
+using KnownAxis = std::optional<Versioned<AxisRecord>>;
+using KnownInstrument = std::optional<Versioned<InstrumentRecord>>;
 
 /// The machine with the same serial number, now or before, unless both say who made it and differ. Else by its name,
 /// now, or where none is called so as it was called before: of a test with a number the only one so called, if that
 /// never had one, which it then takes over; of a test without one the only one so called, or the one that has none
 /// either. Letters' case and blanks around do not matter.
-Result<MachineMeant> machine_meant(Connection& connection, const Machine& stated);
-Result<KnownMachine> known_machine(Connection& connection, const Machine& stated);
+Result<MachineMeant> machine_meant(Connection& connection, const MachineRecord& stated);
+Result<KnownMachine> known_machine(Connection& connection, const MachineRecord& stated);
 
 /// Whether a test that states no number stays with the machine that it was linked with: as long as that is or was
 /// called so.
-Result<bool> stays_linked(Connection& connection, Id linked, const Machine& stated);
+Result<bool> stays_linked(Connection& connection, Id linked, const MachineRecord& stated);
 
 /// The machine's axis of the same kind and name, now or before.
-Result<KnownAxis> known_axis(Connection& connection, Id machine, const Axis& stated);
+Result<KnownAxis> known_axis(Connection& connection, Id machine, const AxisRecord& stated);
 
 /// What a test states, and the machine that it is linked with where the archive has the test.
 struct StatedAxis {
-  const Machine& machine;
-  const Axis& axis;
+  const MachineRecord& machine;
+  const AxisRecord& axis;
   std::optional<Id> linked{};
 };
 /// That axis of the machine that the test stays with, else of the one that it means.
@@ -51,7 +51,7 @@ Result<KnownAxis> known_axis(Connection& connection, const StatedAxis& stated);
 
 /// The instrument with the same serial number, now or before, unless both say who made it and differ; of one without,
 /// that of the same manufacturer and type which has none either, or the only one.
-Result<KnownInstrument> known_instrument(Connection& connection, const Instrument& stated);
+Result<KnownInstrument> known_instrument(Connection& connection, const InstrumentRecord& stated);
 
 /// What the tests of one transaction state, which is mostly the same again and again: looked for once. The known one;
 /// else it is added. Nothing where nothing is stated that it could be known by. A machine that takes over the number of
@@ -62,15 +62,15 @@ class StatedAssets {
   StatedAssets(Connection& connection, Change change, std::optional<Id> linked = {})
       : connection_(connection), change_(std::move(change)), linked_(linked) {}
 
-  Result<std::optional<Id>> machine(const Machine& stated);
-  Result<std::optional<Id>> axis(Id machine, const Axis& stated);
-  Result<std::optional<InstrumentUse>> instrument(const Instrument& stated);
+  Result<std::optional<Id>> machine(const MachineRecord& stated);
+  Result<std::optional<Id>> axis(Id machine, const AxisRecord& stated);
+  Result<std::optional<InstrumentUse>> instrument(const InstrumentRecord& stated);
 
  private:
   using Names = std::array<std::string, 3>;
 
-  Result<Id> found_or_added(const Machine& stated);
-  Result<InstrumentUse> found_or_added(const Instrument& stated);
+  Result<Id> found_or_added(const MachineRecord& stated);
+  Result<InstrumentUse> found_or_added(const InstrumentRecord& stated);
 
   Connection& connection_;
   Change change_;
@@ -78,7 +78,7 @@ class StatedAssets {
   std::map<Names, std::optional<Id>> machines_;
   std::map<std::pair<Id, Names>, std::optional<Id>> axes_;
   std::map<Names, InstrumentUse> uses_;
-  std::optional<std::vector<Versioned<Instrument>>> instruments_;  // all of the archive
+  std::optional<std::vector<Versioned<InstrumentRecord>>> instruments_;  // all of the archive
 };
 
 }  // namespace axiometry::store

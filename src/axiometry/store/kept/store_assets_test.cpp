@@ -22,8 +22,8 @@ class StoreAssetsTest : public BothStores {
     return must(store_->read([&](const Transaction& archive) { return archive.known(stated...); }));
   }
 
-  Machine machine(const std::string& name) {
-    Machine made;
+  MachineRecord machine(const std::string& name) {
+    MachineRecord made;
     made.name = name;
     return made;
   }
@@ -48,26 +48,26 @@ TEST_P(StoreAssetsTest, KeepsEveryVersionOfAMachine) {
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error().kind, ErrorKind::conflict);
   EXPECT_THAT(late.error().message, HasSubstr("made by Ben"));
-  EXPECT_EQ(must(store_->get<Machine>(1)).value.name, "Big mill");
-  EXPECT_EQ(must(store_->get<Machine>(1, 1)).value.name, "Mill");
-  const auto versions = must(store_->versions<Machine>(1));
+  EXPECT_EQ(must(store_->get<MachineRecord>(1)).value.name, "Big mill");
+  EXPECT_EQ(must(store_->get<MachineRecord>(1, 1)).value.name, "Mill");
+  const auto versions = must(store_->versions<MachineRecord>(1));
   ASSERT_EQ(versions.size(), 2u);
   EXPECT_EQ(versions[1].change.reason, "there are two");
-  EXPECT_EQ(store_->get<Machine>(2).error().kind, ErrorKind::not_found);
-  EXPECT_EQ(store_->versions<Machine>(2).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(store_->get<MachineRecord>(2).error().kind, ErrorKind::not_found);
+  EXPECT_EQ(store_->versions<MachineRecord>(2).error().kind, ErrorKind::not_found);
   EXPECT_EQ(store_->change(2, 1, machine("x"), by_anna).error().kind, ErrorKind::not_found);
 }
 
 TEST_P(StoreAssetsTest, ListsMachinesByNameWhateverTheCase) {
   for (const char* name : {"beta", "Alpha", "Öl", "alpha 2", "ölig"}) must(store_->add(machine(name), by_anna));
   std::string names;
-  for (const auto& found : must(store_->all<Machine>())) names += found.value.name + ",";
+  for (const auto& found : must(store_->all<MachineRecord>())) names += found.value.name + ",";
   EXPECT_EQ(names, "Alpha,alpha 2,beta,Öl,ölig,");
 }
 
 TEST_P(StoreAssetsTest, RefusesThingsThatCannotBe) {
   EXPECT_THAT(why(store_->add(machine(" "), by_anna)), HasSubstr("without a name"));
-  Axis axis;
+  AxisRecord axis;
   axis.machine = 1;
   axis.name = "X";
   axis.kind = "linear";
@@ -81,7 +81,7 @@ TEST_P(StoreAssetsTest, RefusesThingsThatCannotBe) {
   EXPECT_THAT(why(store_->add(axis, by_anna)), HasSubstr("above 0"));
   axis.limits = {{"A", 1.0}, {"A", 2.0}};
   EXPECT_THAT(why(store_->add(axis, by_anna)), HasSubstr("twice"));
-  EXPECT_FALSE(store_->add(Instrument{}, by_anna));
+  EXPECT_FALSE(store_->add(InstrumentRecord{}, by_anna));
   EXPECT_EQ(store_->add(PlanRecord{"Plan", {}, sha256("plan")}, by_anna).error().kind, ErrorKind::not_found);
   must(store_->keep(content_of("plan"), by_anna));
   EXPECT_EQ(must(store_->add(PlanRecord{"Plan", 1, sha256("plan")}, by_anna)).id, 1);
@@ -91,7 +91,7 @@ TEST_P(StoreAssetsTest, RefusesThingsThatCannotBe) {
 TEST_P(StoreAssetsTest, KeepsAnAxisAtItsMachine) {
   must(store_->add(machine("Mill"), by_anna));
   must(store_->add(machine("Lathe"), by_anna));
-  Axis axis;
+  AxisRecord axis;
   axis.machine = 1;
   axis.name = "X";
   axis.kind = "linear";
@@ -107,9 +107,9 @@ TEST_P(StoreAssetsTest, KnowsAMachineByItsSerialNumberOrItsName) {
   EXPECT_EQ(machine_of("Mill", "2"), 2) << "another number is another machine";
   EXPECT_EQ(machine_of("Lathe", ""), 3);
   EXPECT_EQ(machine_of("lathe", "77"), 3) << "had no number yet";
-  EXPECT_EQ(must(store_->get<Machine>(3)).value.serial_number, "77");
+  EXPECT_EQ(must(store_->get<MachineRecord>(3)).value.serial_number, "77");
   EXPECT_EQ(machine_of("", "9"), 4);
-  EXPECT_EQ(must(store_->get<Machine>(4)).value.name, "9");
+  EXPECT_EQ(must(store_->get<MachineRecord>(4)).value.name, "9");
   EXPECT_EQ(machine_of("", ""), 0);
   must(store_->change(3, 2, machine("Lathe in hall 2"), by_anna));
   EXPECT_EQ(machine_of("Lathe", ""), 3) << "as it was called before";
@@ -121,7 +121,7 @@ TEST_P(StoreAssetsTest, GivesAMachineTheFirstNumberThatATestStatesAndNoOther) {
   EXPECT_EQ(machine_of("Mill 5", "11"), 1);
   EXPECT_EQ(machine_of("Mill 5", "22"), 2);
   EXPECT_EQ(machine_of("Mill 5", "11"), 1);
-  const auto versions = must(store_->versions<Machine>(1));
+  const auto versions = must(store_->versions<MachineRecord>(1));
   ASSERT_EQ(versions.size(), 2u);
   EXPECT_EQ(versions[0].value.serial_number, "");
   EXPECT_EQ(versions[1].value.serial_number, "11");
@@ -162,7 +162,7 @@ TEST_P(StoreAssetsTest, LeavesATestThatIsRevisedWithItsMachine) {
 
 TEST_P(StoreAssetsTest, TakesNoMachineWhoseNumberWasAddedLaterForOneOfAnotherNumber) {
   EXPECT_EQ(machine_of("Mill", ""), 1);
-  Machine numbered = machine("Mill");
+  MachineRecord numbered = machine("Mill");
   numbered.serial_number = "100";
   must(store_->change(1, 1, numbered, by_anna));
   EXPECT_EQ(machine_of("Mill", "100"), 1);
@@ -216,12 +216,12 @@ TEST_P(StoreAssetsTest, TellsWhatItWouldLinkATestWithBeforeItIsKept) {
   EXPECT_FALSE(known(stated.machine, stated.axis));
   stated.axis.kind = "rotary";
   EXPECT_FALSE(known(test.state.machine, stated.axis));
-  EXPECT_FALSE(known(Machine()));
-  EXPECT_FALSE(known(Instrument()));
+  EXPECT_FALSE(known(MachineRecord()));
+  EXPECT_FALSE(known(InstrumentRecord()));
 }
 
 TEST_P(StoreAssetsTest, KnowsAnInstrumentWhoseSerialNumberWasCorrected) {
-  Instrument laser;
+  InstrumentRecord laser;
   laser.role = "laser";
   laser.serial_number = "L-O1";
   must(store_->add(laser, by_anna));
@@ -234,7 +234,7 @@ TEST_P(StoreAssetsTest, KnowsAnInstrumentWhoseSerialNumberWasCorrected) {
 }
 
 TEST_P(StoreAssetsTest, TakesNoInstrumentWhoseMakerWasAddedLaterForOneOfAnotherMaker) {
-  Instrument laser;
+  InstrumentRecord laser;
   laser.role = "laser";
   laser.serial_number = "1";
   must(store_->add(laser, by_anna));
@@ -256,10 +256,10 @@ TEST_P(StoreAssetsTest, TellsLongNamesApartByTheirEnds) {
 
 TEST_P(StoreAssetsTest, ShowsANewNameInEveryListAtOnce) {
   machine_of("Mill", "1");
-  Machine renamed = must(store_->get<Machine>(1)).value;
+  MachineRecord renamed = must(store_->get<MachineRecord>(1)).value;
   renamed.name = "Fräse";
   must(store_->change(1, 1, renamed, by_anna));
-  Axis axis = must(store_->get<Axis>(1)).value;
+  AxisRecord axis = must(store_->get<AxisRecord>(1)).value;
   axis.name = "X1";
   must(store_->change(1, 1, axis, by_anna));
   TestFilter filter;
@@ -276,7 +276,7 @@ TEST_P(StoreAssetsTest, ShowsANewNameInEveryListAtOnce) {
 
 TEST_P(StoreAssetsTest, RemembersWhatAnInstrumentWasWhenItMeasured) {
   must(store_->receive(content_of("abc"), std::vector{new_test("t")}, by_anna));
-  Instrument laser = must(store_->get<Instrument>(1)).value;
+  InstrumentRecord laser = must(store_->get<InstrumentRecord>(1)).value;
   laser.calibrated_on = "2027-01-01";
   must(store_->change(1, 1, laser, by_anna));
   EXPECT_EQ(must(store_->test(1)).state.instruments.at(0).calibrated_on, "");

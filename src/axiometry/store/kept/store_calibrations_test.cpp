@@ -33,10 +33,10 @@ AXIOMETRY_ON_BOTH_STORES(StoreCalibrationsTest);
 TEST_P(StoreCalibrationsTest, AreReadAsTheyWereKept) {
   open();
   const auto kept = must(store_->add(new_calibration("volume"), by_anna));
-  const auto read = must(store_->get<Calibration>(kept.id));
+  const auto read = must(store_->get<CalibrationRecord>(kept.id));
   EXPECT_EQ(read.version, 1);
   EXPECT_EQ(read.change.reason, "because");
-  const Calibration& c = read.value;
+  const CalibrationRecord& c = read.value;
   EXPECT_EQ(c.kind, "volumetric");
   EXPECT_EQ(c.title, "volume");
   EXPECT_EQ(c.machine, 1);
@@ -65,12 +65,12 @@ TEST_P(StoreCalibrationsTest, AreReadAsTheyWereKept) {
 
 TEST_P(StoreCalibrationsTest, ChangeByVersionsThatStay) {
   open();
-  Calibration c = new_calibration("volume");
+  CalibrationRecord c = new_calibration("volume");
   must(store_->add(c, by_anna));
   c.title = "volume, after the repair";
   must(store_->change(1, 1, c, {"Ben", "title"}));
   EXPECT_THAT(why(store_->change(1, 1, c, by_anna)), HasSubstr("found version 2 of this calibration, made by Ben"));
-  const auto versions = must(store_->versions<Calibration>(1));
+  const auto versions = must(store_->versions<CalibrationRecord>(1));
   ASSERT_EQ(versions.size(), 2u);
   EXPECT_EQ(versions[0].value.title, "volume");
   EXPECT_EQ(versions[1].change.actor, "Ben");
@@ -78,17 +78,17 @@ TEST_P(StoreCalibrationsTest, ChangeByVersionsThatStay) {
 
 TEST_P(StoreCalibrationsTest, KeepTheFilesTheyWereEvaluatedFrom) {
   open();
-  Calibration c = new_calibration("volume");
+  CalibrationRecord c = new_calibration("volume");
   must(store_->add(c, by_anna));
   must(store_->keep(content_of("other"), by_anna));
   c.files[0].content = sha256("other");
   EXPECT_THAT(why(store_->change(1, 1, c, by_anna)), HasSubstr("another kind or other files"));
-  EXPECT_EQ(must(store_->versions<Calibration>(1)).size(), 1u);
+  EXPECT_EQ(must(store_->versions<CalibrationRecord>(1)).size(), 1u);
 }
 
 TEST_P(StoreCalibrationsTest, AreWithdrawnAndReinstatedWithTheirReason) {
   open();
-  Calibration c = new_calibration("volume");
+  CalibrationRecord c = new_calibration("volume");
   must(store_->add(c, by_anna));
   c.withdrawn = true;
   must(store_->change(1, 1, c, {"Ben", "wrong machine"}));
@@ -107,7 +107,7 @@ TEST_P(StoreCalibrationsTest, AreWithdrawnAndReinstatedWithTheirReason) {
 
 TEST_P(StoreCalibrationsTest, AreFoundByWordsKindMachineAndDate) {
   open();
-  Calibration c = new_calibration("Größe before");
+  CalibrationRecord c = new_calibration("Größe before");
   must(store_->add(c, by_anna));
   c.title = "after";
   c.kind = "lines";
@@ -135,20 +135,20 @@ TEST_P(StoreCalibrationsTest, AreFoundByWordsKindMachineAndDate) {
 TEST_P(StoreCalibrationsTest, AreRefusedWhereSomethingIsMissing) {
   open();
   const auto refused = [&](auto edit) {
-    Calibration c = new_calibration("volume");
+    CalibrationRecord c = new_calibration("volume");
     edit(c);
     return why(store_->add(c, by_anna));
   };
-  EXPECT_THAT(refused([](Calibration& c) { c.kind = "other"; }),
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.kind = "other"; }),
               HasSubstr("expected lines, volumetric, straightness, angles or squareness"));
-  EXPECT_THAT(refused([](Calibration& c) { c.title = " "; }), HasSubstr("without a title"));
-  EXPECT_THAT(refused([](Calibration& c) { c.machine = 9; }), HasSubstr("found no machine 9"));
-  EXPECT_THAT(refused([](Calibration& c) { c.instrument = 9; }), HasSubstr("found no instrument 9"));
-  EXPECT_THAT(refused([](Calibration& c) { c.instrument_version.reset(); }), HasSubstr("without its version"));
-  EXPECT_THAT(refused([](Calibration& c) { c.files.clear(); }), HasSubstr("without files"));
-  EXPECT_THAT(refused([](Calibration& c) { c.files[0].content = sha256("x"); }), HasSubstr("lengths.csv"));
-  EXPECT_THAT(refused([](Calibration& c) { c.result = sha256("x"); }), HasSubstr("those of the result"));
-  EXPECT_THAT(refused([](Calibration& c) { c.options = "[]"; }), HasSubstr("expected a JSON object"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.title = " "; }), HasSubstr("without a title"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.machine = 9; }), HasSubstr("found no machine 9"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.instrument = 9; }), HasSubstr("found no instrument 9"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.instrument_version.reset(); }), HasSubstr("without its version"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.files.clear(); }), HasSubstr("without files"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.files[0].content = sha256("x"); }), HasSubstr("lengths.csv"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.result = sha256("x"); }), HasSubstr("those of the result"));
+  EXPECT_THAT(refused([](CalibrationRecord& c) { c.options = "[]"; }), HasSubstr("expected a JSON object"));
   EXPECT_EQ(must(store_->counts()).calibrations, 0);
 }
 
@@ -156,13 +156,13 @@ TEST_P(StoreCalibrationsTest, AreInBackupsAndCannotBeChangedUnseen) {
   const std::string address = filled();
   const std::string copy = file("copy.db");
   must(must(Store::open(address))->backup(copy));
-  EXPECT_EQ(must(must(Store::open(copy))->get<Calibration>(1)).value.title, "volume");
+  EXPECT_EQ(must(must(Store::open(copy))->get<CalibrationRecord>(1)).value.title, "volume");
   EXPECT_FALSE(raw(address)->script("UPDATE calibration_version SET title = 'x'"));
   EXPECT_FALSE(raw(address)->script("DELETE FROM calibration"));
   tamper(address, "calibration_version", "UPDATE calibration_version SET figures = '[]' WHERE version = 1");
   EXPECT_THAT(problems(address), ElementsAre("calibration 1: found version 1 changed after it was kept"));
   tamper(address, "calibration_version", "UPDATE calibration_version SET figures = 'none' WHERE version = 2");
-  EXPECT_THAT(why(must(Store::open(address))->get<Calibration>(1)), HasSubstr("figures cannot be read"));
+  EXPECT_THAT(why(must(Store::open(address))->get<CalibrationRecord>(1)), HasSubstr("figures cannot be read"));
 }
 
 }  // namespace

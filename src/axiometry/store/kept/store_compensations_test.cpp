@@ -35,9 +35,9 @@ AXIOMETRY_ON_BOTH_STORES(StoreCompensationsTest);
 TEST_P(StoreCompensationsTest, AreReadAsTheyWereKept) {
   open();
   const auto kept = must(store_->add(new_compensation(), by_anna));
-  const auto read = must(store_->get<Compensation>(kept.id));
+  const auto read = must(store_->get<CompensationRecord>(kept.id));
   EXPECT_EQ(read.version, 1);
-  const Compensation& c = read.value;
+  const CompensationRecord& c = read.value;
   EXPECT_EQ(c.test, 1);
   EXPECT_EQ(c.test_version, 1);
   EXPECT_FALSE(c.retest);
@@ -63,7 +63,7 @@ TEST_P(StoreCompensationsTest, AreReadAsTheyWereKept) {
 
 TEST_P(StoreCompensationsTest, GetTheirRetestAsAVersion) {
   open();
-  Compensation c = new_compensation();
+  CompensationRecord c = new_compensation();
   must(store_->add(c, by_anna));
   c.retest = 2;
   EXPECT_THAT(why(store_->change(1, 1, c, by_anna)), HasSubstr("a re-test without its version"));
@@ -71,32 +71,33 @@ TEST_P(StoreCompensationsTest, GetTheirRetestAsAVersion) {
   EXPECT_THAT(why(store_->change(1, 1, c, by_anna)), HasSubstr("found no test 2 in version 7"));
   c.retest_version = 1;
   must(store_->change(1, 1, c, {"Ben", "measured again"}));
-  EXPECT_EQ(must(store_->get<Compensation>(1)).value.retest, 2);
-  EXPECT_FALSE(must(store_->get<Compensation>(1, 1)).value.retest);
+  EXPECT_EQ(must(store_->get<CompensationRecord>(1)).value.retest, 2);
+  EXPECT_FALSE(must(store_->get<CompensationRecord>(1, 1)).value.retest);
   c.retest = 1;
   EXPECT_THAT(why(store_->change(1, 2, c, by_anna)), HasSubstr("as its own re-test"));
 }
 
 TEST_P(StoreCompensationsTest, StayWhatIsInTheControl) {
   open();
-  const Compensation kept = new_compensation();
+  const CompensationRecord kept = new_compensation();
   must(store_->add(kept, by_anna));
   must(store_->keep(content_of("other"), by_anna));
-  for (const auto& edit : std::vector<std::function<void(Compensation&)>>{
-           [](Compensation& c) { c.files[0].content = sha256("other"); }, [](Compensation& c) { c.files.pop_back(); },
-           [](Compensation& c) { c.test = 2; }, [](Compensation& c) { c.control = "fanuc"; },
-           [](Compensation& c) { c.options = R"({"control":"linuxcnc","smooth":true})"; },
-           [](Compensation& c) { c.axis.reset(); }}) {
-    Compensation other = kept;
+  for (const auto& edit : std::vector<std::function<void(CompensationRecord&)>>{
+           [](CompensationRecord& c) { c.files[0].content = sha256("other"); },
+           [](CompensationRecord& c) { c.files.pop_back(); }, [](CompensationRecord& c) { c.test = 2; },
+           [](CompensationRecord& c) { c.control = "fanuc"; },
+           [](CompensationRecord& c) { c.options = R"({"control":"linuxcnc","smooth":true})"; },
+           [](CompensationRecord& c) { c.axis.reset(); }}) {
+    CompensationRecord other = kept;
     edit(other);
     EXPECT_THAT(why(store_->change(1, 1, other, by_anna)), HasSubstr("another test, control or other files"));
   }
-  EXPECT_EQ(must(store_->versions<Compensation>(1)).size(), 1u);
+  EXPECT_EQ(must(store_->versions<CompensationRecord>(1)).size(), 1u);
 }
 
 TEST_P(StoreCompensationsTest, AreRefusedWithoutATableAndOfWhatIsNotThere) {
   open();
-  Compensation c = new_compensation();
+  CompensationRecord c = new_compensation();
   c.files.erase(c.files.begin());
   EXPECT_THAT(why(store_->add(c, by_anna)), HasSubstr("without its table"));
   c = new_compensation();
@@ -113,7 +114,7 @@ TEST_P(StoreCompensationsTest, AreRefusedWithoutATableAndOfWhatIsNotThere) {
 
 TEST_P(StoreCompensationsTest, AreFoundByTheirTestsAndTheirAxis) {
   open();
-  Compensation c = new_compensation();
+  CompensationRecord c = new_compensation();
   must(store_->add(c, by_anna));
   c.test = 2;
   c.axis.reset();
@@ -141,7 +142,7 @@ TEST_P(StoreCompensationsTest, AreVerifiedAndCopied) {
   const std::string address = filled();
   EXPECT_THAT(problems(address), IsEmpty());
   must(must(Store::open(address))->backup(file("copy.db")));
-  const auto copied = must(must(Store::open(file("copy.db")))->versions<Compensation>(1));
+  const auto copied = must(must(Store::open(file("copy.db")))->versions<CompensationRecord>(1));
   ASSERT_EQ(copied.size(), 2u);
   EXPECT_EQ(copied[1].value.retest, 2);
 }

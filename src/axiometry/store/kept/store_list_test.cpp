@@ -41,7 +41,7 @@ struct Listed {
 
 std::optional<double> value_of(const TestState& state, Order order) {
   static const char* const names[] = {"A", "E", "R", "B"};
-  for (const Figure& figure : state.evaluation.figures)
+  for (const FigureRecord& figure : state.evaluation.figures)
     if (figure.parameter == names[static_cast<int>(order) - static_cast<int>(Order::A)]) return figure.value;
   return {};
 }
@@ -158,7 +158,7 @@ TEST_P(StoreListTest, HaveOfATestOfOneDirectionWhatItHasInPlaceOfBoth) {
   ASSERT_EQ(page.rows.size(), 2u);
   for (const TestRow& row : page.rows) {
     std::string found;
-    for (const Figure& figure : row.figures) found += figure.parameter + " ";
+    for (const FigureRecord& figure : row.figures) found += figure.parameter + " ";
     EXPECT_EQ(found, row.title == "both" ? "A E R B " : "A_down E_down R_down ");
   }
 }

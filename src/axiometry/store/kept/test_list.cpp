@@ -20,7 +20,7 @@ constexpr std::string_view list_columns =
 constexpr std::string_view searched_words = "title_key || ' ' || file_key || ' ' || machine_key || ' ' || axis_key";
 
 Cell value_of(const TestVersion& version, std::string_view parameter) {
-  for (const Figure& figure : version.evaluation.figures)
+  for (const FigureRecord& figure : version.evaluation.figures)
     if (figure.parameter == parameter) return figure.value;
   return {};
 }
@@ -71,11 +71,11 @@ Result<void> list_test(Connection& connection, const TestHead& head, const TestV
   std::string axis_name = latest.axis_name;
   std::string axis_kind = latest.axis_kind;
   if (latest.machine) {
-    AXIOMETRY_TRY(auto machine, get_asset<Machine>(connection, *latest.machine));
+    AXIOMETRY_TRY(auto machine, get_asset<MachineRecord>(connection, *latest.machine));
     machine_name = std::move(machine.value.name);
   }
   if (latest.axis) {
-    AXIOMETRY_TRY(auto axis, get_asset<Axis>(connection, *latest.axis));
+    AXIOMETRY_TRY(auto axis, get_asset<AxisRecord>(connection, *latest.axis));
     axis_name = std::move(axis.value.name);
     axis_kind = std::move(axis.value.kind);
   }
@@ -119,7 +119,7 @@ Result<void> rename_machine_in_lists(Connection& connection, Id machine, const s
   return renew_words(connection, "machine", machine);
 }
 
-Result<void> rename_axis_in_lists(Connection& connection, Id axis, const Axis& now) {
+Result<void> rename_axis_in_lists(Connection& connection, Id axis, const AxisRecord& now) {
   AXIOMETRY_TRY_VOID(
       connection.run("UPDATE test_list SET axis_name = $2, axis_key = $3, axis_kind = $4 WHERE axis = $1",
                      {axis, now.name, folded(now.name), now.kind}));

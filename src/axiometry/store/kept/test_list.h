@@ -22,7 +22,7 @@ std::vector<Cell> list_cells(const TestHead& head, const TestVersion& latest, co
 Result<Rows> listed(Connection& connection, Id first, Id last);
 
 Result<void> rename_machine_in_lists(Connection& connection, Id machine, const std::string& name);
-Result<void> rename_axis_in_lists(Connection& connection, Id axis, const Axis& now);
+Result<void> rename_axis_in_lists(Connection& connection, Id axis, const AxisRecord& now);
 
 /// As store.h's tests(), machine_tests() and trend(), within a transaction.
 Result<TestPage> find_tests(Connection& connection, const TestFilter& filter);

@@ -13,7 +13,7 @@
 namespace axiometry::store {
 
 /// A parameter of an evaluation as lists and trends show it, in the native unit.
-struct Figure {
+struct FigureRecord {
   std::string parameter;  ///< key: "A"
   double value = 0.0;
   std::optional<double> U;      ///< expanded; absent where none was found, and of a method that states an interval
@@ -25,7 +25,7 @@ struct Figure {
 };
 
 /// What was computed of one version of a test.
-struct Evaluation {
+struct EvaluationRecord {
   std::string program;                ///< "axiometry 0.1.0"
   std::string standard;               ///< "ISO 230-2:2014"
   std::string options;                ///< JSON: all that the result depends on beside data and metadata
@@ -35,19 +35,20 @@ struct Evaluation {
   bool conforming = false;            ///< whether it conforms to the standard
   std::string verdict;                ///< verdict on all tolerances together; empty without any
   std::string label;                  ///< must stand wherever the results do; mostly empty
-  std::vector<Figure> figures;
+  std::vector<FigureRecord> figures;
 };
 
 /// Everything about a test that an edit may change. The measured bytes are not among it.
 struct TestState {
   std::string title;  ///< how people call it; from the file's name or the report number to begin with
-  Machine machine;    ///< as stated; the archive finds the machine with the same serial number, or name, or adds one
-  Axis axis;          ///< likewise among the machine's axes, by name; `machine` is ignored
-  std::vector<Instrument> instruments;  ///< likewise by serial number, or by manufacturer and type
+  MachineRecord
+      machine;      ///< as stated; the archive finds the machine with the same serial number, or name, or adds one
+  AxisRecord axis;  ///< likewise among the machine's axes, by name; `machine` is ignored
+  std::vector<InstrumentRecord> instruments;  ///< likewise by serial number, or by manufacturer and type
   std::optional<Id> plan;
   std::string measured_on;  ///< "2014-05-15"; empty where the metadata state no date that can be read as one
   std::string changes;      ///< JSON object: metadata over what the file says, key and text
-  Evaluation evaluation;
+  EvaluationRecord evaluation;
 };
 
 /// More than this no content may have: PostgreSQL gives bytes as two digits each, in answers below 1 GiB, and what can
@@ -106,7 +107,7 @@ struct TestRow {
   bool withdrawn = false;
   std::string verdict;
   std::string label;
-  std::vector<Figure> figures;  ///< A, E, R and B, as far as there are; of one direction A_up or A_down, …
+  std::vector<FigureRecord> figures;  ///< A, E, R and B, as far as there are; of one direction A_up or A_down, …
 };
 
 struct TestFilter {
@@ -150,12 +151,12 @@ struct TrendPoint {
   bool conforming = false;
   std::string label;
   std::string verdict{};         ///< verdict on all tolerances together; empty without any
-  std::vector<Figure> figures;   ///< figures of the parameters that were asked for
+  std::vector<FigureRecord> figures;  ///< figures of the parameters that were asked for
   std::vector<Id> same_bytes{};  ///< kept of the same bytes too: one measurement, which counts once
 };
 
 /// A report as it was issued: bytes that never change. Attachments (photographs, certificates) likewise.
-struct Document {
+struct DocumentRecord {
   Id id = 0;
   Id test = 0;
   int version = 1;  ///< version of the test

@@ -222,12 +222,12 @@ Result<std::vector<Id>> page_of(Connection& connection, const Search& search, co
 }
 
 /// Figures of the latest versions, by test.
-Result<std::map<Id, std::vector<Figure>>> figures_of(Connection& connection, std::span<const Id> tests,
-                                                     std::span<const std::string> parameters) {
+Result<std::map<Id, std::vector<FigureRecord>>> figures_of(Connection& connection, std::span<const Id> tests,
+                                                           std::span<const std::string> parameters) {
   const std::string ids = list_text(connection, tests);
   std::vector<Parameter> values = {ids};
   for (const std::string& parameter : parameters) values.emplace_back(parameter);
-  std::map<Id, std::vector<Figure>> figures;
+  std::map<Id, std::vector<FigureRecord>> figures;
   if (parameters.empty()) return figures;
   AXIOMETRY_TRY(
       const Rows rows,
@@ -243,12 +243,12 @@ Result<std::map<Id, std::vector<Figure>>> figures_of(Connection& connection, std
 }
 
 /// Of a test of both directions without those of one; of a test of one direction what it has in their place.
-std::vector<Figure> of_a_list(std::vector<Figure> figures) {
+std::vector<FigureRecord> of_a_list(std::vector<FigureRecord> figures) {
   const auto has = [&](std::string_view parameter) {
-    return std::ranges::find(figures, parameter, &Figure::parameter) != figures.end();
+    return std::ranges::find(figures, parameter, &FigureRecord::parameter) != figures.end();
   };
-  std::vector<Figure> kept;
-  for (const Figure& figure : figures)
+  std::vector<FigureRecord> kept;
+  for (const FigureRecord& figure : figures)
     if (const std::size_t sense = figure.parameter.find('_');
         sense == std::string::npos || !has(std::string_view(figure.parameter).substr(0, sense)))
       kept.push_back(figure);
@@ -325,7 +325,7 @@ Result<std::vector<MachineTests>> find_machine_tests(Connection& connection, std
 
 Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std::span<const std::string> parameters,
                                            std::int64_t limit) {
-  AXIOMETRY_TRY(const auto known, get_asset<Axis>(connection, axis));
+  AXIOMETRY_TRY(const auto known, get_asset<AxisRecord>(connection, axis));
   AXIOMETRY_TRY(auto repeated, repeated_tests(connection, axis));
   std::set<Id> once_more;
   for (const auto& [counted, others] : repeated) once_more.insert(others.begin(), others.end());

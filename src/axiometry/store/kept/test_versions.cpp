@@ -30,7 +30,7 @@ std::vector<Cell> cells_of(const TestVersion& v) {
           cell(v.plan), v.measured_on,           v.changes};
 }
 
-std::vector<Cell> cells_of(const Evaluation& e) {
+std::vector<Cell> cells_of(const EvaluationRecord& e) {
   return {e.program, e.standard,
           e.options, e.seed ? Cell(fmt::format("{}", *e.seed)) : Cell(),
           e.unit,    std::int64_t{e.conforming},
@@ -38,12 +38,12 @@ std::vector<Cell> cells_of(const Evaluation& e) {
           e.result};
 }
 
-std::vector<Cell> cells_of(const Figure& f) {
+std::vector<Cell> cells_of(const FigureRecord& f) {
   return {f.parameter, f.value, cell(f.U), cell(f.limit), f.verdict, cell(f.low), cell(f.high), f.method};
 }
 
 /// As they were fingerprinted before there was a method of record, where there is none.
-std::span<const Cell> attested(std::span<const Cell> cells, const Figure& figure) {
+std::span<const Cell> attested(std::span<const Cell> cells, const FigureRecord& figure) {
   constexpr std::size_t of_record = 3;
   return figure.method.empty() ? cells.first(cells.size() - of_record) : cells;
 }
@@ -65,8 +65,8 @@ TestVersion version_from(const Row& row) {
   return version;
 }
 
-Evaluation evaluation_from(const Row& row) {
-  Evaluation evaluation;
+EvaluationRecord evaluation_from(const Row& row) {
+  EvaluationRecord evaluation;
   evaluation.program = row.text(2);
   evaluation.standard = row.text(3);
   evaluation.options = row.text(4);
@@ -136,7 +136,7 @@ Result<std::vector<TestVersion>> read_wanted(Connection& connection, const Wante
 
 }  // namespace
 
-Figure figure_of(const Row& row, std::size_t first) {
+FigureRecord figure_of(const Row& row, std::size_t first) {
   return {.parameter = row.text(first),
           .value = row.real(first + 1),
           .U = row.optional_real(first + 2),
@@ -152,7 +152,7 @@ std::string fingerprint(const TestVersion& version) {
   print.add(cells_of(version)).add(cells_of(version.evaluation));
   for (const InstrumentUse& use : version.instruments)
     print.add_cell(Cell(use.instrument)).add_cell(Cell(std::int64_t{use.version}));
-  for (const Figure& figure : version.evaluation.figures) {
+  for (const FigureRecord& figure : version.evaluation.figures) {
     const std::vector<Cell> cells = cells_of(figure);
     print.add(attested(cells, figure));
   }
@@ -181,7 +181,7 @@ Result<TestVersion> version_of(Connection& connection, const TestState& state, c
     AXIOMETRY_TRY(version.axis, stated.axis(*version.machine, state.axis));
   }
   std::set<std::pair<Id, int>> used;
-  for (const Instrument& instrument : state.instruments) {
+  for (const InstrumentRecord& instrument : state.instruments) {
     AXIOMETRY_TRY(const auto use, stated.instrument(instrument));
     if (use && used.emplace(use->instrument, use->version).second) version.instruments.push_back(*use);
   }
@@ -203,7 +203,7 @@ Result<void> write_version(Connection& connection, TestVersion& version) {
   for (const Cell& value : evaluation) parameters.push_back(parameter(value));
   AXIOMETRY_TRY_VOID(write_row(connection, "evaluation", evaluation_columns, parameters));
   Rows figures;
-  for (const Figure& figure : version.evaluation.figures) {
+  for (const FigureRecord& figure : version.evaluation.figures) {
     std::vector<Cell> cells = {version.test, std::int64_t{version.version},
                                static_cast<std::int64_t>(figures.size() + 1)};
     for (Cell& value : cells_of(figure)) cells.push_back(std::move(value));

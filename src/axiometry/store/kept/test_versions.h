@@ -39,7 +39,7 @@ struct TestVersion {
   std::string measured_on;
   std::string changes;
   std::vector<InstrumentUse> instruments;
-  Evaluation evaluation;
+  EvaluationRecord evaluation;
 };
 
 /// The hash of all its fields but sha256.
@@ -70,6 +70,6 @@ Result<void> withdraw_test(Connection& connection, Id test, bool withdrawn, cons
 Result<TestRecord> read_test(Connection& connection, Id test, std::optional<int> version);
 
 /// The cells of a figure behind test, version and place; and back, from a column on.
-Figure figure_of(const Row& row, std::size_t first);
+FigureRecord figure_of(const Row& row, std::size_t first);
 
 }  // namespace axiometry::store

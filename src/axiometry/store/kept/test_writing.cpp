@@ -136,18 +136,18 @@ Result<TestRecord> read_test(Connection& connection, Id test, std::optional<int>
   TestState& state = found.state;
   state.title = std::move(version.title);
   if (version.machine) {
-    AXIOMETRY_TRY(auto machine, get_asset<Machine>(connection, *version.machine));
+    AXIOMETRY_TRY(auto machine, get_asset<MachineRecord>(connection, *version.machine));
     state.machine = std::move(machine.value);
   }
   state.axis.name = version.axis_name;
   state.axis.kind = version.axis_kind;
   if (version.axis) {
-    AXIOMETRY_TRY(auto axis, get_asset<Axis>(connection, *version.axis));
+    AXIOMETRY_TRY(auto axis, get_asset<AxisRecord>(connection, *version.axis));
     state.axis = std::move(axis.value);
   }
   for (const InstrumentUse& use : version.instruments) {
     found.instruments.push_back(use.instrument);
-    AXIOMETRY_TRY(auto instrument, get_asset<Instrument>(connection, use.instrument, use.version));
+    AXIOMETRY_TRY(auto instrument, get_asset<InstrumentRecord>(connection, use.instrument, use.version));
     state.instruments.push_back(std::move(instrument.value));
   }
   state.plan = version.plan;

@@ -71,7 +71,7 @@ TEST_P(StoreBackupTest, FillsNoStoreThatHoldsAnything) {
   const auto store = must(Store::open(filled()));
   must(store->backup(file("copy.db")));
   const std::string address = new_address();
-  Machine machine;
+  MachineRecord machine;
   machine.name = "Mill";
   must(must(Store::open(address))->add(machine, by_anna));
   const auto refused = Store::restore(file("copy.db"), address);

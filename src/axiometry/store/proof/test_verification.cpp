@@ -50,8 +50,8 @@ class TestVerifier {
   std::vector<std::string>& problems_;
   VerifiedTests found_;
   IdCount count_{"test"};
-  std::map<Id, Machine> machines_;
-  std::map<Id, Axis> axes_;
+  std::map<Id, MachineRecord> machines_;
+  std::map<Id, AxisRecord> axes_;
   std::map<Id, std::set<ListedInstrument>> listed_instruments_;  // of the tests that are looked at
 };
 
@@ -69,9 +69,9 @@ Result<VerifiedTests> TestVerifier::run() {
 }
 
 Result<void> TestVerifier::names() {
-  AXIOMETRY_TRY(const auto machines, all_assets<Machine>(connection_));
+  AXIOMETRY_TRY(const auto machines, all_assets<MachineRecord>(connection_));
   for (const auto& machine : machines) machines_[machine.id] = machine.value;
-  AXIOMETRY_TRY(const auto axes, all_assets<Axis>(connection_));
+  AXIOMETRY_TRY(const auto axes, all_assets<AxisRecord>(connection_));
   for (const auto& axis : axes) axes_[axis.id] = axis.value;
   return {};
 }

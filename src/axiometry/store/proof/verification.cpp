@@ -95,12 +95,12 @@ Result<void> Verifier::everything() {
   if (expected_.schema) AXIOMETRY_TRY_VOID(verify_storage_classes(connection_, *expected_.schema, found_.problems));
   AXIOMETRY_TRY_VOID(trail());
   AXIOMETRY_TRY_VOID(contents());
-  AXIOMETRY_TRY_VOID(verify_assets<Machine>(connection_, attested_, found_.problems));
-  AXIOMETRY_TRY_VOID(verify_assets<Axis>(connection_, attested_, found_.problems));
-  AXIOMETRY_TRY_VOID(verify_assets<Instrument>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_assets<MachineRecord>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_assets<AxisRecord>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_assets<InstrumentRecord>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(verify_assets<PlanRecord>(connection_, attested_, found_.problems));
-  AXIOMETRY_TRY_VOID(verify_assets<Calibration>(connection_, attested_, found_.problems));
-  AXIOMETRY_TRY_VOID(verify_assets<Compensation>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_assets<CalibrationRecord>(connection_, attested_, found_.problems));
+  AXIOMETRY_TRY_VOID(verify_assets<CompensationRecord>(connection_, attested_, found_.problems));
   AXIOMETRY_TRY_VOID(tests());
   return documents();
 }
@@ -314,7 +314,7 @@ Result<void> Verifier::documents() {
   IdCount count("document");
   const auto check = [&](Id id) -> Result<void> {
     count.next(id, found_.problems);
-    AXIOMETRY_TRY(const Document document, read_document(connection_, id));
+    AXIOMETRY_TRY(const DocumentRecord document, read_document(connection_, id));
     if (!attested_.knows(fmt::format("document {}", id), 0, fingerprint(document)))
       problem("document {}: found it changed after it was kept", id);
     return {};

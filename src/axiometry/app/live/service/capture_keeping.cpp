@@ -97,7 +97,7 @@ Result<store::Id> keep_test(Workbench& workbench, HeldCapture& held, const Test&
 Result<void> attach(Workbench& workbench, store::Id test, const std::vector<Part>& parts, const store::By& by) {
   AXIOMETRY_TRY(const auto documents, workbench.archive().documents(test));
   for (const Part& part : parts) {
-    if (std::ranges::find(documents, part.name, &store::Document::name) != documents.end()) continue;
+    if (std::ranges::find(documents, part.name, &store::DocumentRecord::name) != documents.end()) continue;
     AXIOMETRY_TRY_VOID(workbench.attach(test, {part.name, std::string(octets), part.bytes}, by));
   }
   return {};
@@ -261,8 +261,8 @@ Result<std::string> captures_folder(const store::Info& store) {
 
 Result<Plan> captured_plan(const store::Store& store, const store::PlanRecord& record, Plan plan) {
   if (!record.axis) return plan;
-  AXIOMETRY_TRY(const auto axis, store.get<store::Axis>(*record.axis));
-  AXIOMETRY_TRY(const auto machine, store.get<store::Machine>(axis.value.machine));
+  AXIOMETRY_TRY(const auto axis, store.get<store::AxisRecord>(*record.axis));
+  AXIOMETRY_TRY(const auto machine, store.get<store::MachineRecord>(axis.value.machine));
   const auto name = [&](Plan& part) {
     part.machine = machine.value.name;
     part.axis.name = axis.value.name;

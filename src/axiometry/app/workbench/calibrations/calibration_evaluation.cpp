@@ -197,7 +197,7 @@ std::vector<KeptFigure> line_figures(const EvaluatedLines& lines) {
   constexpr std::array<std::string_view, 4> shown = {"A", "E", "R", "B"};
   std::vector<KeptFigure> figures;
   for (const Evaluated& line : lines.tests)
-    for (const store::Figure& figure : figures_of(line)) {
+    for (const store::FigureRecord& figure : figures_of(line)) {
       if (std::ranges::find(shown, figure.parameter) == shown.end()) continue;
       const std::string unit(deviation_unit_key(line.test.metadata.axis.kind));
       figures.push_back({figure.parameter, line.name, figure.value, {}, unit});
@@ -308,8 +308,8 @@ SuggestedText suggested(const EvaluatedCalibration& evaluated) {
   return {stem_of(found.request.lengths.files.front()), found.machine.name, ""};
 }
 
-store::Calibration calibration_of(std::string_view kind, const EvaluatedCalibration& evaluated) {
-  store::Calibration calibration;
+store::CalibrationRecord calibration_of(std::string_view kind, const EvaluatedCalibration& evaluated) {
+  store::CalibrationRecord calibration;
   calibration.kind = kind;
   calibration.program = fmt::format("axiometry {}", version);
   calibration.figures = figures_of(evaluated);

@@ -67,6 +67,6 @@ struct SuggestedText {
 SuggestedText suggested(const EvaluatedCalibration& evaluated);
 
 /// Everything that the archive keeps of it but texts, links and the contents' hashes.
-store::Calibration calibration_of(std::string_view kind, const EvaluatedCalibration& evaluated);
+store::CalibrationRecord calibration_of(std::string_view kind, const EvaluatedCalibration& evaluated);
 
 }  // namespace axiometry::app

@@ -18,7 +18,7 @@ namespace {
 
 using formats::JsonMembers;
 using json::Value;
-using store::Calibration;
+using store::CalibrationRecord;
 using store::Versioned;
 
 Value number_or_none(const std::optional<double>& number) { return number ? Value(*number) : Value(); }

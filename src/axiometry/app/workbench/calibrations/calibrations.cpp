@@ -17,7 +17,7 @@ namespace axiometry::app {
 namespace {
 
 using json::Value;
-using store::Calibration;
+using store::CalibrationRecord;
 using store::KeptFigure;
 using store::Versioned;
 
@@ -28,7 +28,7 @@ Result<void> take_instrument(const store::Store& archive, Calibration& calibrati
   calibration.instrument = id;
   calibration.instrument_version.reset();
   if (!id) return {};
-  AXIOMETRY_TRY(const auto instrument, archive.get<store::Instrument>(*id));
+  AXIOMETRY_TRY(const auto instrument, archive.get<store::InstrumentRecord>(*id));
   calibration.instrument_version = instrument.version;
   return {};
 }
@@ -36,7 +36,7 @@ Result<void> take_instrument(const store::Store& archive, Calibration& calibrati
 /// The machine of the archive that the files name, where there is one: no machine is added by a calibration.
 Result<std::optional<store::Id>> known_machine(const store::Store& archive, const std::string& name) {
   if (text::trim(name).empty()) return std::nullopt;
-  store::Machine stated;
+  store::MachineRecord stated;
   stated.name = name;
   AXIOMETRY_TRY(const auto known, archive.read([&](const store::Transaction& t) { return t.known(stated); }));
   return known ? std::optional(known->id) : std::nullopt;
@@ -148,10 +148,10 @@ Result<KeptCalibration> kept_calibration(const store::Store& archive, store::Id 
     AXIOMETRY_TRY(kept.versions, t.versions<Calibration>(id));
     const Calibration& c = kept.calibration.value;
     if (c.machine) {
-      AXIOMETRY_TRY(kept.machine, t.get<store::Machine>(*c.machine));
+      AXIOMETRY_TRY(kept.machine, t.get<store::MachineRecord>(*c.machine));
     }
     if (c.instrument) {
-      AXIOMETRY_TRY(kept.instrument, t.get<store::Instrument>(*c.instrument, c.instrument_version));
+      AXIOMETRY_TRY(kept.instrument, t.get<store::InstrumentRecord>(*c.instrument, c.instrument_version));
     }
     AXIOMETRY_TRY(kept.result, result_of_record(t, c.result));
     return kept;

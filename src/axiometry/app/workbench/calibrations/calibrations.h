@@ -42,10 +42,10 @@ struct CalibrationRevision {
 
 /// A calibration of the archive at one of its versions.
 struct KeptCalibration {
-  store::Versioned<store::Calibration> calibration;
-  std::vector<store::Versioned<store::Calibration>> versions;     ///< the first is version 1
-  std::optional<store::Versioned<store::Machine>> machine;        ///< as it is called now
-  std::optional<store::Versioned<store::Instrument>> instrument;  ///< as it was known then
+  store::Versioned<store::CalibrationRecord> calibration;
+  std::vector<store::Versioned<store::CalibrationRecord>> versions;     ///< the first is version 1
+  std::optional<store::Versioned<store::MachineRecord>> machine;        ///< as it is called now
+  std::optional<store::Versioned<store::InstrumentRecord>> instrument;  ///< as it was known then
   json::Value result;                                             ///< exactly what was kept
   /// Of one that has just been kept: the others of exactly these files, the oldest first, withdrawn ones too.
   std::optional<std::vector<store::Id>> same_files{};

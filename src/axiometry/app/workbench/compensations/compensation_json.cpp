@@ -16,7 +16,7 @@ namespace {
 
 using formats::JsonMembers;
 using json::Value;
-using store::Compensation;
+using store::CompensationRecord;
 using store::Versioned;
 
 constexpr std::array states = {"before", "predicted", "percent_95", "retest"};

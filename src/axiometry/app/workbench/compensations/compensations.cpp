@@ -20,7 +20,7 @@ namespace axiometry::app {
 namespace {
 
 using json::Value;
-using store::Compensation;
+using store::CompensationRecord;
 using store::Versioned;
 
 constexpr std::string_view compensation_word = "compensation";
@@ -179,8 +179,8 @@ Result<ListedCompensation> listed(const store::Transaction& archive, Versioned<C
   AXIOMETRY_TRY(line.former, former_form_of(archive, c));
   line.serious += line.former ? 1 : 0;
   if (c.axis) {
-    AXIOMETRY_TRY(line.axis, archive.get<store::Axis>(*c.axis));
-    AXIOMETRY_TRY(line.machine, archive.get<store::Machine>(line.axis->value.machine));
+    AXIOMETRY_TRY(line.axis, archive.get<store::AxisRecord>(*c.axis));
+    AXIOMETRY_TRY(line.machine, archive.get<store::MachineRecord>(line.axis->value.machine));
   }
   line.compensation = std::move(compensation);
   line.made_at = std::move(made_at);

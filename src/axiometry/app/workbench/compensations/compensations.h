@@ -55,12 +55,12 @@ struct TestOfCompensation {
 
 /// What a list says of a compensation.
 struct ListedCompensation {
-  store::Versioned<store::Compensation> compensation;
+  store::Versioned<store::CompensationRecord> compensation;
   std::string made_at;  ///< time of its first version
   TestOfCompensation test;
   std::optional<TestOfCompensation> retest;
-  std::optional<store::Versioned<store::Axis>> axis;        ///< as they are called now
-  std::optional<store::Versioned<store::Machine>> machine;  ///< machine of the axis
+  std::optional<store::Versioned<store::AxisRecord>> axis;        ///< as they are called now
+  std::optional<store::Versioned<store::MachineRecord>> machine;  ///< machine of the axis
   std::optional<NamedFinding> former{};                     ///< its table is in a form that is not read any more
   int serious = 0;  ///< findings after which the table should not be used as it is: those that count, and those since
 
@@ -70,7 +70,7 @@ struct ListedCompensation {
 
 struct KeptCompensation {
   ListedCompensation head;
-  std::vector<store::Versioned<store::Compensation>> versions;  ///< the first is version 1
+  std::vector<store::Versioned<store::CompensationRecord>> versions;  ///< the first is version 1
   json::Value result;                                           ///< exactly what was kept
   std::string table;
   std::vector<KeptFinding>

@@ -100,7 +100,7 @@ const std::array others = {
     ExampleTest{lathe, "Z", linear, 500.0, "2026-05-19", "TC12-Z", yearly, "", 42, good},
 };
 
-store::Machine machine_record(const ExampleMachine& machine) {
+store::MachineRecord machine_record(const ExampleMachine& machine) {
   return {.name = std::string(machine.name),
           .manufacturer = std::string(machine.manufacturer),
           .type = std::string(machine.type),
@@ -119,7 +119,7 @@ constexpr ExampleCalibration calibrations[] = {{"VI-2024-0108", "2024-01-11", "2
                                                {"VI-2025-0127", "2025-01-09", "2026-01-09"},
                                                {"VI-2026-0113", "2026-01-13", "2027-01-13"}};
 
-store::Instrument laser(const ExampleCalibration& calibration) {
+store::InstrumentRecord laser(const ExampleCalibration& calibration) {
   return {
       .role = "Laser interferometer",
       .manufacturer = "Virtual Instruments",
@@ -154,7 +154,7 @@ Result<Plan> plan_of(const ExampleTest& test) {
 
 Items metadata_of(const ExampleTest& test) {
   const ExampleMachine& machine = test.machine;
-  const store::Instrument instrument = laser(calibrations[0]);
+  const store::InstrumentRecord instrument = laser(calibrations[0]);
   Items items = {
       {"test.report_number", std::string(test.number)},
       {"test.date", std::string(test.date)},
@@ -243,9 +243,9 @@ Result<void> add_laser(store::Transaction& archive, const store::By& by) {
 /// Machines with what no file says of them, an axis with its limits, and the instrument.
 Result<void> add_example_equipment(store::Transaction& archive, const store::By& by) {
   AXIOMETRY_TRY_VOID(add_laser(archive, by));
-  const auto add = [&](const ExampleMachine& machine, std::vector<store::Axis> axes) -> Result<void> {
+  const auto add = [&](const ExampleMachine& machine, std::vector<store::AxisRecord> axes) -> Result<void> {
     AXIOMETRY_TRY(const auto added, archive.add(machine_record(machine), by));
-    for (store::Axis& axis : axes) {
+    for (store::AxisRecord& axis : axes) {
       axis.machine = added.id;
       AXIOMETRY_TRY_VOID(archive.add(axis, by));
     }
