@@ -190,6 +190,7 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
   add_service_routes(router, {.store = *store, .token = doors.token, .upload_bytes = options.limits.upload_bytes});
   add_api_routes(router, {.store = *store, .workbench = workbench, .captures = *captures});
   add_page_routes(router, page_files());
+  router.expect(QueryNames(openapi_files().front().bytes));
 
   const Service service = service_of(router, doors, options);
   std::jthread warming;

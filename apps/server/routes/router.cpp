@@ -2,6 +2,7 @@
 #include "server/routes/router.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <exception>
@@ -126,6 +127,24 @@ void Router::add_read(std::string_view method, std::string_view pattern, RouteRe
       {std::string(method), std::string(pattern), segments_of(pattern), std::move(reader), Weight::by_value, terms});
 }
 
+void Router::expect(const QueryNames& names) {
+  for (Entry& entry : entries_)
+    if (const auto* query = names.of(entry.method, entry.pattern)) entry.query_names = *query;
+}
+
+std::optional<Response> Router::refused_query(const Entry& entry, const Request& request) {
+  if (!entry.query_names) return {};
+  const auto& names = *entry.query_names;
+  for (const auto& [name, value] : request.query)
+    if (name != "language" && std::ranges::find(names, name) == names.end())
+      return refusal(422,
+                     names.empty() ? fmt::format("found the query parameter {}, expected none", text::quoted(name))
+                                   : fmt::format("found the query parameter {}, expected one of {}", text::quoted(name),
+                                                 fmt::join(names, ", ")),
+                     request.language);
+  return {};
+}
+
 bool Router::may_keep(const Entry& entry) { return entry.method != "GET" && !entry.terms.only_looks; }
 
 const Router::Entry* Router::entry_of(const Request& request) const {
@@ -176,6 +195,7 @@ Job Router::find_and_read(const std::shared_ptr<Request>& request) const {
     auto captured = captured_by(entry.segments, segments);
     if (!captured) continue;
     if (entry.method == wanted) {
+      if (auto refused = refused_query(entry, *request)) return ready(*std::move(refused));
       request->captured = *std::move(captured);
       auto reading = entry.reader(*request);
       return reading ? job_of(request, *std::move(reading), may_keep(entry))

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "server/http/http.h"
+#include "server/routes/query_names.h"
 #include "server/work/job.h"
 #include "server/work/load.h"
 
@@ -62,6 +63,10 @@ class Router {
   /// What answers GET and HEAD of a path that no pattern fits and that is not below "/api".
   void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
 
+  /// 422 from now on for a query with another name than these and `language`, which every answer has; of routes that
+  /// are described.
+  void expect(const QueryNames& names);
+
   /// In which line a request with its body waits to be read: light where there is no route for it, and of a route by
   /// value unless the body has more than 64 kB.
   Load line_of(const Request& request) const;
@@ -98,8 +103,10 @@ class Router {
     RouteReader reader;
     Weight weight = Weight::light;
     Terms terms{};
+    std::optional<std::vector<std::string>> query_names{};  ///< names that its query may have
   };
   static bool may_keep(const Entry& entry);
+  static std::optional<Response> refused_query(const Entry& entry, const Request& request);
   const Entry* entry_of(const Request& request) const;
   Job find_and_read(const std::shared_ptr<Request>& request) const;
 

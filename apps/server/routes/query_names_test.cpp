@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "server/routes/query_names.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "server/routes/routes.h"
+
+namespace axiometry::server {
+namespace {
+
+using testing::Contains;
+using testing::Not;
+
+QueryNames described_names() { return QueryNames(openapi_files().front().bytes); }
+
+Response asked(const Router& router, std::string method, Pairs query,
+               language::Language language = language::Language::english) {
+  Request request;
+  request.method = std::move(method);
+  request.path = "/api/tests";
+  request.query = std::move(query);
+  request.language = language;
+  return router.answer(request);
+}
+
+TEST(QueryNames, are_those_of_the_description) {
+  const QueryNames names = described_names();
+  ASSERT_NE(names.of("GET", "/api/tests"), nullptr);
+  EXPECT_THAT(*names.of("GET", "/api/tests"), Contains("verdict"));
+  EXPECT_THAT(*names.of("GET", "/api/tests"), Contains("decimal")) << "of a reference";
+  EXPECT_THAT(*names.of("GET", "/api/tests/{id}"), Not(Contains("id"))) << "it is in the path";
+  EXPECT_TRUE(names.of("GET", "/api/machines")->empty());
+  EXPECT_EQ(names.of("GET", "/api/nothing"), nullptr);
+  EXPECT_EQ(names.of("PUT", "/api/tests"), nullptr);
+}
+
+TEST(Router, refuses_what_a_query_may_not_have) {
+  Router router;
+  const Handler taken = [](const Request&) -> Result<Response> { return Response{.body = "taken"}; };
+  router.add("GET", "/api/tests", taken);
+  EXPECT_EQ(asked(router, "GET", {{"verdickt", "fail"}}).status, 200) << "nobody has said what it may have";
+  router.expect(described_names());
+  EXPECT_EQ(asked(router, "GET", {{"verdict", "fail"}, {"language", "de"}}).body, "taken");
+  const Response refused = asked(router, "GET", {{"verdict", "fail"}, {"verdickt", "fail"}});
+  EXPECT_EQ(refused.status, 422);
+  EXPECT_THAT(refused.body, testing::HasSubstr("found the query parameter 'verdickt', expected one of text, machine"));
+  EXPECT_THAT(asked(router, "HEAD", {{"oder", "name"}}).status, 422);
+  EXPECT_THAT(asked(router, "GET", {{"oder", "name"}}, language::Language::german).body,
+              testing::HasSubstr("Abfrageparameter 'oder'; erwartet: einer von text, machine"));
+}
+
+TEST(Router, takes_the_language_of_its_refusals_everywhere) {
+  Router router;
+  router.add("GET", "/api/machines", [](const Request&) -> Result<Response> { return Response{}; });
+  router.expect(described_names());
+  Request request;
+  request.method = "GET";
+  request.path = "/api/machines";
+  request.query = {{"language", "de"}};
+  EXPECT_EQ(router.answer(request).status, 200);
+  request.query = {{"limit", "3"}};
+  EXPECT_THAT(router.answer(request).body, testing::HasSubstr("found the query parameter 'limit', expected none"));
+}
+
+}  // namespace
+}  // namespace axiometry::server
