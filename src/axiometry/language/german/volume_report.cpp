@@ -81,10 +81,11 @@ constexpr Phrase volume_report_rows[] = {
      "there, without reversal.",
      "Nichts sagt, worin sich die Richtungen einiger Abweichungen auf {0} unterscheiden: E ist dort das des "
      "Mittelwerts beider Richtungen, ohne Umkehrspanne."},
-    {"Over a grid of the travel that was observed. Without rigid motion: less the displacement and rotation of the "
-     "whole machine that fit best, which the place of a workpiece takes away. 95 % of the grid have no more than the "
-     "last column.",
-     "Auf einem Gitter über dem beobachteten Verfahrweg. Ohne Starrkörperbewegung: abzüglich der bestpassenden "
+    {"Over a grid of the travel that was observed, the largest between its nodes too. Without rigid motion: less the "
+     "displacement and rotation of the whole machine that fit best, which the place of a workpiece takes away. 95 % of "
+     "the grid have no more than the last column.",
+     "Auf einem Gitter über dem beobachteten Verfahrweg, die größte auch zwischen seinen Knoten. Ohne "
+     "Starrkörperbewegung: abzüglich der bestpassenden "
      "Verlagerung und Verdrehung der ganzen Maschine, die die Lage eines Werkstücks aufnimmt. 95 % des Gitters haben "
      "höchstens den Wert der letzten Spalte."},
     {"Positions of axis", "Positionen der Achse"},

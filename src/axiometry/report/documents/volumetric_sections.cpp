@@ -79,7 +79,8 @@ Section volume_section(const volumetric::ErrorModel& model, std::span<const Tool
     add_sizes(table, tool, "without rigid motion", field.statistics.without_rigid_motion, options);
   }
   table.notes = {plain(
-      "Over a grid of the travel that was observed. Without rigid motion: less the displacement and rotation of the "
+      "Over a grid of the travel that was observed, the largest between its nodes too. Without rigid motion: less the "
+      "displacement and rotation of the "
       "whole machine that fit best, which the place of a workpiece takes away. 95 % of the grid have no more than the "
       "last column.")};
   table.dense = true;
