@@ -53,7 +53,7 @@ std::string kept_figure_text(std::string_view kind, const store::KeptFigure& fig
 }
 
 void print_line(const store::CalibrationRow& row) {
-  const Calibration& c = row.calibration.value;
+  const CalibrationRecord& c = row.calibration.value;
   fmt::print("{} {} {} {} {} {}{}\n", left(fmt::format("{}", row.calibration.id), 7),
              left(report::printable(c.measured_on), 11), left(c.kind, 12),
              left(report::printable(row.machine_name), 24), left(c.verdict, 17), report::printable(c.title),
@@ -74,7 +74,7 @@ Result<int> list_kept(const CalibrationArguments& a) {
 }
 
 void print_kept(const app::KeptCalibration& kept) {
-  const Calibration& c = kept.calibration.value;
+  const CalibrationRecord& c = kept.calibration.value;
   fmt::print("{}\n", report::printable(c.title));
   const std::pair<const char*, std::string> rows[] = {
       {"kind", c.kind},

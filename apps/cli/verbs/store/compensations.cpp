@@ -47,19 +47,19 @@ using SharedCompensation = std::shared_ptr<CompensationArguments>;
 constexpr int id_most = 2'147'483'647;
 constexpr const char* verb_name = "axiometry store compensate";
 
-std::string figure_of(const Compensation& c, const char* parameter, const char* state) {
+std::string figure_of(const CompensationRecord& c, const char* parameter, const char* state) {
   for (const store::KeptFigure& figure : c.figures)
     if (figure.parameter == parameter && figure.of == state) return format_fixed(figure.value, 1);
   return "–";
 }
 
-std::string_view unit_text(const Compensation& c) {
+std::string_view unit_text(const CompensationRecord& c) {
   return !c.figures.empty() && c.figures[0].unit == "arcsec" ? "″" : "µm";
 }
 
 /// "E 21.3 µm → 4.2 µm predicted → 5.1 µm in test 7", and of a re-test that no longer counts why.
 std::string course(const app::ListedCompensation& listed) {
-  const Compensation& c = listed.compensation.value;
+  const CompensationRecord& c = listed.compensation.value;
   const std::string_view unit = unit_text(c);
   std::string text =
       fmt::format("E {} {} → {} {} predicted", figure_of(c, "E", "before"), unit, figure_of(c, "E", "predicted"), unit);
@@ -108,7 +108,7 @@ Result<int> keep(const CompensationArguments& a) {
   AXIOMETRY_TRY(const auto archive, archive_at(a.address, {.create = false}));
   const app::Workbench workbench(*archive);
   AXIOMETRY_TRY(const auto kept, app::keep_compensation(workbench, wanted, {"import", verb_name}));
-  const Compensation& c = kept.head.compensation.value;
+  const CompensationRecord& c = kept.head.compensation.value;
   std::FILE* const told = a.out == "-" ? stderr : stdout;  // the table alone goes into a pipe
   fmt::print(told, "compensation {}: {}\n", kept.head.compensation.id, report::printable(c.files[0].name));
   fmt::print(told, "{}\n", course(kept.head));
@@ -126,7 +126,7 @@ Result<int> list_kept(const CompensationArguments& a) {
   if (a.axis > 0) filter.axis = a.axis;
   AXIOMETRY_TRY(const auto listed, app::listed_compensations(*archive, filter));
   for (const app::ListedCompensation& line : listed) {
-    const Compensation& c = line.compensation.value;
+    const CompensationRecord& c = line.compensation.value;
     fmt::print("{} {} {} test {} {}{}\n", left(fmt::format("{}", line.compensation.id), 7),
                left(line.made_at.substr(0, 10), 11), left(c.control, 20), c.test, course(line),
                c.withdrawn ? " (withdrawn)" : "");
@@ -136,7 +136,7 @@ Result<int> list_kept(const CompensationArguments& a) {
 
 void print_kept(const app::KeptCompensation& kept) {
   const app::ListedCompensation& head = kept.head;
-  const Compensation& c = head.compensation.value;
+  const CompensationRecord& c = head.compensation.value;
   fmt::print("{}\n", report::printable(c.files[0].name));
   const auto test_text = [](const app::TestOfCompensation& test) {
     return fmt::format("{} in version {}{}, {} {}{}", test.id, test.version,
@@ -165,7 +165,7 @@ void print_kept(const app::KeptCompensation& kept) {
 }
 
 Result<void> revise(const app::Workbench& workbench, const CompensationArguments& a) {
-  AXIOMETRY_TRY(const auto latest, workbench.archive().get<Compensation>(a.id));
+  AXIOMETRY_TRY(const auto latest, workbench.archive().get<CompensationRecord>(a.id));
   app::CompensationRevision revision;
   revision.base_version = latest.version;
   revision.reason = a.reason;

@@ -37,8 +37,8 @@ Value figures_value(const std::vector<store::KeptFigure>& figures) {
 }
 
 /// What stands in lists and on the page alike.
-Value head_of(const Versioned<Calibration>& calibration, Value machine) {
-  const Calibration& c = calibration.value;
+Value head_of(const Versioned<CalibrationRecord>& calibration, Value machine) {
+  const CalibrationRecord& c = calibration.value;
   Value object = Value::object();
   object.add("id", id_value(calibration.id));
   object.add("version", calibration.version);
@@ -57,7 +57,7 @@ Value head_of(const KeptCalibration& kept) {
   return head_of(kept.calibration, kept.machine ? id_and_name(kept.machine->id, kept.machine->value.name) : Value());
 }
 
-Value files_value(const Calibration& c) {
+Value files_value(const CalibrationRecord& c) {
   Value list = Value::array();
   for (const store::KeptFile& file : c.files) {
     Value& item = list.push(Value::object());
@@ -68,7 +68,7 @@ Value files_value(const Calibration& c) {
   return list;
 }
 
-Value versions_value(const std::vector<Versioned<Calibration>>& versions) {
+Value versions_value(const std::vector<Versioned<CalibrationRecord>>& versions) {
   Value list = Value::array();
   for (const auto& version : versions) {
     Value& item = list.push(Value::object());
@@ -111,7 +111,7 @@ Value to_json(const store::CalibrationPage& page) {
 }
 
 Value to_json(const KeptCalibration& kept, const Reader& reader) {
-  const Calibration& c = kept.calibration.value;
+  const CalibrationRecord& c = kept.calibration.value;
   Value object = head_of(kept);
   object.add("change", to_json(kept.calibration.change));
   object.add("instrument",

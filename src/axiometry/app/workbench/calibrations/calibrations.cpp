@@ -24,7 +24,7 @@ using store::Versioned;
 constexpr std::string_view calibration_word = "calibration";
 constexpr std::string_view result_format = "calibration-result";
 
-Result<void> take_instrument(const store::Store& archive, Calibration& calibration, std::optional<store::Id> id) {
+Result<void> take_instrument(const store::Store& archive, CalibrationRecord& calibration, std::optional<store::Id> id) {
   calibration.instrument = id;
   calibration.instrument_version.reset();
   if (!id) return {};
@@ -43,7 +43,7 @@ Result<std::optional<store::Id>> known_machine(const store::Store& archive, cons
 }
 
 /// The result of an evaluation among the contents.
-store::Content result_content(const Calibration& calibration, const EvaluatedCalibration& evaluated) {
+store::Content result_content(const CalibrationRecord& calibration, const EvaluatedCalibration& evaluated) {
   return hashed_content(file_name_part(calibration.title) + ".json", std::string(result_format),
                         json::dump(result_of(evaluated), 0));
 }
@@ -54,7 +54,7 @@ struct LoadedFiles {
   std::vector<CalibrationSource> sources;
 };
 
-Result<LoadedFiles> loaded(const store::Store& archive, const Calibration& calibration) {
+Result<LoadedFiles> loaded(const store::Store& archive, const CalibrationRecord& calibration) {
   LoadedFiles files;
   for (const store::KeptFile& file : calibration.files) {
     AXIOMETRY_TRY(store::Content content, archive.content(file.content));
@@ -65,7 +65,7 @@ Result<LoadedFiles> loaded(const store::Store& archive, const Calibration& calib
   return files;
 }
 
-Result<EvaluatedCalibration> evaluated_again(const store::Store& archive, const Calibration& calibration,
+Result<EvaluatedCalibration> evaluated_again(const store::Store& archive, const CalibrationRecord& calibration,
                                              const Value& options) {
   AXIOMETRY_TRY(const LoadedFiles files, loaded(archive, calibration));
   return evaluate_calibration(calibration.kind, files.sources, options);
@@ -76,7 +76,8 @@ bool is_same(const KeptFigure& a, const KeptFigure& b) {
 }
 
 /// An edit over what a version says.
-Result<void> take_texts(const store::Store& archive, Calibration& calibration, const CalibrationRevision& revision) {
+Result<void> take_texts(const store::Store& archive, CalibrationRecord& calibration,
+                        const CalibrationRevision& revision) {
   if (revision.title) calibration.title = *revision.title;
   if (revision.machine) calibration.machine = *revision.machine;
   if (revision.measured_on) calibration.measured_on = *revision.measured_on;
@@ -115,7 +116,7 @@ Result<std::vector<store::Id>> calibrations_of_files(const store::Store& archive
 Result<KeptCalibration> keep_calibration(store::Store& archive, const NewCalibration& sent, const store::By& by) {
   AXIOMETRY_TRY(const EvaluatedCalibration evaluated, evaluate_calibration(sent.kind, sent.files, sent.options));
   const SuggestedText own = suggested(evaluated);
-  Calibration calibration = calibration_of(sent.kind, evaluated);
+  CalibrationRecord calibration = calibration_of(sent.kind, evaluated);
   calibration.title = sent.title.empty() ? report::printable(own.title) : sent.title;
   if (text::trim(calibration.title).empty()) calibration.title = sent.kind;
   calibration.measured_on = sent.measured_on.empty() ? own.measured_on : sent.measured_on;
@@ -144,9 +145,9 @@ Result<KeptCalibration> keep_calibration(store::Store& archive, const NewCalibra
 Result<KeptCalibration> kept_calibration(const store::Store& archive, store::Id id, std::optional<int> version) {
   return archive.read([&](const store::Transaction& t) -> Result<KeptCalibration> {
     KeptCalibration kept;
-    AXIOMETRY_TRY(kept.calibration, t.get<Calibration>(id, version));
-    AXIOMETRY_TRY(kept.versions, t.versions<Calibration>(id));
-    const Calibration& c = kept.calibration.value;
+    AXIOMETRY_TRY(kept.calibration, t.get<CalibrationRecord>(id, version));
+    AXIOMETRY_TRY(kept.versions, t.versions<CalibrationRecord>(id));
+    const CalibrationRecord& c = kept.calibration.value;
     if (c.machine) {
       AXIOMETRY_TRY(kept.machine, t.get<store::MachineRecord>(*c.machine));
     }
@@ -160,14 +161,14 @@ Result<KeptCalibration> kept_calibration(const store::Store& archive, store::Id 
 
 Result<KeptCalibration> revise_calibration(store::Store& archive, store::Id id, const CalibrationRevision& revision,
                                            const store::By& by) {
-  AXIOMETRY_TRY(const auto base, archive.get<Calibration>(id, revision.base_version));
+  AXIOMETRY_TRY(const auto base, archive.get<CalibrationRecord>(id, revision.base_version));
   AXIOMETRY_TRY_VOID(check_not_withdrawn(base, calibration_word));
-  Calibration calibration = base.value;
+  CalibrationRecord calibration = base.value;
   AXIOMETRY_TRY_VOID(take_texts(archive, calibration, revision));
   std::optional<store::Content> result;
   if (revision.options) {
     AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, calibration, *revision.options));
-    Calibration found = calibration_of(calibration.kind, evaluated);
+    CalibrationRecord found = calibration_of(calibration.kind, evaluated);
     calibration.program = std::move(found.program);
     calibration.figures = std::move(found.figures);
     calibration.verdict = std::move(found.verdict);
@@ -181,14 +182,14 @@ Result<KeptCalibration> revise_calibration(store::Store& archive, store::Id id, 
 }
 
 Result<KeptCalibration> withdraw_calibration(store::Store& archive, store::Id id, bool withdrawn, const store::By& by) {
-  AXIOMETRY_TRY_VOID(set_withdrawn<Calibration>(archive, id, withdrawn, by, calibration_word));
+  AXIOMETRY_TRY_VOID(set_withdrawn<CalibrationRecord>(archive, id, withdrawn, by, calibration_word));
   return kept_calibration(archive, id);
 }
 
 Result<Rendered> calibration_report(const store::Store& archive, store::Id id, std::optional<int> version,
                                     const ReportRequest& request) {
-  AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id, version));
-  AXIOMETRY_TRY(const auto latest, archive.get<Calibration>(id));
+  AXIOMETRY_TRY(const auto kept, archive.get<CalibrationRecord>(id, version));
+  AXIOMETRY_TRY(const auto latest, archive.get<CalibrationRecord>(id));
   const std::string extension = text::to_lower(request.extension);
   AXIOMETRY_TRY(Rendered rendered,
                 begun_report(archive, file_name_part(kept.value.title), kept.version, extension, kept.value.result));
@@ -207,7 +208,7 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
 }
 
 Result<Rendered> calibration_file(const store::Store& archive, store::Id id, const std::string& role) {
-  AXIOMETRY_TRY(const auto kept, archive.get<Calibration>(id));
+  AXIOMETRY_TRY(const auto kept, archive.get<CalibrationRecord>(id));
   return kept_file(archive, kept.value.files, role, fmt::format("{} {}", calibration_word, id));
 }
 

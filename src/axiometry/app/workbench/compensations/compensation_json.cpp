@@ -52,7 +52,7 @@ Value course_value(const std::vector<store::KeptFigure>& figures, bool retest_co
   return rows;
 }
 
-std::string_view unit_of(const Compensation& c) {
+std::string_view unit_of(const CompensationRecord& c) {
   return c.figures.empty() ? "um" : std::string_view(c.figures[0].unit);
 }
 
@@ -67,7 +67,7 @@ Value control_value(const std::string& id, const Reader& reader) {
 
 /// What stands in lists and on the page alike.
 Value head_value(const ListedCompensation& listed, const Reader& reader) {
-  const Compensation& c = listed.compensation.value;
+  const CompensationRecord& c = listed.compensation.value;
   const store::KeptFile* table = file_of(c.files, "table");
   Value object = Value::object();
   object.add("id", id_value(listed.compensation.id));
@@ -87,7 +87,7 @@ Value head_value(const ListedCompensation& listed, const Reader& reader) {
   return object;
 }
 
-Value table_versions_value(const std::vector<Versioned<Compensation>>& versions) {
+Value table_versions_value(const std::vector<Versioned<CompensationRecord>>& versions) {
   Value list = Value::array();
   for (const auto& version : versions) {
     Value& item = list.push(Value::object());
@@ -110,7 +110,7 @@ Value counting_value(const std::vector<KeptFinding>& findings, const Reader& rea
   return localised_result(list, ResultKind::findings, reader);
 }
 
-Value existing_value(const Compensation& c) {
+Value existing_value(const CompensationRecord& c) {
   const store::KeptFile* existing = file_of(c.files, "existing");
   if (existing == nullptr) return {};
   Value object = Value::object();
@@ -144,8 +144,8 @@ Value to_json(const MadeCompensation& made, const Reader& reader) {
 }
 
 Value to_json(const KeptCompensation& kept, const Reader& reader) {
-  const Versioned<Compensation>& compensation = kept.head.compensation;
-  const Compensation& c = compensation.value;
+  const Versioned<CompensationRecord>& compensation = kept.head.compensation;
+  const CompensationRecord& c = compensation.value;
   const store::KeptFile* table = file_of(c.files, "table");
   Value object = head_value(kept.head, reader);
   object.add("change", to_json(compensation.change));

@@ -78,7 +78,7 @@ std::vector<store::KeptFigure> figures_of(const CompensatedAxis& made) {
 }
 
 /// What the archive keeps of what was found: program, figures, serious findings, and the result among the contents.
-store::Content take_found(Compensation& compensation, const CompensatedAxis& made, const std::string& name) {
+store::Content take_found(CompensationRecord& compensation, const CompensatedAxis& made, const std::string& name) {
   store::Content result =
       hashed_content(name + ".json", std::string(compensation_result_format), json::dump(present(made, {}).json, 0));
   compensation.program = fmt::format("axiometry {}", version);
@@ -88,7 +88,7 @@ store::Content take_found(Compensation& compensation, const CompensatedAxis& mad
   return result;
 }
 
-Result<store::Content> kept_table(const store::Store& archive, const Compensation& compensation) {
+Result<store::Content> kept_table(const store::Store& archive, const CompensationRecord& compensation) {
   const store::KeptFile* table = file_of(compensation.files, table_role);
   if (table == nullptr) return fail(ErrorKind::damaged, "found a compensation of the archive without its table");
   return archive.content(table->content);
@@ -104,7 +104,7 @@ bool does_the_same(const CompensatedAxis& made, const std::string& kept) {
 }
 
 /// The table made again from what was kept, with the re-test that the version has.
-Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, const Compensation& kept) {
+Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, const CompensationRecord& kept) {
   const store::Store& archive = workbench.archive();
   AXIOMETRY_TRY(const Value options, options_of_record(kept.options));
   AXIOMETRY_TRY(const CompensateRequest request, compensate_request_from(options));
@@ -134,7 +134,7 @@ Result<CompensatedAxis> made_again(const Workbench& workbench, store::Id id, con
   return made;
 }
 
-Result<void> take_retest(const Workbench& workbench, Compensation& compensation,
+Result<void> take_retest(const Workbench& workbench, CompensationRecord& compensation,
                          const std::optional<store::Id>& retest) {
   compensation.retest = retest;
   compensation.retest_version.reset();
@@ -150,7 +150,7 @@ Result<void> take_retest(const Workbench& workbench, Compensation& compensation,
 }
 
 /// Of those that count; the result is read only where the number that was kept with it does not tell.
-Result<int> serious_of(const store::Transaction& archive, const ListedCompensation& line, const Compensation& c) {
+Result<int> serious_of(const store::Transaction& archive, const ListedCompensation& line, const CompensationRecord& c) {
   const auto since = findings_since(line.test, line.retest);
   const auto of_tests = static_cast<int>(std::ranges::count_if(since, &NamedFinding::serious));
   if (!line.retest || line.retest_counts()) return c.serious + of_tests;
@@ -159,7 +159,7 @@ Result<int> serious_of(const store::Transaction& archive, const ListedCompensati
   return of_tests + static_cast<int>(std::ranges::count(counting, "serious", &KeptFinding::severity));
 }
 
-Result<std::optional<NamedFinding>> former_form_of(const store::Transaction& archive, const Compensation& c) {
+Result<std::optional<NamedFinding>> former_form_of(const store::Transaction& archive, const CompensationRecord& c) {
   const auto kind = nc::axis_table_named(c.control);
   const store::KeptFile* table = file_of(c.files, table_role);
   if (!kind || (*kind)->former == nullptr || table == nullptr) return std::optional<NamedFinding>();
@@ -167,9 +167,9 @@ Result<std::optional<NamedFinding>> former_form_of(const store::Transaction& arc
   return former_form(c.control, content.bytes);
 }
 
-Result<ListedCompensation> listed(const store::Transaction& archive, Versioned<Compensation> compensation,
+Result<ListedCompensation> listed(const store::Transaction& archive, Versioned<CompensationRecord> compensation,
                                   std::string made_at) {
-  const Compensation& c = compensation.value;
+  const CompensationRecord& c = compensation.value;
   ListedCompensation line;
   AXIOMETRY_TRY(line.test, test_of_compensation(archive, c.test, c.test_version));
   if (c.retest) {
@@ -199,7 +199,7 @@ Result<KeptCompensation> keep_compensation(const Workbench& workbench, const New
   AXIOMETRY_TRY(const Made made, made_of(workbench, wanted));
   const std::string name = table_name(made.test, made.axis);
   store::Content table = hashed_content(name, "compensation-table", made.axis.text);
-  Compensation compensation;
+  CompensationRecord compensation;
   compensation.test = made.test.record.id;
   compensation.test_version = made.test.record.version;
   compensation.axis = made.test.record.axis;
@@ -235,9 +235,9 @@ Result<std::vector<ListedCompensation>> listed_compensations(const store::Store&
 Result<KeptCompensation> kept_compensation(const store::Store& archive, store::Id id, std::optional<int> version) {
   return archive.read([&](const store::Transaction& t) -> Result<KeptCompensation> {
     KeptCompensation kept;
-    AXIOMETRY_TRY(auto compensation, t.get<Compensation>(id, version));
-    AXIOMETRY_TRY(kept.versions, t.versions<Compensation>(id));
-    const Compensation& c = compensation.value;
+    AXIOMETRY_TRY(auto compensation, t.get<CompensationRecord>(id, version));
+    AXIOMETRY_TRY(kept.versions, t.versions<CompensationRecord>(id));
+    const CompensationRecord& c = compensation.value;
     AXIOMETRY_TRY(kept.result, result_of_record(t, c.result));
     const store::KeptFile* table = file_of(c.files, table_role);
     if (table == nullptr) return fail(ErrorKind::damaged, "found a compensation of the archive without its table");
@@ -261,9 +261,9 @@ Result<KeptCompensation> revise_compensation(const Workbench& workbench, store::
   if (!revision.retest && !revision.notes)
     return fail("found a revision that changes nothing, expected a re-test or notes");
   store::Store& archive = workbench.archive();
-  AXIOMETRY_TRY(const auto base, archive.get<Compensation>(id, revision.base_version));
+  AXIOMETRY_TRY(const auto base, archive.get<CompensationRecord>(id, revision.base_version));
   AXIOMETRY_TRY_VOID(check_not_withdrawn(base, compensation_word));
-  Compensation compensation = base.value;
+  CompensationRecord compensation = base.value;
   if (revision.notes) compensation.notes = *revision.notes;
   std::optional<store::Content> result;
   if (revision.retest) {
@@ -277,15 +277,15 @@ Result<KeptCompensation> revise_compensation(const Workbench& workbench, store::
 
 Result<KeptCompensation> withdraw_compensation(store::Store& archive, store::Id id, bool withdrawn,
                                                const store::By& by) {
-  AXIOMETRY_TRY_VOID(set_withdrawn<Compensation>(archive, id, withdrawn, by, compensation_word));
+  AXIOMETRY_TRY_VOID(set_withdrawn<CompensationRecord>(archive, id, withdrawn, by, compensation_word));
   return kept_compensation(archive, id);
 }
 
 Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, std::optional<int> version,
                                      const ReportRequest& request) {
   const store::Store& archive = workbench.archive();
-  AXIOMETRY_TRY(const auto kept, archive.get<Compensation>(id, version));
-  AXIOMETRY_TRY(const auto latest, archive.get<Compensation>(id));
+  AXIOMETRY_TRY(const auto kept, archive.get<CompensationRecord>(id, version));
+  AXIOMETRY_TRY(const auto latest, archive.get<CompensationRecord>(id));
   const store::KeptFile* table = file_of(kept.value.files, table_role);
   if (table == nullptr) return fail(ErrorKind::damaged, "found a compensation of the archive without its table");
   const std::string extension = text::to_lower(request.extension);
@@ -294,7 +294,7 @@ Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, s
   if (extension == "json") return as_json_report(std::move(rendered), latest.value.withdrawn);
   AXIOMETRY_TRY(const ListedCompensation now,
                 archive.read([&](const store::Transaction& t) { return listed(t, kept, std::string()); }));
-  Compensation counting = kept.value;
+  CompensationRecord counting = kept.value;
   if (!now.retest_counts()) counting.retest.reset();
   AXIOMETRY_TRY(CompensatedAxis made, made_again(workbench, id, counting));
   std::ranges::move(findings_since(now.test, now.retest), std::inserter(made.findings, made.findings.begin()));
@@ -305,7 +305,7 @@ Result<Rendered> compensation_report(const Workbench& workbench, store::Id id, s
 }
 
 Result<Rendered> compensation_file(const store::Store& archive, store::Id id, const std::string& role) {
-  AXIOMETRY_TRY(const auto kept, archive.get<Compensation>(id));
+  AXIOMETRY_TRY(const auto kept, archive.get<CompensationRecord>(id));
   return kept_file(archive, kept.value.files, role, fmt::format("{} {}", compensation_word, id));
 }
 

@@ -1,1 +1,0 @@
-import{b as a}from"./app.js";const e=a({undated:["undated","ohne Datum"],simulated:["simulated, no date","simuliert, ohne Datum"]}),d=t=>t?t==="None: simulated"?e("simulated"):t:e("undated");export{d as t};
