@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests at a desk while memory runs out: each allocation in turn fails once, wherever it is made. A program of its
-// own, since it replaces what allocates.
+// Requests at a dispatcher while memory runs out: each allocation in turn fails once, wherever it is made. A program of
+// its own, since it replaces what allocates.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -90,23 +90,23 @@ Outcome tried(const Trial& trial, long allocations) {
   boost::asio::io_context io{1};
   const auto open = boost::asio::make_work_guard(io);
   Outcome outcome;
-  Lines::Options options;
+  RequestQueues::Options options;
   options.light = {.threads = 1, .waiting_max = trial.light_waiting};
   options.heavy = {.threads = 1, .waiting_max = trial.heavy_waiting};
-  std::unique_ptr<Lines> lines;
-  Desk desk(io, service, trial.limits, *(lines = std::make_unique<Lines>(options)));
+  std::unique_ptr<RequestQueues> queues;
+  Dispatcher dispatcher(io, service, trial.limits, *(queues = std::make_unique<RequestQueues>(options)));
   auto request = std::make_shared<Request>();
   succeed = allocations;
   try {
-    desk.ask(std::move(request), "a", [&](const auto&) { ++outcome.replies; });
+    dispatcher.ask(std::move(request), "a", [&](const auto&) { ++outcome.replies; });
   } catch (const std::bad_alloc&) {
     outcome.was_refused = true;
   }
   run_until(io, [&] { return outcome.was_refused || outcome.replies > 0; });
   outcome.any_failed = succeed.exchange(never) < 0;
-  run_until(io, [&] { return desk.is_idle(); });
-  outcome.is_idle = desk.is_idle();
-  lines.reset();  // before what its tasks answer to
+  run_until(io, [&] { return dispatcher.is_idle(); });
+  outcome.is_idle = dispatcher.is_idle();
+  queues.reset();  // before what its tasks answer to
   return outcome;
 }
 

@@ -44,10 +44,11 @@ TEST(Router, refuses_what_a_query_may_not_have) {
   EXPECT_EQ(asked(router, "GET", {{"verdict", "fail"}, {"language", "de"}}).body, "taken");
   const Response refused = asked(router, "GET", {{"verdict", "fail"}, {"verdickt", "fail"}});
   EXPECT_EQ(refused.status, 422);
-  EXPECT_THAT(refused.body, testing::HasSubstr("found the query parameter 'verdickt', expected one of text, machine"));
+  EXPECT_THAT(refused.body,
+              testing::HasSubstr(R"(found the query parameter \"verdickt\", expected one of text, machine)"));
   EXPECT_THAT(asked(router, "HEAD", {{"oder", "name"}}).status, 422);
   EXPECT_THAT(asked(router, "GET", {{"oder", "name"}}, language::Language::german).body,
-              testing::HasSubstr("Abfrageparameter 'oder'; erwartet: einer von text, machine"));
+              testing::HasSubstr(R"(Abfrageparameter \"oder\"; erwartet: einer von text, machine)"));
 }
 
 TEST(Router, takes_the_language_of_its_refusals_everywhere) {
@@ -60,7 +61,7 @@ TEST(Router, takes_the_language_of_its_refusals_everywhere) {
   request.query = {{"language", "de"}};
   EXPECT_EQ(router.answer(request).status, 200);
   request.query = {{"limit", "3"}};
-  EXPECT_THAT(router.answer(request).body, testing::HasSubstr("found the query parameter 'limit', expected none"));
+  EXPECT_THAT(router.answer(request).body, testing::HasSubstr(R"(found the query parameter \"limit\", expected none)"));
 }
 
 }  // namespace

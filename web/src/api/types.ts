@@ -1116,6 +1116,8 @@ export interface components {
         };
         /** @description As `axiometry compensate --json` writes it; docs/results.md explains it. Texts in the language of the request. */
         CompensationResult: {
+            /** @description In a report of what was withdrawn: true; else left out. */
+            withdrawn?: boolean;
             /** @description `linuxcnc` */
             control: string;
             axis: string;
@@ -2213,6 +2215,8 @@ export interface components {
         };
         /** @description As `axiometry straightness`, `angles` and `squareness` write it with `--json`; docs/results.md explains it. Texts in the language of the request. */
         MotionResult: {
+            /** @description In a report of what was withdrawn: true; else left out. */
+            withdrawn?: boolean;
             /** @enum {string} */
             result: "straightness" | "angles" | "squareness";
             straightness?: components["schemas"]["MotionOfFile"];
@@ -2900,6 +2904,8 @@ export interface components {
         };
         /** @description As `axiometry tracking evaluate --json` writes it; docs/results.md explains it. */
         TrackingEvaluation: {
+            /** @description In a report of what was withdrawn: true; else left out. */
+            withdrawn?: boolean;
             /** @constant */
             result: "tracking-evaluation";
             machine: string;
@@ -3680,6 +3686,8 @@ export interface components {
         };
         /** @description As `axiometry volumetric identify --out` writes it; docs/results.md explains it. Texts in the language of the request. */
         VolumetricResult: {
+            /** @description In a report of what was withdrawn: true; else left out. */
+            withdrawn?: boolean;
             source?: {
                 /** @description Name of the file, where there is one. */
                 lengths?: string;

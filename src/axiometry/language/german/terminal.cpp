@@ -65,8 +65,6 @@ constexpr Phrase terminal_rows[] = {
      "Einheit einer anderen Achsart; die Werte einer Linearachse stehen in {0}"},
     {"found the unit of another kind of axis, the figures of a rotary axis are in {0#}",
      "Einheit einer anderen Achsart; die Werte einer Drehachse stehen in {0}"},
-    {"found {0=}, expected Enter, s (skip), u (undo) or e (end)",
-     "{0} gefunden; erwartet: Eingabetaste, s (überspringen), u (zurücknehmen) oder e (beenden)"},
     {"from {0#} points", "aus {0} Punkten"},
     {"from … to: interval of {0#}, Monte Carlo", "von … bis: Intervall für {0}, Monte Carlo"},
     {"inputs", "Eingangsgrößen"},
