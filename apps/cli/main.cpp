@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <optional>
@@ -117,9 +118,21 @@ std::optional<axiometry::language::Language> asked_language(int argc, char** arg
   return asked;
 }
 
+/// What AXIOMETRY_LANGUAGE asks for in all calls; what is none of the languages is told.
+std::optional<axiometry::language::Language> usual_language() {
+  const char* const tag = std::getenv("AXIOMETRY_LANGUAGE");
+  if (tag == nullptr || *tag == '\0') return {};
+  const auto language = axiometry::language::language_of(tag);
+  if (!language)
+    axiometry::cli::tell(fmt::format("AXIOMETRY_LANGUAGE: found {}, expected one of {}", axiometry::text::quoted(tag),
+                                     axiometry::language::tags_of_languages()));
+  return language;
+}
+
 int run(int argc, char** argv) {
   using namespace axiometry::cli;
-  if (const auto language = asked_language(argc, argv)) tell_faults_in(*language);
+  const auto asked = asked_language(argc, argv);
+  if (const auto language = asked ? asked : usual_language()) tell_faults_in(*language);
   int exit_code = exit_done;
   CLI::App program("Tests how truly a machine tool's axes move: ISO 230-2 from the measured file to the report.",
                    "axiometry");

@@ -7,6 +7,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/recording.h"
+#include "axiometry/language/language.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/commands.h"
@@ -81,7 +82,11 @@ std::string manual(const CLI::App& program) {
       ".TP\n.B 3\nA parameter does not conform to its tolerance, or an expectation of a case is not met.\n"
       ".TP\n.B 4\nNo parameter is known not to conform, but the uncertainty leaves one undecided, or there are "
       "tolerances of a test and none of them could be judged. Of several codes the lowest one but 0 is given.\n";
-  text += ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nNo colour in the terminal when set.\n";
+  text += ".SH ENVIRONMENT\n.TP\n.B AXIOMETRY_LANGUAGE\n" +
+          roff(fmt::format("Language ({}) in which every verb tells in the terminal what is wrong; --language of a "
+                           "verb comes first.",
+                           language::tags_of_languages())) +
+          "\n.TP\n.B NO_COLOR\nNo colour in the terminal when set.\n";
   text += ".SH EXAMPLES\n.nf\n" + roff(program.get_subcommand("evaluate")->get_footer()) + "\n.fi\n";
   return text;
 }
