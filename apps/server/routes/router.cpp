@@ -134,14 +134,16 @@ void Router::expect(const QueryNames& names) {
 
 std::optional<Response> Router::refused_query(const Entry& entry, const Request& request) {
   if (!entry.query_names) return {};
+  const auto refused = [&](const std::string& message) { return refusal(422, message, request.language); };
   const auto& names = *entry.query_names;
-  for (const auto& [name, value] : request.query)
-    if (name != "language" && std::ranges::find(names, name) == names.end())
-      return refusal(422,
-                     names.empty() ? fmt::format("found the query parameter {}, expected none", text::quoted(name))
-                                   : fmt::format("found the query parameter {}, expected one of {}", text::quoted(name),
-                                                 fmt::join(names, ", ")),
-                     request.language);
+  for (const auto& [name, value] : request.query) {
+    if (std::ranges::count(request.query, name, [](const auto& pair) { return pair.first; }) > 1)
+      return refused(fmt::format("found the query parameter {} more than once, expected it once", text::quoted(name)));
+    if (name == "language" || std::ranges::find(names, name) != names.end()) continue;
+    return refused(names.empty() ? fmt::format("found the query parameter {}, expected none", text::quoted(name))
+                                 : fmt::format("found the query parameter {}, expected one of {}", text::quoted(name),
+                                               fmt::join(names, ", ")));
+  }
   return {};
 }
 

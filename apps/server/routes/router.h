@@ -63,8 +63,8 @@ class Router {
   /// What answers GET and HEAD of a path that no pattern fits and that is not below "/api".
   void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
 
-  /// 422 from now on for a query with another name than these and `language`, which every answer has; of routes that
-  /// are described.
+  /// 422 from now on for a query with another name than these and `language`, which every answer has, or with one name
+  /// twice; of routes that are described.
   void expect(const QueryNames& names);
 
   /// In which line a request with its body waits to be read: light where there is no route for it, and of a route by

@@ -126,6 +126,8 @@ constexpr Phrase requests_rows[] = {
      "Reihenfolge {0}; erwartet: received, measured, title, machine, A, E, R oder B"},
     {"found the parameter {0=}, expected some of A, E, R, B and their like",
      "Kennwert {0}; erwartet: einige von A, E, R, B und ihresgleichen"},
+    {"found the query parameter {0=} more than once, expected it once",
+     "Abfrageparameter {0} mehrfach; erwartet: einmal"},
     {"found the query parameter {0=}, expected none", "Abfrageparameter {0}; erwartet: keiner"},
     {"found the query parameter {0=}, expected one of {1=}", "Abfrageparameter {0}; erwartet: einer von {1}"},
     {"found the unit {0=}, expected um, mm, nm, deg or arcsec", "Einheit {0}; erwartet: um, mm, nm, deg oder arcsec"},
