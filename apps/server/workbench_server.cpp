@@ -63,7 +63,7 @@ Service service_of(const Router& router, Doors& doors, const ServeOptions& optio
     return router.refused(request);
   };
   service.peer_of = [&doors](const Request& request) { return doors.token.peer_of(request); };
-  service.line_of = [&router](const Request& request) { return router.line_of(request); };
+  service.queue_of = [&router](const Request& request) { return router.queue_of(request); };
   service.keeps = [&router](const Request& request) { return router.keeps(request); };
   service.body_max = [&router](const Request& request) { return router.body_max(request); };
   service.read = [&router](std::shared_ptr<Request> request) {

@@ -83,7 +83,7 @@ void run_until(boost::asio::io_context& io, const Condition& holds) {
 
 Outcome tried(const Trial& trial, long allocations) {
   Service service;
-  service.line_of = [](const Request&) { return Load::light; };
+  service.queue_of = [](const Request&) { return Load::light; };
   service.keeps = [&](const Request&) { return trial.keeps; };
   service.read = [&](const auto&) { return trial.job(); };
   service.finish = [](Response&) {};

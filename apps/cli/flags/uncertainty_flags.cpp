@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/flags/uncertainty_flags.h"
 
-#include <fmt/format.h>
-
-#include <charconv>
 #include <string>
 
 #include "axiometry/app/evaluate/uncertainty_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 
 namespace axiometry::cli {
 namespace {
@@ -30,27 +25,6 @@ Flag add_text(const Verb& verb, const std::string& name, app::UncertaintyOptions
       ->group(group);
 }
 
-Result<void> choose_type_a(const std::string& text, app::UncertaintyOptions& options) {
-  const auto found = iso230_2::find_type_a(text);
-  if (!found) return fail(fmt::format("found {}, expected pooled, t-scaled or resampled", text::quoted(text)));
-  options.trials.type_a = *found;
-  return {};
-}
-
-Result<void> choose_seed(const std::string& text, app::UncertaintyOptions& options) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), options.trials.seed);
-  if (error == std::errc() && end == text.data() + text.size()) return {};
-  return fail(fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text::quoted(text)));
-}
-
-Result<void> choose_coverage(const std::string& text, app::UncertaintyOptions& options) {
-  const auto number = parse_number(text);
-  if (!number || *number < 0.5 || *number > 0.9999)
-    return fail(fmt::format("found {}, expected a probability from 0.5 to 0.9999", text::quoted(text)));
-  options.trials.propagation.coverage = *number;
-  return {};
-}
-
 }  // namespace
 
 void add_kept_method_flags(const Verb& verb, app::UncertaintyOptions& options) {
@@ -61,13 +35,15 @@ void add_kept_method_flags(const Verb& verb, app::UncertaintyOptions& options) {
   add_text(verb, "--trials", options, app::choose_trials,
            "Monte Carlo trials, or auto: until two digits of every uncertainty are stable (JCGM 101, 7.9)")
       ->type_name("N|auto");
-  add_text(verb, "--seed", options, choose_seed, "Seed of the random numbers (1): the same seed gives the same result")
+  add_text(verb, "--seed", options, app::choose_seed,
+           "Seed of the random numbers (1): the same seed gives the same result")
       ->type_name("N");
   add_text(
-      verb, "--type-a", options, choose_type_a,
+      verb, "--type-a", options, app::choose_type_a,
       "How the sampling of the approaches enters where the measurand is this-machine: pooled, t-scaled or resampled")
       ->type_name("HOW");
-  add_text(verb, "--coverage", options, choose_coverage, "Coverage probability of intervals (0.95)")->type_name("P");
+  add_text(verb, "--coverage", options, app::choose_coverage, "Coverage probability of intervals (0.95)")
+      ->type_name("P");
 }
 
 void add_method_flags(const Verb& verb, app::UncertaintyOptions& options) {

@@ -47,8 +47,8 @@ class Flag {
   Flag check_among(const std::vector<std::string>& words) const;
   Flag expected(int values) const;
   Flag expected(int least, int most) const;
-  Flag take_all() const;          ///< takes every value of an option that is given again
-  Flag one_at_a_time() const;     ///< takes one value behind each, of an option that is given again
+  Flag take_all() const;          ///< keeps all values of an option that is given again
+  Flag one_at_a_time() const;     ///< takes one value each time the option is given
   Flag trigger_on_parse() const;  ///< its function runs where it stands, not at the end
   Flag excludes(Flag other) const;
   Flag needs(Flag other) const;

@@ -15,8 +15,8 @@ namespace axiometry::server {
 class Sessions {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::hours longest{30 * 24};  ///< time since it began
-  static constexpr std::chrono::hours unused{7 * 24};    ///< time since it was shown the last time
+  static constexpr std::chrono::hours longest{30 * 24};  ///< longest life of a session
+  static constexpr std::chrono::hours unused{7 * 24};    ///< longest time that a session may lie unused
   static constexpr std::size_t most = 10'000;  ///< number of sessions; for one more the one unused for longest ends
 
   struct Begun {

@@ -41,7 +41,7 @@ struct Counter {
 
   Counter() {
     service.refused = [](const Request&) { return std::nullopt; };
-    service.line_of = [](const Request&) { return Load::light; };
+    service.queue_of = [](const Request&) { return Load::light; };
     service.keeps = [](const Request& request) { return request.method == "POST"; };
     service.read = [this](const std::shared_ptr<Request>& request) {
       return Job{.answer = [answer = answers.at(request->path)](const auto&) { return answer; }};

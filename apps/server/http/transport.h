@@ -22,9 +22,9 @@ struct Service {
   /// Whose share of the server it takes, of a request that was not refused; empty: all of an address have one. On the
   /// I/O thread: must be quick.
   std::function<std::string(const Request&)> peer_of{};
-  /// In whose line a request waits to be read: heavy where that alone may take its time. On the I/O thread: must be
+  /// In which queue a request waits to be read: heavy where that alone may take its time. On the I/O thread: must be
   /// quick, and so looks at the route and at the size of the body alone.
-  std::function<Load(const Request&)> line_of;
+  std::function<Load(const Request&)> queue_of;
   /// Whether it may keep something: then its work is done to the end whoever leaves, and its answer told. On the I/O
   /// thread: must be quick; empty: none does.
   std::function<bool(const Request&)> keeps{};

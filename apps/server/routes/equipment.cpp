@@ -21,7 +21,7 @@ using store::MachineRecord;
 using store::Store;
 using store::Versioned;
 
-/// What differs between the kinds of things.
+/// What differs between the kinds of assets.
 template <typename Asset>
 struct KindOf;
 
@@ -64,8 +64,8 @@ std::vector<app::MachineSummary> summaries(std::vector<Versioned<MachineRecord>>
 }
 
 template <typename Asset>
-Result<Value> whole_value(const Store&, const Versioned<Asset>& thing) {
-  return app::to_json(thing);
+Result<Value> whole_value(const Store&, const Versioned<Asset>& asset) {
+  return app::to_json(asset);
 }
 
 template <>
@@ -78,9 +78,9 @@ Result<Value> whole_value(const Store& store, const Versioned<MachineRecord>& ma
 
 template <typename Asset>
 Result<Value> listed(const Store& store) {
-  AXIOMETRY_TRY(const auto things, store.all<Asset>());
+  AXIOMETRY_TRY(const auto assets, store.all<Asset>());
   Value rows = Value::array();
-  for (const auto& thing : things) rows.push(app::to_json(thing));
+  for (const auto& asset : assets) rows.push(app::to_json(asset));
   return rows;
 }
 
@@ -107,17 +107,17 @@ template <typename Asset>
 Result<Response> add(Store& store, const Request& request) {
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const auto edit, KindOf<Asset>::from(body));
-  AXIOMETRY_TRY(const auto thing, store.add(edit.value, by_of(request, edit.reason)));
-  AXIOMETRY_TRY(const Value value, whole_value(store, thing));
-  return kept_response(value, {.id = thing.id, .version = thing.version}, 201);
+  AXIOMETRY_TRY(const auto asset, store.add(edit.value, by_of(request, edit.reason)));
+  AXIOMETRY_TRY(const Value value, whole_value(store, asset));
+  return kept_response(value, {.id = asset.id, .version = asset.version}, 201);
 }
 
 template <typename Asset>
 Result<Response> get_asset(Store& store, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, KindOf<Asset>::name));
   AXIOMETRY_TRY(const auto version, version_of(request));
-  AXIOMETRY_TRY(const auto thing, store.get<Asset>(id, version));
-  AXIOMETRY_TRY(const Value value, whole_value(store, thing));
+  AXIOMETRY_TRY(const auto asset, store.get<Asset>(id, version));
+  AXIOMETRY_TRY(const Value value, whole_value(store, asset));
   return json_response(value);
 }
 
@@ -128,9 +128,9 @@ Result<Response> change(Store& store, const Request& request) {
   AXIOMETRY_TRY(const auto edit, KindOf<Asset>::from(body));
   if (!edit.base_version)
     return fail("found a change without base_version, expected the version it rests on", body.at());
-  AXIOMETRY_TRY(const auto thing, store.change(id, *edit.base_version, edit.value, by_of(request, edit.reason)));
-  AXIOMETRY_TRY(const Value value, whole_value(store, thing));
-  return kept_response(value, {.id = thing.id, .version = thing.version});
+  AXIOMETRY_TRY(const auto asset, store.change(id, *edit.base_version, edit.value, by_of(request, edit.reason)));
+  AXIOMETRY_TRY(const Value value, whole_value(store, asset));
+  return kept_response(value, {.id = asset.id, .version = asset.version});
 }
 
 template <typename Asset>
@@ -139,7 +139,7 @@ Result<Response> versions(Store& store, const Request& request) {
   AXIOMETRY_TRY(const auto all, store.versions<Asset>(id));
   Value object = Value::object();
   Value& rows = object.add("versions", Value::array());
-  for (const auto& thing : all) rows.push(app::to_json(thing));
+  for (const auto& asset : all) rows.push(app::to_json(asset));
   return json_response(object);
 }
 

@@ -66,5 +66,22 @@ TEST(Router, takes_the_language_of_its_refusals_everywhere) {
   EXPECT_THAT(router.answer(request).body, testing::HasSubstr(R"(found the query parameter \"limit\", expected none)"));
 }
 
+TEST(Router, takes_the_name_of_a_file_in_the_query) {
+  Router router;
+  const Handler taken = [](const Request&) -> Result<Response> { return Response{.body = "taken"}; };
+  router.add("POST", "/api/preview", taken, Weight::light, {.sent = Sent::files, .only_looks = true});
+  router.add("POST", "/api/tests/{id}/evaluate", taken);
+  router.expect(described_names());
+  Request request;
+  request.method = "POST";
+  request.path = "/api/preview";
+  for (const char* name : {"name", "filename"}) {
+    request.query = {{name, "a.csv"}};
+    EXPECT_EQ(router.answer(request).body, "taken") << name;
+  }
+  request.path = "/api/tests/1/evaluate";
+  EXPECT_EQ(router.answer(request).status, 422) << "no file is sent";
+}
+
 }  // namespace
 }  // namespace axiometry::server

@@ -136,13 +136,18 @@ std::optional<Response> Router::refused_query(const Entry& entry, const Request&
   if (!entry.query_names) return {};
   const auto refused = [&](const std::string& message) { return refusal(422, message, request.language); };
   const auto& names = *entry.query_names;
+  const auto is_known = [&](const std::string& name) {
+    const bool names_file = entry.terms.sent == Sent::files && (name == "name" || name == "filename");
+    return name == "language" || names_file || std::ranges::find(names, name) != names.end();
+  };
   for (const auto& [name, value] : request.query) {
+    const std::string found = text::quoted(name);
     if (std::ranges::count(request.query, name, [](const auto& pair) { return pair.first; }) > 1)
-      return refused(fmt::format("found the query parameter {} more than once, expected it once", text::quoted(name)));
-    if (name == "language" || std::ranges::find(names, name) != names.end()) continue;
-    return refused(names.empty() ? fmt::format("found the query parameter {}, expected none", text::quoted(name))
-                                 : fmt::format("found the query parameter {}, expected one of {}", text::quoted(name),
-                                               fmt::join(names, ", ")));
+      return refused(fmt::format("found the query parameter {} more than once, expected it once", found));
+    if (is_known(name)) continue;
+    return refused(
+        names.empty() ? fmt::format("found the query parameter {}, expected none", found)
+                      : fmt::format("found the query parameter {}, expected one of {}", found, fmt::join(names, ", ")));
   }
   return {};
 }
@@ -180,7 +185,7 @@ std::size_t Router::body_max(const Request& request) const {
   return entry == nullptr ? Terms{}.body_max : entry->terms.body_max;
 }
 
-Load Router::line_of(const Request& request) const {
+Load Router::queue_of(const Request& request) const {
   const Entry* entry = entry_of(request);
   if (entry == nullptr) return Load::light;
   if (entry->weight == Weight::heavy) return Load::heavy;

@@ -63,13 +63,13 @@ class Router {
   /// What answers GET and HEAD of a path that no pattern fits and that is not below "/api".
   void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
 
-  /// 422 from now on for a query with another name than these and `language`, which every answer has, or with one name
-  /// twice; of routes that are described.
+  /// 422 from now on for a query with another name than these, `language`, which every answer has, and those by which a
+  /// file that is sent may be named (sent_name()), or with one name twice; of routes that are described.
   void expect(const QueryNames& names);
 
-  /// In which line a request with its body waits to be read: light where there is no route for it, and of a route by
+  /// In which queue a request with its body waits to be read: light where there is no route for it, and of a route by
   /// value unless the body has more than 64 kB.
-  Load line_of(const Request& request) const;
+  Load queue_of(const Request& request) const;
 
   /// Whether a request may keep something: not where there is no route for it.
   bool keeps(const Request& request) const;

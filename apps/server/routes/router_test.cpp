@@ -77,7 +77,7 @@ TEST(Router, tells_what_computes_for_long) {
     request.method = std::move(method);
     request.path = std::move(path);
     request.body = std::move(body);
-    return std::pair(router.line_of(request), router.read(std::make_shared<Request>(request)).load);
+    return std::pair(router.queue_of(request), router.read(std::make_shared<Request>(request)).load);
   };
   const auto both = [](Load load) { return std::pair(load, load); };
   EXPECT_EQ(load("GET", "/api/tests"), both(Load::light));

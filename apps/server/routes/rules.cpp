@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "axiometry/app/compare_rules/compare_rules.h"
+#include "axiometry/app/evaluate/uncertainty_text.h"
 #include "axiometry/app/workbench/workbench.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/rules.h"
 #include "axiometry/standards/rules/rule_trials.h"
@@ -36,24 +34,12 @@ Result<std::vector<const standards::AxisRule*>> rules_asked_for(const Request& r
 }
 
 /// &seed=, &coverage= and &type_a= of trials, in the words of the command line.
-Result<void> take_drawing(const Request& request, iso230_2::MonteCarloOptions& trials) {
-  if (const auto seed = request.parameter("seed")) {
-    const auto [end, error] = std::from_chars(seed->data(), seed->data() + seed->size(), trials.seed);
-    if (error != std::errc() || end != seed->data() + seed->size())
-      return fail(
-          fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text::quoted(*seed)));
-  }
-  if (const auto coverage = request.parameter("coverage")) {
-    const auto number = parse_number(*coverage);
-    if (!number || *number < 0.5 || *number > 0.9999)
-      return fail(fmt::format("found {}, expected a probability from 0.5 to 0.9999", text::quoted(*coverage)));
-    trials.propagation.coverage = *number;
-  }
-  if (const auto type_a = request.parameter("type_a")) {
-    const auto found = iso230_2::find_type_a(*type_a);
-    if (!found) return fail(fmt::format("found {}, expected pooled, t-scaled or resampled", text::quoted(*type_a)));
-    trials.type_a = *found;
-  }
+Result<void> take_drawing(const Request& request, app::UncertaintyOptions& options) {
+  using Choose = Result<void> (*)(std::string_view text, app::UncertaintyOptions & options);
+  constexpr std::pair<std::string_view, Choose> choices[] = {
+      {"seed", app::choose_seed}, {"coverage", app::choose_coverage}, {"type_a", app::choose_type_a}};
+  for (const auto& [name, choose] : choices)
+    if (const auto text = request.parameter(name); text && !text->empty()) AXIOMETRY_TRY_VOID(choose(*text, options));
   return {};
 }
 
@@ -71,7 +57,7 @@ Result<app::UncertaintyOptions> trials_asked_for(const Request& request) {
   if (method != "monte-carlo") return fail(fmt::format("found {}, expected monte-carlo", text::quoted(method)));
   options.monte_carlo = true;
   if (trials) options.trials.propagation.trials = static_cast<std::size_t>(*trials);
-  AXIOMETRY_TRY_VOID(take_drawing(request, options.trials));
+  AXIOMETRY_TRY_VOID(take_drawing(request, options));
   options.trials.propagation.on_progress = [stop = request.stop](const uncertainty::Progress&) {
     return !stop.stop_requested();
   };

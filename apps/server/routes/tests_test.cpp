@@ -70,7 +70,7 @@ TEST_F(Routes, TakeAllProcessorsByTheValueAndNotByTheBytes) {
     request->path = path;
     request->body = body;
     request->query = std::move(query);
-    EXPECT_EQ(router.line_of(*request), Load::light);
+    EXPECT_EQ(router.queue_of(*request), Load::light);
     return router.read(request).load;
   };
   const std::string escaped = R"({"options": {"methods": ["monte\u002dcarlo"]}})";

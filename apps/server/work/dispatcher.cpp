@@ -129,7 +129,7 @@ void Dispatcher::later(const Shared& work, void (Dispatcher::*step)(const Shared
 }
 
 Dispatcher::Ticket Dispatcher::ask(std::shared_ptr<Request> request, std::string who, Reply reply) {
-  const Load line = service_.line_of(*request);
+  const Load line = service_.queue_of(*request);
   const bool keeps = service_.keeps && service_.keeps(*request);
   auto work = std::make_shared<Work>(io_, std::move(request), std::move(who), keeps);
   const Ticket ticket = ++last_;

@@ -19,9 +19,9 @@
 
 namespace axiometry::server {
 
-/// Where requests are handed in: each is read by a worker, which tells what it costs, and waits in the line of its load
-/// until it is answered. What several ask for at once is made once; what nobody waits for any more is given up, unless
-/// it may keep something; and nobody waits for longer than the deadline of the load once the work has begun. What may
+/// Where requests are handed in: each is read by a worker, which tells what it costs, and waits in the queue of its
+/// load until it is answered. What several ask for at once is made once; what nobody waits for any more is given up,
+/// unless it may keep something; and nobody waits longer than its load's deadline once the work has begun. What may
 /// keep something is told to stop then, and its true answer is waited for: it may be too late. On the I/O thread alone.
 class Dispatcher {
  public:
@@ -33,7 +33,7 @@ class Dispatcher {
   using Ticket = std::uint64_t;
   using Reply = std::function<void(std::shared_ptr<const Response>)>;
   /// Calls the reply once, later, with what all who ask for the same may share: the answer, 503 with Retry-After where
-  /// the line is full, or 503 after the deadline; 504 where then nobody can say for long whether something was kept.
+  /// the queue is full, or 503 after the deadline; 504 where then nobody can say for long whether something was kept.
   /// With nothing where there was no memory to answer; what a reply throws is no affair of the others. Where this
   /// throws the reply is not called.
   Ticket ask(std::shared_ptr<Request> request, std::string who, Reply reply);

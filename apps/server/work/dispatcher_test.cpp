@@ -36,7 +36,7 @@ struct Office {
   std::vector<std::string> replies;
 
   explicit Office(WorkerPool::Options light = single_worker, WorkerPool::Options heavy = two_of_them) {
-    service.line_of = [](const Request&) { return Load::light; };
+    service.queue_of = [](const Request&) { return Load::light; };
     service.read = [this](const std::shared_ptr<Request>& request) { return jobs.at(request->path); };
     service.finish = [](Response&) {};
     queues =

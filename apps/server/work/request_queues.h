@@ -26,7 +26,7 @@ class RequestQueues {
     Load load = Load::light;
     WorkerPool::Ticket ticket = 0;
   };
-  /// As WorkerPool::submit() and withdraw() of the line of that load.
+  /// As WorkerPool::submit() and withdraw() of the queue of that load.
   std::optional<Place> submit(Load load, const std::string& who, std::function<void()> task);
   bool withdraw(const Place& place);
 

@@ -55,7 +55,7 @@ struct AxisTableLimits {
   bool closes = false;        ///< whether values of a rotary axis a whole turn apart are one
   bool linear = true, rotary = true;
   bool cross_only = false;  ///< it moves another axis than the one at whose positions it stands, never that one
-  bool rolls_over = false;  ///< whether it goes on beyond its ends to the value of the other one, over one step
+  bool rolls_over = false;  ///< whether it goes on beyond either end, over one step, to the value of the other end
 };
 
 /// Which of AxisTableOptions a control has at all.

@@ -54,7 +54,7 @@ struct Move {
   std::string remark;
 };
 struct Dwell {
-  long steps = 0;  ///< number of ControlLimits::dwell_step
+  long steps = 0;  ///< duration in ControlLimits::dwell_step
 };
 struct Trigger {
   unsigned m_code = 0;

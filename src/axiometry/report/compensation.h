@@ -20,7 +20,7 @@ namespace axiometry::report {
 /// What a control says of its tables.
 struct ControlWords {
   std::string_view title, sign, loading, verified, inferred;
-  bool rolls_over = false;  ///< whether it goes on beyond its ends to the value of the other one
+  bool rolls_over = false;  ///< whether a table goes on beyond either end to the value of the other end
 };
 
 /// In one direction with the table, native deviation unit.

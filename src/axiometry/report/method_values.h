@@ -99,7 +99,7 @@ struct Leading {
   const iso230_2::Contribution* contribution = nullptr;  ///< contribution of the list that was given
   double share = 0.0;
   double u = 0.0;          ///< u of the parameter, native unit
-  double u_without = 0.0;  ///< what would about remain without it: u √(1 − share)
+  double u_without = 0.0;  ///< about what would remain without it: u √(1 − share)
 };
 
 /// Of `all`, which must be contributions() of the assessment or made of them. Nothing when nothing contributes.

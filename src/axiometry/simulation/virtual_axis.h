@@ -131,7 +131,7 @@ struct VirtualAxis {
   ThermalGrowth thermal;
   std::optional<Servo> servo;
   Hunting hunting;
-  Deviation resolution;         ///< step of the axis's own scale: d = what it takes to the nearest multiple of it
+  Deviation resolution;         ///< step of the axis's own scale: d takes to the nearest multiple of it
   double acceleration = 500.0;  ///< mm/s² or °/s²; of beginning and end of every move
   VirtualInstrument instrument;
 };

@@ -30,7 +30,7 @@ struct Change {
   friend bool operator==(const Change&, const Change&) = default;
 };
 
-/// What is known as one asset over time, edited by versions that all stay. Versions count from 1.
+/// An asset over time: what is edited by versions that all stay. Versions count from 1.
 template <typename Asset>
 struct Versioned {
   Id id = 0;
@@ -52,8 +52,8 @@ struct MachineRecord {
 /// Which machine of the archive a test means by what it states.
 struct MachineMeant {
   std::optional<Versioned<MachineRecord>> known;  ///< absent where one is added
-  bool takes_number = false;                ///< known by its name, it never had a serial number and takes the test's
-  std::size_t others = 0;                   ///< called so too, where the test says no number that would tell them apart
+  bool takes_number = false;  ///< known by its name, it never had a serial number and takes the test's
+  std::size_t others = 0;     ///< called so too, where the test says no number that would tell them apart
 };
 
 /// A limit of a parameter in the native unit of its axis (µm or ″).

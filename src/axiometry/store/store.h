@@ -46,7 +46,7 @@ struct Verification {
   std::int64_t parts = 0;     ///< sound parts of the schema: tables, constraints, triggers …; 0: not compared
   Head head;
   std::vector<std::string> problems;
-  std::vector<std::string> missing_indexes;  ///< problems that cost time alone, and no row depends on
+  std::vector<std::string> missing_indexes;  ///< problems that cost time alone, and on which no row depends
   std::vector<std::string> notes;            ///< nothing wrong by themselves, but worth to be known
   std::vector<std::string> extras;    ///< parts of the schema that are somebody's own, and guard or change nothing
   std::vector<std::string> proved;    ///< sentences, of what nothing speaks against
@@ -125,7 +125,7 @@ class Store {
   Result<std::string> keep(const Content& content, const By& by);
   /// Fails with `damaged` when the bytes no longer have that hash.
   Result<Content> content(const std::string& sha256) const;
-  Result<std::int64_t> content_size(const std::string& sha256) const;  ///< size, to be asked before they are read
+  Result<std::int64_t> content_size(const std::string& sha256) const;  ///< bytes, to be asked for before they are read
 
   Result<DocumentRecord> add_document(const DocumentRecord& document, std::string_view bytes, const By& by);
   Result<std::vector<DocumentRecord>> documents(Id test) const;

@@ -56,7 +56,7 @@ Result<void> take_seed(const Value& value, UncertaintyOptions& options) {
 Result<void> take_coverage(const Value& value, UncertaintyOptions& options) {
   double& coverage = options.trials.propagation.coverage;
   AXIOMETRY_TRY(coverage, formats::number_in(value, "coverage"));
-  if (coverage >= 0.5 && coverage <= 0.9999) return {};
+  if (is_coverage(coverage)) return {};
   return fail(fmt::format("found the coverage {}, expected a probability from 0.5 to 0.9999", format_exact(coverage)),
               value.at());
 }

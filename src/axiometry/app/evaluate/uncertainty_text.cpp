@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
@@ -33,6 +35,29 @@ Result<void> choose_methods(std::string_view list, UncertaintyOptions& options) 
     if (comma == std::string_view::npos) return {};
     list.remove_prefix(comma + 1);
   }
+}
+
+bool is_coverage(double probability) { return probability >= 0.5 && probability <= 0.9999; }
+
+Result<void> choose_seed(std::string_view text, UncertaintyOptions& options) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), options.trials.seed);
+  if (error == std::errc() && end == text.data() + text.size()) return {};
+  return fail(fmt::format("found {}, expected a whole number from 0 to 18446744073709551615", text::quoted(text)));
+}
+
+Result<void> choose_coverage(std::string_view text, UncertaintyOptions& options) {
+  const auto number = parse_number(text);
+  if (!number || !is_coverage(*number))
+    return fail(fmt::format("found {}, expected a probability from 0.5 to 0.9999", text::quoted(text)));
+  options.trials.propagation.coverage = *number;
+  return {};
+}
+
+Result<void> choose_type_a(std::string_view text, UncertaintyOptions& options) {
+  const auto found = iso230_2::find_type_a(text);
+  if (!found) return fail(fmt::format("found {}, expected pooled, t-scaled or resampled", text::quoted(text)));
+  options.trials.type_a = *found;
+  return {};
 }
 
 Result<void> choose_trials(std::string_view text, UncertaintyOptions& options) {

@@ -15,6 +15,14 @@ Result<void> choose_methods(std::string_view list, UncertaintyOptions& options);
 /// Fewest trials that may be asked for.
 inline constexpr double trials_min = 100;
 
+/// A probability that intervals may have: from 0.5 to 0.9999.
+bool is_coverage(double probability);
+
+/// A whole number of 64 bits; a probability, is_coverage(); pooled, t-scaled or resampled.
+Result<void> choose_seed(std::string_view text, UncertaintyOptions& options);
+Result<void> choose_coverage(std::string_view text, UncertaintyOptions& options);
+Result<void> choose_type_a(std::string_view text, UncertaintyOptions& options);
+
 /// "auto" (adaptive, JCGM 101, 7.9) or a whole number from 100 to 1e9, also as 1e6.
 Result<void> choose_trials(std::string_view text, UncertaintyOptions& options);
 

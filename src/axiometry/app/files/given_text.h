@@ -13,7 +13,7 @@
 namespace axiometry::app {
 
 inline constexpr std::size_t line_length_max = 500;    ///< characters of a name or title
-inline constexpr std::size_t text_length_max = 10000;  ///< bytes of notes and of a metadata item
+inline constexpr std::size_t text_length_max = 10000;  ///< characters of notes and of a metadata item
 
 /// Seeds that are given as numbers are below: whole numbers of JSON.
 inline constexpr std::uint64_t seed_limit = std::uint64_t{1} << 53;

@@ -22,7 +22,7 @@ using ArrivalNs = std::int64_t;
 /// wrong unnoticed. The second is the arrival. A piece begins where the one before ends; a record
 /// without a piece tells that a connection begins behind it, before its first piece has come.
 ///
-/// "AXIOMETRYTIMES1\n", of programs before, has the begin of the piece in place of its end, bit 63 for a connection,
+/// "AXIOMETRYTIMES1\n", of programs before, has where the piece begins in place of its end, bit 63 for a connection,
 /// and no check.
 std::string times_name(const std::string& raw);
 

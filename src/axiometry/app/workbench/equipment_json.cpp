@@ -16,15 +16,15 @@ using formats::JsonMembers;
 using json::Value;
 
 template <typename Asset>
-Value entity(const store::Versioned<Asset>& thing) {
+Value entity(const store::Versioned<Asset>& asset) {
   Value object = Value::object();
-  object.add("id", id_value(thing.id));
-  object.add("version", thing.version);
-  object.add("change", to_json(thing.change));
+  object.add("id", id_value(asset.id));
+  object.add("version", asset.version);
+  object.add("change", to_json(asset.change));
   return object;
 }
 
-/// A text in its place among the members of a thing.
+/// A text in its place among the members of an asset.
 template <typename Asset>
 struct TextMember {
   std::string_view name;
@@ -51,8 +51,8 @@ constexpr TextMember<store::InstrumentRecord> instrument_lines[] = {
 };
 
 template <typename Asset>
-void add_lines(Value& object, const Asset& thing, std::span<const TextMember<Asset>> members) {
-  for (const auto& [name, text] : members) object.add(name, thing.*text);
+void add_lines(Value& object, const Asset& asset, std::span<const TextMember<Asset>> members) {
+  for (const auto& [name, text] : members) object.add(name, asset.*text);
 }
 
 /// The error with the place of the member it belongs to.
@@ -72,10 +72,10 @@ Result<void> take_text(JsonMembers& members, const Value& object, std::string_vi
 }
 
 template <typename Asset>
-Result<void> take_lines(JsonMembers& members, const Value& object, Asset& thing,
+Result<void> take_lines(JsonMembers& members, const Value& object, Asset& asset,
                         std::span<const TextMember<Asset>> texts) {
-  for (const auto& [name, text] : texts) AXIOMETRY_TRY_VOID(take_text(members, object, name, thing.*text, &given_line));
-  return take_text(members, object, "notes", thing.notes, &given_text);
+  for (const auto& [name, text] : texts) AXIOMETRY_TRY_VOID(take_text(members, object, name, asset.*text, &given_line));
+  return take_text(members, object, "notes", asset.notes, &given_text);
 }
 
 /// "base_version", "reason", and what an answer has more than a request, which a page may send back.

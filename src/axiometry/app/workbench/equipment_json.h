@@ -32,7 +32,7 @@ struct AxisTrend {
 };
 json::Value to_json(const AxisTrend& trend);
 
-/// What a request says of a thing: its value, and for a change the version it rests on.
+/// What a request says of an asset: its value, and for a change the version it rests on.
 template <typename Asset>
 struct Edit {
   Asset value;

@@ -30,7 +30,7 @@ constexpr int most_sensors = 16;
 
 /// What was out of order, told at the end.
 struct HpiCounts {
-  std::size_t bytes_before = 0;  // of a frame whose beginning is missing, at the begin of a recording or a connection
+  std::size_t bytes_before = 0;     // of a frame whose beginning is missing, where a recording or connection begins
   std::size_t bytes_between = 0;    // frames
   std::size_t damaged = 0;          // distances that those bytes were, at least
   std::size_t damaged_weather = 0;  // frames of them that began as such
@@ -54,9 +54,8 @@ class HpiReader final : public RecordingReader {
     AXIOMETRY_TRY_VOID(flush(sink));
     if (skipped_ > 0) settle_skipped();
     if (const std::size_t rest = begun_.size(); rest > 0 && !options_.skip_damaged)
-      return fail(
-          fmt::format("found {} behind the last frame, expected whole frames of {} bytes", counted(rest, "byte"),
-                      frame_size));
+      return fail(fmt::format("found {} behind the last frame, expected whole frames of {} bytes",
+                              counted(rest, "byte"), frame_size));
     if (distances_ > 0) return {};
     if (counts_.velocities > 0)
       return fail("found velocities and no distance, expected an instrument that is set to distances");

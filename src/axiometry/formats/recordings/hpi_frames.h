@@ -37,7 +37,7 @@ struct Weather {
 /// What a frame says.
 struct Frame {
   FrameKind kind = FrameKind::other;
-  double distance_mm = 0.0;    ///< distance of kind distance: steps of 10⁻¹⁰ m
+  double distance_mm = 0.0;    ///< mm, in steps of 10⁻⁷ mm; where kind is distance
   bool too_fast = false;       ///< the counter overflowed since this was cleared
   bool weak = false;           ///< the light was too weak to count since this was cleared
   bool laser_settled = false;  ///< the state of the laser; what 0 means is not known for sure

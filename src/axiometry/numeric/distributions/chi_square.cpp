@@ -56,6 +56,7 @@ double chi_square_probability(double x, double degrees_of_freedom) {
 
 double chi_square_tail(double x, std::size_t degrees_of_freedom) {
   if (degrees_of_freedom == 0 || !(x > 0.0)) return 1.0;
+  if (std::isinf(x)) return 0.0;
   const double half = x / 2.0;
   const bool odd = degrees_of_freedom % 2 == 1;
   double sum = odd ? std::erfc(std::sqrt(half)) : 0.0;

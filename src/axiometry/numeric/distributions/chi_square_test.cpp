@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace axiometry::numeric {
 namespace {
@@ -35,6 +36,7 @@ TEST(ChiSquare, TailsAgreeWithTables) {
   EXPECT_NEAR(chi_square_tail(1200.0, 1001) / 1.3490075807543988e-05, 1.0, 1e-10);
   EXPECT_NEAR(chi_square_tail(60.0, 5) / 1.2154569777183007e-11, 1.0, 1e-11);
   EXPECT_EQ(chi_square_tail(1e6, 2), 0.0);
+  EXPECT_EQ(chi_square_tail(std::numeric_limits<double>::infinity(), 3), 0.0);
   EXPECT_EQ(chi_square_tail(5.0, 0), 1.0);
   EXPECT_EQ(chi_square_tail(0.0, 4), 1.0);
 }

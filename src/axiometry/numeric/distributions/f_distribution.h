@@ -11,8 +11,9 @@ struct RatioDegrees {
 };
 
 /// P(F > f), by the regularised incomplete beta function I_x(below/2, above/2), x = below/(below + above·f), with its
-/// continued fraction (NIST DLMF 8.17.22). To a relative 1e-10 for degrees of freedom up to 1e6 and tails above 1e-200;
-/// f_distribution_test.cpp holds figures. Contract: both degrees of freedom > 0; f ≥ 0, may be infinite.
+/// continued fraction (NIST DLMF 8.17.22). To a relative 1e-10 for degrees of freedom up to 1e5, 1e-9 up to 1e6, and
+/// tails above 1e-200; f_distribution_test.cpp holds figures. Contract: both degrees of freedom > 0; f ≥ 0, may be
+/// infinite.
 double f_tail(double f, RatioDegrees degrees);
 
 /// Whether f_tail() is surely above `level`, which costs a small part of it; false says nothing. A beta variate grows

@@ -9,7 +9,7 @@ namespace axiometry::numeric {
 
 /// Two neighbouring blocks, or one and itself, of numbers that lie in the same rows.
 struct OuterBlocks {
-  const double* left = nullptr;  ///< begin of the first row
+  const double* left = nullptr;  ///< beginning of the first row
   std::size_t left_count = 0;
   const double* right = nullptr;
   std::size_t right_count = 0;

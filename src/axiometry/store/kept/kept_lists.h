@@ -20,6 +20,6 @@ Result<std::vector<KeptFigure>> kept_figures(const std::string& text, std::strin
 
 Result<void> check_options(const std::string& options);              ///< fails unless they are a JSON object
 Result<void> check_figures(const std::vector<KeptFigure>& figures);  ///< fails on one without a number
-Result<void> check_files(Connection& connection, const std::vector<KeptFile>& files);  ///< fails where bytes lack
+Result<void> check_files(Connection& connection, const std::vector<KeptFile>& files);  ///< fails where any is missing
 
 }  // namespace axiometry::store

@@ -41,9 +41,9 @@ struct EvaluationRecord {
 /// Everything about a test that an edit may change. The measured bytes are not among it.
 struct TestState {
   std::string title;  ///< how people call it; from the file's name or the report number to begin with
-  MachineRecord
-      machine;      ///< as stated; the archive finds the machine with the same serial number, or name, or adds one
-  AxisRecord axis;  ///< likewise among the machine's axes, by name; `machine` is ignored
+  /// As stated; the archive finds the machine with the same serial number, or name, or adds one.
+  MachineRecord machine;
+  AxisRecord axis;                            ///< likewise among the machine's axes, by name; `machine` is ignored
   std::vector<InstrumentRecord> instruments;  ///< likewise by serial number, or by manufacturer and type
   std::optional<Id> plan;
   std::string measured_on;  ///< "2014-05-15"; empty where the metadata state no date that can be read as one
@@ -150,9 +150,9 @@ struct TrendPoint {
   std::string unit;
   bool conforming = false;
   std::string label;
-  std::string verdict{};         ///< verdict on all tolerances together; empty without any
+  std::string verdict{};              ///< verdict on all tolerances together; empty without any
   std::vector<FigureRecord> figures;  ///< figures of the parameters that were asked for
-  std::vector<Id> same_bytes{};  ///< kept of the same bytes too: one measurement, which counts once
+  std::vector<Id> same_bytes{};       ///< kept of the same bytes too: one measurement, which counts once
 };
 
 /// A report as it was issued: bytes that never change. Attachments (photographs, certificates) likewise.

@@ -32,7 +32,7 @@ struct Seal {
   Head head;
   std::string at;          ///< when it was made; RFC 3339, UTC
   std::string public_key;  ///< Ed25519, 64 hexadecimal digits
-  std::string signature;   ///< signature over signed_text(), 128 of them
+  std::string signature;   ///< signature over signed_text(), 128 hexadecimal digits
 };
 
 /// How a new seal follows an older one.

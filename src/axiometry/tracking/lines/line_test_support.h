@@ -53,7 +53,7 @@ inline TrackingPlan two_lines(std::size_t runs = 5, TestCycle cycle = TestCycle:
 
 /// Linear errors, lost motion along the way, and noise.
 struct Machine {
-  double scale = 25e-6;        ///< scale of all axes: the machine goes too far
+  double scale = 25e-6;        ///< scale error of all axes: the machine goes too far
   double reversal_mm = 0.004;  ///< it stays behind by half of it, whichever way it comes
   double wave_mm = 0.002;      ///< wave of the positioning along the line
   double noise_mm = 0.0004;

@@ -46,7 +46,7 @@ struct MultilaterationRank {
   std::size_t null_directions = 0;  ///< directions beyond the gauge that nothing tells: 0 when it can be solved
   double condition = 0.0;        ///< largest over smallest eigenvalue of the reduced system, scaled, within the gauge
   double weakest_mm = 0.0;       ///< standard uncertainty of a station along the direction known worst
-  std::size_t points_least = 0;  ///< least number for so many stations, all seeing all points (true minimum, not eq. 3)
+  std::size_t points_least = 0;  ///< fewest points for so many stations that all see them (true minimum, not eq. 3)
   bool stations_coplanar = false;
   double stations_off_plane_mm = 0.0;  ///< largest distance of a station from the plane fitted to all
 };

@@ -21,7 +21,7 @@ struct RangeLayout {
   std::size_t points = 0;
   std::size_t stations = 0;
   bool free_scales = false;
-  std::vector<std::size_t> first;       ///< begin of each point among the arrays below; points + 1 of them
+  std::vector<std::size_t> first;       ///< beginning of each point in the arrays below; points + 1 of them
   std::vector<std::uint32_t> station;   ///< station per reading
   std::vector<std::uint32_t> segment;   ///< segment per reading, counted over all stations
   std::vector<std::uint32_t> reading;   ///< index in the order given

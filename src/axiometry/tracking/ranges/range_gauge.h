@@ -25,7 +25,7 @@ std::vector<double> reduced_covariance(const ReducedSystem& system, const GaugeD
 struct ReducedRank {
   std::size_t null_directions = 0;  ///< eigenvalues below 1e-12 of the system scaled to a unit diagonal of U
   double condition = 0.0;           ///< largest over smallest eigenvalue beyond the gauge; infinite below full rank
-  double weakest_mm = 0.0;          ///< u of the station that the last direction moves most
+  double weakest_mm = 0.0;          ///< u, along the direction known worst, of the station that it moves most
   std::size_t weakest_station = 0;
 };
 

@@ -17,7 +17,7 @@ namespace axiometry::tracking::detail {
 struct StationReadings {
   std::vector<Vector3> nominal_mm;
   std::vector<double> length_mm;
-  std::vector<std::size_t> segment;  ///< segment of the station
+  std::vector<std::size_t> segment;  ///< segment per reading, within the station
   std::vector<std::size_t> reading;  ///< index among all
   std::vector<std::size_t> point;
   std::size_t segments = 0;

@@ -20,7 +20,8 @@ inline constexpr double usual_machine_error_mm = 0.02;
 /// checks them.
 double machine_error_mm(const RefinedFit& fit);
 
-double mean(std::span<const double> values);  ///< mean of one or more values, as the next
+/// Of one value or more.
+double mean(std::span<const double> values);
 double root_mean_square(std::span<const double> values);
 
 std::string shown_chi_squared(double x);  ///< "1.9", "3.55e+06"

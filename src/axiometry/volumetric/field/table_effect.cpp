@@ -15,7 +15,7 @@ namespace axiometry::volumetric {
 namespace {
 
 constexpr std::size_t places_least = 11;  // along each axis
-constexpr std::size_t searched_least = 64, searched_most = 192;
+constexpr std::size_t searched_least = SearchedGrid{}.searched, searched_most = 192;
 
 /// Of whose spans none but the ends is a position of the tables: there a table leaves nothing.
 std::size_t places_between(std::size_t nodes) {
@@ -37,7 +37,7 @@ double on_straight_lines(const std::vector<CurveNode>& curve, double position) {
 std::optional<TableEffect> table_effect(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes,
                                         const std::function<Vector3(Vector3 axes_mm)>& compensated_um) {
   AXIOMETRY_CONTRACT(nodes >= 2);
-  // Eight in each span, within which what straight lines leave is a parabola.
+  // Eight in each span of up to 25 nodes, within which what straight lines leave is a parabola; of more it is little.
   const std::size_t searched = std::clamp<std::size_t>(8 * (nodes - 1), searched_least, searched_most) + 1;
   const auto before = volume_statistics(model, tool_mm, places_between(nodes)).without_rigid_motion;
   if (!before) return std::nullopt;

@@ -12,7 +12,7 @@ namespace axiometry::volumetric {
 namespace {
 
 constexpr double m_per_mm = 1e-3;
-constexpr std::size_t searched_places = 64;  // of a smooth field, along each axis
+constexpr std::size_t searched_places = SearchedGrid{}.searched;
 
 /// A field on a grid, and the rigid motion within it: of a grid with equal steps the moments of inertia are diagonal.
 class VolumeGrid {
@@ -137,7 +137,7 @@ Vector3 largest_along(std::size_t axis, Vector3 from, const TravelBox& box, std:
   return q;
 }
 
-/// Of places to begin at on, along one axis after the other, until nothing grows.
+/// From each of some places, along one axis after the other, until it hardly grows.
 Vector3 largest_place(const std::vector<Vector3>& starts, const TravelBox& box, std::size_t searched,
                       const FieldAt& field) {
   constexpr int rounds_most = 6;

@@ -13,8 +13,8 @@
 namespace axiometry::volumetric {
 
 /// Of |δ|, µm: mean and 95 % over the nodes of a grid, the largest over all places. It is searched from the largest
-/// node of each octant of the volume on, along one axis after the other, then between these places, until nothing
-/// grows. Held against 10⁵ places: within 1 %.
+/// node of each octant of the volume on, along one axis after the other, then between these places, until it grows
+/// by 0.1 % at most. Held against 10⁵ places: within 1 %.
 struct FieldSizes {
   Estimate largest;  ///< u is that of |δ| at this place, to first order
   Vector3 largest_at_mm;
@@ -48,7 +48,7 @@ ToldField told_field(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes
 /// A grid, and among how many places along each axis the largest is looked for beside its nodes.
 struct SearchedGrid {
   std::size_t nodes = 11;
-  std::size_t searched = 64;
+  std::size_t searched = 64;  ///< enough for a smooth field
 };
 
 /// What is left of the field when `compensated` is taken away at each place; no uncertainty. Contract: 2 ≤ nodes,

@@ -93,7 +93,7 @@ void add_part(const Problem& problem, const Fit& fit, const SegmentPart& part, V
     sums.matrix += w * strain * strain.transpose();
     sums.right += w * fit.residuals_um[i] * strain;
   }
-  // Readings that tell no place are no part: their strains are not told either.
+  // Where readings do not tell all of a place, neither sum holds anything of what they do not tell.
   const Eigen::LDLT<Eigen::Matrix4d> solved(places);
   sums.matrix -= of_strains.transpose() * solved.solve(of_strains);
   sums.right -= of_strains.transpose() * solved.solve(of_residuals);
@@ -112,14 +112,22 @@ void add_mixed_days(const Identifier& done, std::vector<VolumetricFinding>& find
   const Vector3 middle_mm = 0.5 * (done.observed().lowest_mm + done.observed().highest_mm);
   StrainSums sums;
   for (const SegmentPart& part : parts) add_part(problem, done.fit(), part, middle_mm, sums);
-  const Strains scale = sums.matrix.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const double largest = sums.matrix.diagonal().maxCoeff();
+  if (!(largest > 0.0)) return;
+  constexpr double none_of_largest = 1e-12;  // of an axis that stood still rounding alone is left
+  const Strains scale = sums.matrix.diagonal().unaryExpr(
+      [&](double squares) { return squares > none_of_largest * largest ? 1.0 / std::sqrt(squares) : 0.0; });
   const Eigen::MatrixXd scaled = scale.asDiagonal() * sums.matrix * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(scaled);
   constexpr double told_least = 1e-3;  // eigenvalue of the scaled matrix
-  if (solved.eigenvalues()[0] < told_least) return;
   const Eigen::VectorXd right = scale.cwiseProduct(sums.right);
   const Eigen::VectorXd along = solved.eigenvectors().transpose() * right;
-  const Gained gained{along.cwiseAbs2().cwiseQuotient(solved.eigenvalues()).sum(), strain_kinds};
+  Gained gained;
+  for (Eigen::Index k = 0; k < along.size(); ++k) {
+    if (solved.eigenvalues()[k] < told_least) continue;
+    gained.chi_squared += along[k] * along[k] / solved.eigenvalues()[k];
+    gained.unknowns += 1.0;
+  }
   // Half of the places are those of the stretches, which are fitted already.
   const FitQuality own = seen_quality(done, kept);
   const FitQuality larger{own.chi_squared - sums.of_places - gained.chi_squared,

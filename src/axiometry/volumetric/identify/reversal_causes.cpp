@@ -281,7 +281,7 @@ std::optional<VolumetricFinding> reversal_that_explains(const Identifier& done, 
       fmt::format(
           "what residuals have too much goes with the direction in which axes came to rest: {} differs most, by "
           "{:.1f} {} between both directions of {}; where reversal is asked for (constant), errors hold it",
-          error_name(most.error), most.size, most.error.is_rotation() ? "µrad" : "µm", "XYZ"[most.error.axis])};
+          error_name(most.error), most.size, unit_of(most.error), "XYZ"[most.error.axis])};
 }
 
 void add_reversal_beyond_chance(const Identifier& done, const VolumetricLengths& lengths,

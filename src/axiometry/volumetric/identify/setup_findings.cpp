@@ -95,14 +95,15 @@ double spread_about(std::span<const Vector3> vectors, Vector3 mean) {
 }
 
 /// The two stations whose names, exchanged at one of both tools, make all stand at one place: a fiftieth of what they
-/// were apart is no chance.
+/// were apart is no chance. As many as `errors` are must do so: to call one by a name that neither tool has would only
+/// leave it out.
 std::optional<NamesExchanged> exchanged_between(const Identification& result, std::size_t stations, std::size_t tool,
-                                                double spread_mm) {
+                                                std::span<const Vector3> errors) {
+  const double within_mm = std::max(offset_told_mm, 0.02 * spread_about(errors, mean_of(errors)));
   for (NamesExchanged names; names.one < stations; ++names.one)
     for (names.other = names.one + 1; names.other < stations; ++names.other) {
-      const auto errors = offset_errors(result, 0, tool, names);
-      if (errors.size() > 1 && spread_about(errors, mean_of(errors)) < std::max(offset_told_mm, 0.02 * spread_mm))
-        return names;
+      const auto exchanged = offset_errors(result, 0, tool, names);
+      if (exchanged.size() >= errors.size() && spread_about(exchanged, mean_of(exchanged)) < within_mm) return names;
     }
   return std::nullopt;
 }
@@ -116,7 +117,7 @@ void add_tool_offsets(const MachineModel& machine, const VolumetricLengths& leng
     const double spread = spread_about(errors, mean);
     if (spread > std::max(offset_told_mm, 0.3 * norm(mean))) {
       if (result.rank.null_directions > 0) continue;  // places may lie in directions that nothing tells
-      if (const auto names = exchanged_between(result, lengths.stations.size(), tool, spread)) {
+      if (const auto names = exchanged_between(result, lengths.stations.size(), tool, errors)) {
         findings.push_back(
             {"volumetric-stations-exchanged", true,
              fmt::format("the names of stations {} and {} are exchanged in the lengths with tool {}, or in those with "
@@ -214,9 +215,7 @@ void add_places(const MachineModel& machine, const VolumetricLengths& lengths, c
   std::vector<Vector3> off;
   for (const Place& p : places) off.push_back(p.found_mm - p.stated_mm);
   const Vector3 mean = mean_of(off);
-  double spread = 0.0;
-  for (const Vector3& o : off) spread = std::max(spread, distance(o, mean));
-  if (places.size() > 1 && spread < place_told_mm) {
+  if (places.size() > 1 && spread_about(off, mean) < place_told_mm) {
     findings.push_back(
         {"volumetric-station-frame", true,
          fmt::format("all stations stand {} from where they were said to: they are stated in another "

@@ -63,6 +63,10 @@ TEST(SetupFindings, NameStationsExchangedInTheLengthsOfOneTool) {
   }
   EXPECT_EQ(exchange_told(machine, moved), "");
   EXPECT_NE(told(identified(machine, moved), "volumetric-station-moved"), "");
+  // Nor where another station was seen with neither of these tools.
+  std::erase_if(moved.readings, [](const VolumetricReading& r) { return r.station == 3 && r.tool < 2; });
+  EXPECT_EQ(exchange_told(machine, moved), "");
+  EXPECT_NE(told(identified(machine, moved), "volumetric-station-moved"), "");
 }
 
 /// Where all tools are longer by the same, stations stand lower by it, and errors are those of another point: the

@@ -7,7 +7,7 @@
 namespace axiometry::volumetric::detail {
 
 enum Stream : std::uint64_t {
-  stream_curve = 0,  ///< streams of this and the 17 that follow
+  stream_curve = 0,  ///< the first of 18, one for each curve
   stream_squareness = 18,
   stream_points,
   stream_dead_path,
@@ -19,7 +19,7 @@ enum Stream : std::uint64_t {
   stream_outlier,
   stream_check,
   stream_order,
-  stream_half,  ///< streams of this and the 17 that follow
+  stream_half,  ///< the first of 18, likewise
 };
 
 }  // namespace axiometry::volumetric::detail

@@ -14,7 +14,7 @@ namespace axiometry {
 struct RecordedEnvironment {
   double range = 0.0;          ///< largest over windows of the test's length, each beginning a quarter later: E_VE
   double length_s = 0.0;       ///< length of these windows
-  double widest_from_s = 0.0;  ///< begin of the window of that range, s after the first value
+  double widest_from_s = 0.0;  ///< beginning of the window of that range, s after the first value
   std::size_t windows = 0;
   bool whole = false;  ///< the recording is no longer than the test, or the test's length is not known
   /// Standard deviation of what changes from one value to the next (half the mean square of the steps): white noise,

@@ -25,7 +25,7 @@ struct Place {
 /// A reading that may be an outlier.
 struct Candidate {
   Place at;
-  double p = 1.0;  ///< p among all readings of the direction, or all cells
+  double p = 1.0;  ///< chance of it anywhere among the readings of the direction, or in all cells
 };
 
 /// Generalised ESD in a table and its fit: takes one after the other; as many are outliers as the last that is
