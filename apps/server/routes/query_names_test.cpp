@@ -62,6 +62,8 @@ TEST(Router, takes_the_language_of_its_refusals_everywhere) {
   request.path = "/api/machines";
   request.query = {{"language", "de"}};
   EXPECT_EQ(router.answer(request).status, 200);
+  request.query = {{"language", "xx"}};
+  EXPECT_THAT(router.answer(request).body, testing::HasSubstr("expected one of en, de, fr"));
   request.query = {{"limit", "3"}};
   EXPECT_THAT(router.answer(request).body, testing::HasSubstr(R"(found the query parameter \"limit\", expected none)"));
 }

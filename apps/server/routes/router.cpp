@@ -10,6 +10,7 @@
 #include <stop_token>
 
 #include "axiometry/base/text.h"
+#include "axiometry/language/language.h"
 #include "server/log.h"
 
 namespace axiometry::server {
@@ -144,6 +145,9 @@ std::optional<Response> Router::refused_query(const Entry& entry, const Request&
     const std::string found = text::quoted(name);
     if (std::ranges::count(request.query, name, [](const auto& pair) { return pair.first; }) > 1)
       return refused(fmt::format("found the query parameter {} more than once, expected it once", found));
+    if (name == "language" && !language::language_of(value))
+      return refused(
+          fmt::format("found the language {}, expected one of {}", text::quoted(value), language::tags_of_languages()));
     if (is_known(name)) continue;
     return refused(
         names.empty() ? fmt::format("found the query parameter {}, expected none", found)

@@ -65,9 +65,9 @@ std::int64_t zone_minutes(Scanner& s) {
   const bool west = s.rest.front() == '-';
   s.demand("+-");
   const std::int64_t hours = s.number(2);
-  s.take(":");
-  const std::int64_t minutes = s.rest.empty() ? 0 : s.number(2);
-  s.good = s.good && hours <= 23 && minutes <= 59;
+  const bool minutes_told = s.take(":") || !s.rest.empty();
+  const std::int64_t minutes = minutes_told ? s.number(2) : 0;
+  s.good = s.good && minutes <= 59 && hours * 60 + minutes <= (west ? 12 : 14) * 60;
   return (west ? -1 : 1) * (hours * 60 + minutes);
 }
 

@@ -75,17 +75,26 @@ class VolumeGrid {
     return field;
   }
 
-  /// The largest node of each octant: between others may be the largest of all.
-  std::vector<Vector3> largest_of_octants(const std::vector<Vector3>& field) const {
-    std::array<std::optional<std::size_t>, 8> largest;
+  /// The largest node of each of 64 blocks, but for those that are less than half of the largest: between others may be
+  /// the largest of all.
+  std::vector<Vector3> largest_of_blocks(const std::vector<Vector3>& field) const {
+    constexpr std::size_t blocks = 4;  // along each axis: of octants the largest that tables leave was missed by 17 %
+    std::array<std::optional<std::size_t>, blocks * blocks * blocks> largest;
+    const TravelBox box = model_.observed();
     for (std::size_t j = 0; j < field.size(); ++j) {
-      std::size_t octant = 0;
-      for (std::size_t k = 0; k < 3; ++k) octant += places_[j][k] > middle_[k] ? std::size_t{1} << k : 0u;
-      if (!largest[octant] || norm(field[j]) > norm(field[*largest[octant]])) largest[octant] = j;
+      std::size_t block = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double share = (places_[j][k] - box.lowest_mm[k]) / (box.highest_mm[k] - box.lowest_mm[k]);
+        const double at = std::clamp(share * blocks, 0.0, blocks - 1.0);
+        block = blocks * block + static_cast<std::size_t>(at);
+      }
+      if (!largest[block] || norm(field[j]) > norm(field[*largest[block]])) largest[block] = j;
     }
+    double most = 0.0;
+    for (const Vector3& f : field) most = std::max(most, norm(f));
     std::vector<Vector3> places;
     for (const auto& node : largest)
-      if (node) places.push_back(places_[*node]);
+      if (node && norm(field[*node]) >= 0.5 * most) places.push_back(places_[*node]);
     return places;
   }
 
@@ -159,7 +168,7 @@ Vector3 largest_place(const std::vector<Vector3>& starts, const TravelBox& box, 
 FieldSizes searched_sizes(const VolumeGrid& grid, const std::vector<Vector3>& nodes, const TravelBox& box,
                           std::size_t searched, const FieldAt& field) {
   FieldSizes sizes = sizes_of(nodes);
-  sizes.largest_at_mm = largest_place(grid.largest_of_octants(nodes), box, searched, field);
+  sizes.largest_at_mm = largest_place(grid.largest_of_blocks(nodes), box, searched, field);
   sizes.largest.value = norm(field(sizes.largest_at_mm));
   return sizes;
 }

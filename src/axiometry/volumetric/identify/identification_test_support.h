@@ -64,9 +64,17 @@ inline std::vector<NamedStation> four_stations() {
 }
 
 struct Measuring {
-  std::size_t points = 60;  ///< points per station and tool
-  bool noise = true;        ///< as stated
+  std::size_t points = 60;            ///< points per station and tool
+  bool noise = true;                  ///< as stated
+  std::array<std::size_t, 3> grid{};  ///< instead of points anywhere: so many along each axis, row by row, X first
 };
+
+inline Vector3 grid_place(const TravelBox& travel, const std::array<std::size_t, 3>& grid, std::size_t k) {
+  Vector3 q;
+  for (std::size_t a = 0; a < axis_count; k /= grid[a], ++a)
+    q[a] = std::lerp(travel.lowest_mm[a], travel.highest_mm[a], double(k % grid[a]) / double(grid[a] - 1));
+  return q;
+}
 
 /// Stations in turn, at each all tools of the model.
 inline VolumetricLengths measured(TrueMachine& machine, const std::vector<NamedStation>& stations,
@@ -78,9 +86,11 @@ inline VolumetricLengths measured(TrueMachine& machine, const std::vector<NamedS
     lengths.stations.push_back(stations[s].name);
     for (std::size_t t = 0; t < machine.model.tools.size(); ++t) {
       const double dead_path_mm = machine.uniform(100.0, 800.0);
-      for (std::size_t k = 0; k < measuring.points; ++k) {
-        Vector3 q;
-        for (std::size_t a = 0; a < axis_count; ++a)
+      const bool in_rows = measuring.grid[0] > 0;
+      const std::size_t points = in_rows ? measuring.grid[0] * measuring.grid[1] * measuring.grid[2] : measuring.points;
+      for (std::size_t k = 0; k < points; ++k) {
+        Vector3 q = in_rows ? grid_place(machine.model.travel, measuring.grid, k) : Vector3{};
+        for (std::size_t a = 0; a < axis_count && !in_rows; ++a)
           q[a] = machine.uniform(machine.model.travel.lowest_mm[a], machine.model.travel.highest_mm[a]);
         const Vector3 tool = machine.model.tools[t].offset_mm;
         const Vector3 p = q + tool + 1e-3 * displacement_exact_um(machine.model, machine.errors(q), q, tool);

@@ -106,6 +106,7 @@ void add_part(const Problem& problem, const Fit& fit, const SegmentPart& part, V
 void add_mixed_days(const Identifier& done, std::vector<VolumetricFinding>& findings) {
   if (is_stated_wrongly(findings)) return;
   const Problem problem = done.problem();
+  if (is_in_rows(problem.readings)) return;
   const std::vector<std::size_t> kept = readings_to_try(done);
   const std::vector<SegmentPart> parts = parts_of(problem, kept);
   if (parts.empty()) return;
@@ -135,9 +136,9 @@ void add_mixed_days(const Identifier& done, std::vector<VolumetricFinding>& find
   if (chance_of(gained, larger) > days_chance_most) return;
   findings.push_back(
       {"volumetric-axes-changed", false,
-       "the axes seem longer, shorter or less square in the later lengths of each station with a tool than in its "
-       "earlier ones: the machine or the air became warmer or colder, lengths of two days are mixed, or both "
-       "directions differ and all was measured forth and then back"});
+       "the axes seem longer, shorter or less square in later lengths of the same station and tool than in earlier "
+       "ones, of one such pair or of several: the machine or the air became warmer or colder, lengths of two days are "
+       "mixed, or both directions differ and all was measured forth and then back"});
 }
 
 }  // namespace axiometry::volumetric::detail

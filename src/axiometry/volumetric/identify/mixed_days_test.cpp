@@ -37,7 +37,8 @@ void make_second_day(const TrueMachine& machine, double um_per_m, VolumetricRead
 /// Not that single stretches have axes of their own.
 std::string days_told(const Identification& result) {
   for (const VolumetricFinding& f : result.findings)
-    if (f.id == "volumetric-axes-changed" && f.message.find("in the later lengths of each") != std::string::npos)
+    if (f.id == "volumetric-axes-changed" &&
+        f.message.find("in later lengths of the same station") != std::string::npos)
       return f.message;
   return "";
 }

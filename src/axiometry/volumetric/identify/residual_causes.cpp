@@ -167,7 +167,7 @@ void add_residual_causes(const Identifier& done, const MachineModel& machine, co
   const auto own = fitted_to(some, done.fit().state);
   if (!own || own->quality.excess() < gain_least) return;
   auto cause = other_order(done, machine, kept, own->quality);
-  if (!cause) cause = reversal_that_explains(done, lengths, kept, own->quality);
+  if (!cause) cause = reversal_that_explains(done, lengths, kept);
   if (!cause) cause = changed_axes(done, lengths, some, *own);
   if (cause) findings.push_back(*std::move(cause));
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/numeric/dense/dense.h"
+#include "axiometry/volumetric/field/error_model.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
@@ -22,6 +23,15 @@ constexpr double worth_a_fit = 1e-2;
 constexpr std::size_t half_count = axis_count * motion_count;
 
 std::string_view unit_of(ErrorMotion error) { return error.is_rotation() ? "µrad" : "µm"; }
+
+/// Whether no direction of which the lengths say nothing changes this constant: with one tool a displacement and a
+/// rotation of an axis are told apart by nothing.
+bool is_told(const Coefficients& both, const Fit& fit, ErrorMotion error) {
+  const std::size_t place = both.half(error.axis) + error.motion;
+  return std::ranges::none_of(fit.solution.unseen(), [&](const std::vector<double>& direction) {
+    return std::abs(direction[place]) > told_most;
+  });
+}
 
 /// By how much an error differs between its directions, µm or µrad.
 struct Difference {
@@ -42,6 +52,23 @@ Difference largest_difference(const Coefficients& coefficients, const State& sta
       largest = {{a, m}, size};
     }
   return largest;
+}
+
+/// Those whose directions are told: before the first move of an axis a constant would be one of places, of the first
+/// layer of a grid for instance.
+std::vector<std::size_t> of_told_directions(std::span<const std::size_t> kept, std::span<const Approaches> approaches) {
+  std::vector<std::size_t> told;
+  for (const std::size_t i : kept)
+    if (!has_unknown_direction(approaches[i])) told.push_back(i);
+  return told;
+}
+
+/// Where another error, of another axis too, may differ instead.
+VolumetricFinding untold_difference() {
+  return {"volumetric-reversal", false,
+          "residuals go with the direction in which axes came to rest, and these stations and tools do not tell which "
+          "error differs between both directions, or of which axis: what is stated of errors is of no direction, and "
+          "reversal is to be asked for (constant)"};
 }
 
 /// Each constant of reversal in a length, but for what the curves hold of it.
@@ -116,6 +143,7 @@ std::optional<VolumetricFinding> reversal_beyond_chance(const Identifier& done, 
                       own->degrees_of_freedom - tried->quality.degrees_of_freedom};
   if (chance_of(gained, tried->quality) > reversal_chance_most) return std::nullopt;
   const Difference clearest = clearest_difference(both, tried->fit);
+  if (!is_told(both, tried->fit, clearest.error)) return untold_difference();
   return VolumetricFinding{
       "volumetric-reversal", false,
       fmt::format("both directions of an axis differ: with a constant of each for each direction χ² falls from {:.0f} "
@@ -270,12 +298,16 @@ std::optional<VolumetricFinding> varying_reversal(const Identifier& done, const 
 }  // namespace
 
 std::optional<VolumetricFinding> reversal_that_explains(const Identifier& done, const VolumetricLengths& lengths,
-                                                        std::span<const std::size_t> kept, const FitQuality& own) {
-  if (done.coefficients().reversal() != Reversal::none) return std::nullopt;
+                                                        std::span<const std::size_t> kept) {
+  if (done.coefficients().reversal() != Reversal::none || is_in_rows(lengths.readings)) return std::nullopt;
+  const std::vector<std::size_t> told = of_told_directions(kept, directions_of_rest(lengths.readings));
+  if (told.empty()) return std::nullopt;
+  const auto own = own_quality(done, told);
   const Coefficients both = with_reversal(done.coefficients(), Reversal::constant);
-  const auto tried = fitted_with(both, done, lengths, kept);
-  if (!tried || !explains(tried->quality, own)) return std::nullopt;
+  const auto tried = fitted_with(both, done, lengths, told);
+  if (!own || !tried || !explains(tried->quality, *own)) return std::nullopt;
   const Difference most = largest_difference(both, tried->fit.state);
+  if (!is_told(both, tried->fit, most.error)) return untold_difference();
   return VolumetricFinding{
       "volumetric-reversal", false,
       fmt::format(
@@ -288,11 +320,14 @@ void add_reversal_beyond_chance(const Identifier& done, const VolumetricLengths&
                                 std::vector<VolumetricFinding>& findings) {
   const Reversal asked = done.coefficients().reversal();
   if (asked == Reversal::curves || is_told_otherwise(findings)) return;
+  // What is no noise tells no chance.
+  if (is_in_rows(lengths.readings)) return;
   const auto is_told = [&](const char* id) {
     return std::ranges::find(findings, id, &VolumetricFinding::id) != findings.end();
   };
   if (is_told("volumetric-reversal") || is_told("volumetric-chain-order")) return;
-  const std::vector<std::size_t> kept = readings_to_try(done);
+  const std::vector<std::size_t> kept = of_told_directions(readings_to_try(done), directions_of_rest(lengths.readings));
+  if (kept.empty()) return;
   auto found =
       asked == Reversal::none ? reversal_beyond_chance(done, lengths, kept) : varying_reversal(done, lengths, kept);
   if (found) findings.push_back(*std::move(found));

@@ -13,7 +13,7 @@ namespace axiometry::volumetric::detail {
 
 /// Of no reversal where constants of both directions take most of what χ² has too much.
 std::optional<VolumetricFinding> reversal_that_explains(const Identifier& done, const VolumetricLengths& lengths,
-                                                        std::span<const std::size_t> kept, const FitQuality& own);
+                                                        std::span<const std::size_t> kept);
 
 /// Of no reversal where constants of both directions fit better by more than chance, however large residuals are; of
 /// constants where curves of both directions do: then the directions differ by more in some places than in others.

@@ -70,5 +70,36 @@ TEST(ReversalCauses, TellsNoneOfCurvesThatAreTooStraight) {
   }
 }
 
+/// Row by row what curves leave alternates with the rows, and the first layer is one of places: neither is reversal.
+TEST(ReversalCauses, TellsNoneOfGridsThatAreDrivenRowByRow) {
+  for (unsigned seed = 160; seed < 164; ++seed) {
+    TrueMachine machine = machine_with_repeatability("XFYZ", seed);
+    VolumetricLengths lengths = measured(machine, four_stations(), {.grid = {8, 6, 5}});
+    for (const bool is_coarse : {false, true}) {
+      const IdentifyOptions options{.sizes =
+                                        is_coarse ? std::array<std::size_t, 3>{2, 2, 2} : std::array<std::size_t, 3>{}};
+      const Identification result = identified(machine, lengths, options);
+      for (const char* id : {"volumetric-reversal", "volumetric-axes-changed"})
+        EXPECT_EQ(told(result, id), "") << id << " " << seed << " " << is_coarse;
+    }
+    const Identification constant = identified(machine, lengths, {.sizes = {2, 2, 2}, .reversal = Reversal::constant});
+    EXPECT_EQ(told(constant, "volumetric-reversal-varies"), "") << seed;
+  }
+}
+
+/// With one tool a displacement of an axis and a rotation of it are one: no error is named that may be another.
+TEST(ReversalCauses, NamesNoErrorThatMayBeAnother) {
+  for (unsigned seed = 170; seed < 174; ++seed) {
+    TrueMachine machine = machine_with_repeatability("XFYZ", seed);
+    machine.model.tools.resize(1);
+    const std::string found =
+        told(identified(machine, with_reversal_along_y(machine, 3.0, 0.0)), "volumetric-reversal");
+    if (found.find("between both directions of") != std::string::npos)
+      EXPECT_THAT(found, HasSubstr("EYY")) << seed;
+    else
+      EXPECT_THAT(found, HasSubstr("do not tell which error")) << seed;
+  }
+}
+
 }  // namespace
 }  // namespace axiometry::volumetric

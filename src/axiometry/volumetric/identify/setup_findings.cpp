@@ -94,7 +94,7 @@ double spread_about(std::span<const Vector3> vectors, Vector3 mean) {
   return spread;
 }
 
-/// The two stations whose names, exchanged at one of both tools, make all stand at one place: a fiftieth of what they
+/// The two stations whose names, exchanged at one of both tools, let all tell one difference: a fiftieth of what they
 /// were apart is no chance. As many as `errors` are must do so: to call one by a name that neither tool has would only
 /// leave it out.
 std::optional<NamesExchanged> exchanged_between(const Identification& result, std::size_t stations, std::size_t tool,
@@ -111,28 +111,30 @@ std::optional<NamesExchanged> exchanged_between(const Identification& result, st
 void add_tool_offsets(const MachineModel& machine, const VolumetricLengths& lengths, const Identification& result,
                       std::vector<VolumetricFinding>& findings) {
   for (std::size_t tool = 1; tool < lengths.tools.size(); ++tool) {
-    const std::vector<Vector3> errors = offset_errors(result, 0, tool);
+    std::vector<Vector3> errors = offset_errors(result, 0, tool);
     if (errors.empty()) continue;
-    const Vector3 mean = mean_of(errors);
+    Vector3 mean = mean_of(errors);
     const double spread = spread_about(errors, mean);
     if (spread > std::max(offset_told_mm, 0.3 * norm(mean))) {
       if (result.rank.null_directions > 0) continue;  // places may lie in directions that nothing tells
-      if (const auto names = exchanged_between(result, lengths.stations.size(), tool, errors)) {
+      const auto names = exchanged_between(result, lengths.stations.size(), tool, errors);
+      if (!names) {
         findings.push_back(
-            {"volumetric-stations-exchanged", true,
-             fmt::format("the names of stations {} and {} are exchanged in the lengths with tool {}, or in those with "
-                         "tool {}: exchanged once more, every station stands at one place with both",
-                         text::quoted(lengths.stations[names->one]), text::quoted(lengths.stations[names->other]),
-                         text::quoted(lengths.tools[0]), text::quoted(lengths.tools[tool]))});
+            {"volumetric-station-moved", true,
+             fmt::format("where stations stand differs between tools {} and {} by {:.1f} mm, and not alike "
+                         "for all stations: the instrument was moved between the tools, or stations are "
+                         "mixed up",
+                         text::quoted(lengths.tools[0]), text::quoted(lengths.tools[tool]), spread)});
         continue;
       }
       findings.push_back(
-          {"volumetric-station-moved", true,
-           fmt::format("where stations stand differs between tools {} and {} by {:.1f} mm, and not alike "
-                       "for all stations: the instrument was moved between the tools, or stations are "
-                       "mixed up",
-                       text::quoted(lengths.tools[0]), text::quoted(lengths.tools[tool]), spread)});
-      continue;
+          {"volumetric-stations-exchanged", true,
+           fmt::format("the names of stations {} and {} are exchanged in the lengths with tool {}, or in those with "
+                       "tool {}: exchanged once more, all stations tell the same difference of both offsets",
+                       text::quoted(lengths.stations[names->one]), text::quoted(lengths.stations[names->other]),
+                       text::quoted(lengths.tools[0]), text::quoted(lengths.tools[tool]))});
+      errors = offset_errors(result, 0, tool, *names);
+      mean = mean_of(errors);
     }
     if (norm(mean) < offset_told_mm) continue;
     const Vector3 difference = machine.tools[*machine.tool_named(lengths.tools[tool])].offset_mm -

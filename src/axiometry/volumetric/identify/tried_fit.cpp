@@ -2,10 +2,13 @@
 #include "axiometry/volumetric/identify/tried_fit.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "axiometry/numeric/distributions/f_distribution.h"
+#include "axiometry/volumetric/identify/curve_choice.h"
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
 
 namespace axiometry::volumetric::detail {
@@ -31,6 +34,23 @@ double chance_of(const Gained& gained, const FitQuality& larger) {
   if (!(larger.degrees_of_freedom >= 1.0)) return 1.0;
   return numeric::f_tail(gained.chi_squared / gained.unknowns / larger.ratio(),
                          {gained.unknowns, larger.degrees_of_freedom});
+}
+
+bool is_in_rows(std::span<const VolumetricReading> readings) {
+  constexpr std::size_t readings_at_each = 4;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Vector3>> runs;
+  for (const VolumetricReading& reading : readings) runs[{reading.station, reading.tool}].push_back(reading.axes_mm);
+  std::size_t in_rows = 0;
+  for (const auto& [names, places] : runs)
+    for (std::size_t a = 0; a < axis_count; ++a) {
+      std::vector<double> positions;
+      for (const Vector3& q : places) positions.push_back(q[a]);
+      const std::size_t enough = places.size() / readings_at_each;
+      if (different_places(std::move(positions), enough) == enough) continue;
+      ++in_rows;
+      break;
+    }
+  return 2 * in_rows > runs.size();
 }
 
 std::vector<std::size_t> readings_to_try(const Identifier& done) {

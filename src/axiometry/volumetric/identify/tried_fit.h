@@ -38,6 +38,10 @@ struct TriedFit {
   FitQuality quality;
 };
 
+/// Whether most runs were driven row by row: few positions of an axis, many readings at each. Directions and times then
+/// go with the rows, and so does what curves that are too coarse leave: residuals tell neither from chance.
+bool is_in_rows(std::span<const VolumetricReading> readings);
+
 /// All that were looked at, or some of very many.
 std::vector<std::size_t> readings_to_try(const Identifier& done);
 
