@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axiometry/numeric/side_by_side.h"
+#include "axiometry/volumetric/identify/beyond_places.h"
 #include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/equations/shape_rank.h"
 #include "axiometry/volumetric/identify/findings.h"
@@ -114,8 +115,14 @@ void set_ratios(const Identifier& done, const std::vector<double>& scaled, Smoot
 
 Result<Identification> identify(const MachineModel& machine, const VolumetricLengths& lengths,
                                 const IdentifyOptions& options) {
-  AXIOMETRY_TRY(Identifier done, Identifier::make(machine, lengths, options));
-  AXIOMETRY_TRY_VOID(done.run());
+  AXIOMETRY_TRY(Identifier first, Identifier::make(machine, lengths, options));
+  AXIOMETRY_TRY_VOID(first.run());
+  const std::optional<IdentifyOptions> beyond = detail::options_beyond_places(first, lengths, options);
+  std::optional<Identifier> finer;
+  if (beyond)
+    if (auto made = Identifier::make(machine, lengths, *beyond); made && made->run() && leaves_less(*made, first))
+      finer.emplace(*std::move(made));
+  const Identifier& done = finer ? *finer : first;
   const Fit& fit = done.fit();
   const std::size_t told = fit.solution.unknowns() - fit.solution.null_directions();
   std::vector<double> covariance;
