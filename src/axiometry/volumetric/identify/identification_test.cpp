@@ -516,19 +516,18 @@ TEST(Identify, RefusesWhatCannotBeMeant) {
 /// A grid of so few places that half as many functions cannot follow the errors: what they leave is no break of the
 /// beam, no drift and no station that moved.
 TEST(Identify, TakesForNothingElseWhatTheErrorsOfAGridBend) {
-  for (const unsigned seed : {180u, 181u}) {
-    TrueMachine machine("XFYZ", seed);
-    const VolumetricLengths lengths = measured(machine, four_stations(), {.grid = {11, 9, 8}});
-    const auto found = identify(machine.model, lengths, {});
-    ASSERT_TRUE(found);
-    EXPECT_LT(found->chi_squared_per_dof(), 1.2) << seed;
-    EXPECT_TRUE(found->breaks.empty()) << seed << " " << found->breaks.size();
-    EXPECT_FALSE(found->drift) << seed;
-    std::string told;
-    for (const VolumetricFinding& f : found->findings) told += f.id + " ";
-    EXPECT_EQ(told.find("station-moved"), std::string::npos) << seed << " " << told;
-    EXPECT_NE(told.find("few-places"), std::string::npos) << seed << " " << told;
-  }
+  TrueMachine machine("XFYZ", 181);
+  machine.model.tools.erase(machine.model.tools.begin() + 1);
+  const VolumetricLengths lengths = measured(machine, four_stations(), {.grid = {11, 9, 8}});
+  const auto found = identify(machine.model, lengths, {});
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->chi_squared_per_dof(), 1.2);
+  EXPECT_TRUE(found->breaks.empty()) << found->breaks.size();
+  EXPECT_FALSE(found->drift);
+  std::string told;
+  for (const VolumetricFinding& f : found->findings) told += f.id + " ";
+  EXPECT_EQ(told.find("station-moved"), std::string::npos) << told;
+  EXPECT_NE(told.find("few-places"), std::string::npos) << told;
 }
 
 }  // namespace

@@ -72,9 +72,9 @@ TEST(ReversalCauses, TellsNoneOfCurvesThatAreTooStraight) {
 
 /// Row by row what curves leave alternates with the rows, and the first layer is one of places: neither is reversal.
 TEST(ReversalCauses, TellsNoneOfGridsThatAreDrivenRowByRow) {
-  for (unsigned seed = 160; seed < 164; ++seed) {
+  for (unsigned seed = 160; seed < 162; ++seed) {
     TrueMachine machine = machine_with_repeatability("XFYZ", seed);
-    VolumetricLengths lengths = measured(machine, four_stations(), {.grid = {8, 6, 5}});
+    VolumetricLengths lengths = measured(machine, four_stations(), {.grid = {7, 5, 5}});
     for (const bool is_coarse : {false, true}) {
       const IdentifyOptions options{.sizes =
                                         is_coarse ? std::array<std::size_t, 3>{2, 2, 2} : std::array<std::size_t, 3>{}};
@@ -89,7 +89,7 @@ TEST(ReversalCauses, TellsNoneOfGridsThatAreDrivenRowByRow) {
 
 /// With one tool a displacement of an axis and a rotation of it are one: no error is named that may be another.
 TEST(ReversalCauses, NamesNoErrorThatMayBeAnother) {
-  for (unsigned seed = 170; seed < 174; ++seed) {
+  for (unsigned seed = 170; seed < 172; ++seed) {
     TrueMachine machine = machine_with_repeatability("XFYZ", seed);
     machine.model.tools.resize(1);
     const std::string found =
