@@ -15,7 +15,7 @@ constexpr double gain_of_ratio = 0.05;
 constexpr std::size_t places_looked_for = 100;
 
 double chi_squared_per_dof(const Identifier& done) {
-  const std::size_t told = done.fit().solution.unknowns() - done.fit().solution.null_directions();
+  const std::size_t told = done.fit().solution.told();
   return done.count() > told ? done.fit().chi_squared / static_cast<double>(done.count() - told) : 1.0;
 }
 

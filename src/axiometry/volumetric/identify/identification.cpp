@@ -124,7 +124,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
       finer.emplace(*std::move(made));
   const Identifier& done = finer ? *finer : first;
   const Fit& fit = done.fit();
-  const std::size_t told = fit.solution.unknowns() - fit.solution.null_directions();
+  const std::size_t told = fit.solution.told();
   std::vector<double> covariance;
   double condition = 0.0;
   numeric::side_by_side(2, done.problem().threads, [&](std::size_t part) {

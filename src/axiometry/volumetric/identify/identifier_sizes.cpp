@@ -31,8 +31,7 @@ std::optional<Identifier::Trial> Identifier::trial(const Sizes& sizes) const {
       {machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, judged_.weights, threads()}, some);
   const auto fit = least_squares(few.problem(), std::move(state));
   if (!fit) return std::nullopt;
-  const std::optional<double> value =
-      akaike(fit->chi_squared, used, fit->solution.unknowns() - fit->solution.null_directions());
+  const std::optional<double> value = akaike(fit->chi_squared, used, fit->solution.told());
   if (!value) return std::nullopt;
   return Trial{*value, fit->solution.unseen_errors()};
 }

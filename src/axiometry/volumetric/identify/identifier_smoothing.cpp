@@ -30,7 +30,7 @@ Result<void> Identifier::smooth() {
   const Smoothness& asked = options_.smoothness;
   if (asked.kind == Smoothness::Kind::none) return {};
   AXIOMETRY_TRY_VOID(take_finer_sizes());
-  const std::size_t told = fit_->solution.unknowns() - fit_->solution.null_directions();
+  const std::size_t told = fit_->solution.told();
   const double nu = static_cast<double>(count()) - static_cast<double>(told);
   const double factor = nu > 0.0 ? std::max(1.0, fit_->chi_squared / nu) : 1.0;
   plain_variances_ = mean_variances(*coefficients_, fit_->solution.coefficient_covariance());

@@ -18,7 +18,7 @@ constexpr std::size_t tried_readings_most = 20'000;
 constexpr double share_least = 0.8;  // of what χ² has too much
 
 FitQuality quality_of(const Fit& fit, std::span<const double> weights) {
-  const std::size_t told = fit.solution.unknowns() - fit.solution.null_directions();
+  const std::size_t told = fit.solution.told();
   const auto used = static_cast<std::size_t>(std::ranges::count_if(weights, [](double w) { return w > 0.0; }));
   return {fit.chi_squared, static_cast<double>(used) - static_cast<double>(told)};
 }
@@ -105,7 +105,7 @@ FitQuality seen_quality(const Identifier& done, std::span<const std::size_t> kep
     seen.chi_squared += w * v * v;
     used += w > 0.0 ? 1.0 : 0.0;
   }
-  const std::size_t told = done.fit().solution.unknowns() - done.fit().solution.null_directions();
+  const std::size_t told = done.fit().solution.told();
   seen.degrees_of_freedom = used * (1.0 - static_cast<double>(told) / static_cast<double>(done.count()));
   return seen;
 }

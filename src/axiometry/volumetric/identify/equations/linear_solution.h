@@ -31,6 +31,7 @@ class LinearSolution {
   std::size_t columns() const;          ///< columns of the normal equations
   std::size_t unknowns() const;         ///< unknowns under the gauge, stations and dead paths included
   std::size_t null_directions() const;  ///< directions of which the lengths say nothing
+  std::size_t told() const { return unknowns() - null_directions(); }  ///< unknowns that the lengths tell
   /// Largest over smallest singular value of the scaled rows, beside the null directions; found anew at each call.
   double condition() const;
 
