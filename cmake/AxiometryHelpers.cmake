@@ -100,22 +100,28 @@ function(axiometry_lightly_optimised target)
   endif()
 endfunction()
 
-# axiometry_unity_build(TARGET [HEADERS header...] [TOGETHER "folder..."...]): compiles once what is common: the headers
-# that most sources of the target include, and these; and the sources of each folder as one, so that a template is
-# instantiated once for all of them. For that a name of an anonymous namespace stands for one thing in its folder; where
-# each source has the same names, such as the read() of every format, they are in a namespace with the name of the
-# source. Small folders are compiled TOGETHER, those of each string as one, since most of the work of a unit is its
-# headers; in these a name stands for one thing in all of them. A source that has a UNITY_GROUP keeps it. Sources never
-# rely on any of it: without the option it does nothing.
+# axiometry_unity_build(TARGET [HEADERS header...] [HEADERS_OF other] [TOGETHER "folder..."...]): compiles once what is
+# common: the headers that most sources of the target include, and these; and the sources of each folder as one, so that
+# a template is instantiated once for all of them. For that a name of an anonymous namespace stands for one thing in its
+# folder; where each source has the same names, such as the read() of every format, they are in a namespace with the name
+# of the source. Small folders are compiled TOGETHER, those of each string as one, since most of the work of a unit is its
+# headers; in these a name stands for one thing in all of them. A source that has a UNITY_GROUP keeps it. HEADERS_OF takes
+# the headers that are compiled for another target, whose level of optimisation must be that of this one: g++ 12 crashes
+# with those of another level. Sources never rely on any of it: without the option it does nothing.
 function(axiometry_unity_build target)
   if(NOT AXIOMETRY_UNITY_BUILD)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;TOGETHER")
-  target_precompile_headers(
-    ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
-    <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
-    ${PROJECT_SOURCE_DIR}/src/axiometry/base/json.h ${arg_HEADERS})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADERS_OF" "HEADERS;TOGETHER")
+  if(arg_HEADERS_OF)
+    target_precompile_headers(${target} REUSE_FROM ${arg_HEADERS_OF})
+    target_compile_options(${target} PRIVATE -fPIC -pthread) # as the headers were compiled
+  else()
+    target_precompile_headers(
+      ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
+      <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
+      ${PROJECT_SOURCE_DIR}/src/axiometry/base/json.h ${arg_HEADERS})
+  endif()
   if(AXIOMETRY_UNITY_BUILD STREQUAL "HEADERS") # the shortest wait after an edit
     return()
   endif()

@@ -8,7 +8,7 @@
 namespace axiometry::capture {
 namespace {
 
-constexpr std::size_t samples_to_judge = 3;
+constexpr std::size_t samples_to_confirm = 3;
 constexpr double missing_steps = 10.0;
 constexpr double missing_least_s = 0.1;
 constexpr double believed_share = 0.2;
@@ -38,7 +38,7 @@ void BeamWatch::push(std::span<const Sample> samples, const Sink& sink) {
   while (!held_.empty() && !samples.empty()) {  // few samples are copied, until they can be judged
     held_.push_back(samples.front());
     samples = samples.subspan(1);
-    if (held_.size() < samples_to_judge) continue;
+    if (held_.size() < samples_to_confirm) continue;
     const std::vector<Sample> judged = std::exchange(held_, {});
     push(judged, sink);
   }
@@ -49,12 +49,12 @@ void BeamWatch::push(std::span<const Sample> samples, const Sink& sink) {
       continue;
     }
     const auto rest = samples.subspan(k);
-    if (rest.size() < samples_to_judge) {
+    if (rest.size() < samples_to_confirm) {
       if (k > begun) sink.samples(samples.subspan(begun, k - begun));
       held_.assign(rest.begin(), rest.end());
       return;
     }
-    if (!std::ranges::all_of(rest.first(samples_to_judge), [&](const Sample& s) { return jumps(*sound_, s); }))
+    if (!std::ranges::all_of(rest.first(samples_to_confirm), [&](const Sample& s) { return jumps(*sound_, s); }))
       continue;  // a false sample; it goes on, and the detector leaves it out
     if (k > begun) sink.samples(samples.subspan(begun, k - begun));
     sink.broken(samples[k].time_s);
