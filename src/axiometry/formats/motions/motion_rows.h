@@ -33,7 +33,8 @@ class MotionRowOrder {
 };
 
 /// Positions at which cells were empty and no reading stands, in order.
-std::vector<double> positions_without_reading(const std::set<double>& empty_mm, std::span<const MotionReading> readings);
+std::vector<double> positions_without_reading(const std::set<double>& empty_mm,
+                                              std::span<const MotionReading> readings);
 
 /// "no reading at 300 mm and 400 mm: …"; at least one.
 SourceRemark left_out_positions(std::span<const double> positions_mm);
