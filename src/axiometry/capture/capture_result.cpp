@@ -179,6 +179,12 @@ std::string approach_name(const Approach& approach) {
   return fmt::format("target {}{} run {}", approach.target + 1, arrow(approach.direction), approach.run + 1);
 }
 
+std::string ended_before(const Approach& approach, std::size_t behind) {
+  const std::string first = approach_name(approach);
+  return behind == 0 ? fmt::format("the recording ended before {}", first)
+                     : fmt::format("the recording ended before {} and the {} behind it", first, behind);
+}
+
 Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
   AXIOMETRY_TRY_VOID(check_fit(plan, result));
   std::vector<bool> reached(plan.targets.size());

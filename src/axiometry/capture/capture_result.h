@@ -62,6 +62,9 @@ struct CaptureResult {
 /// "target 3↑ run 2"
 std::string approach_name(const Approach& approach);
 
+/// "the recording ended before target 3↓ run 2 and the 4 behind it".
+std::string ended_before(const Approach& approach, std::size_t behind);
+
 /// Fails when less than half of the standstills belong to approaches.
 Result<void> check_fit(const Plan& plan, const CaptureResult& result);
 

@@ -76,6 +76,9 @@ TEST(TargetMatcher, OneMissedTargetShiftsNoOther) {
     expected.erase(expected.begin() + static_cast<std::ptrdiff_t>(missed));
     EXPECT_EQ(approaches_of(result), expected);
     EXPECT_EQ(count_of(result, missed + 1 == all ? EventKind::incomplete : EventKind::missed), 1u);
+    if (missed + 1 == all)
+      EXPECT_EQ(result.events.back().message,
+                "the recording ended before " + approach_name(approaches(run.plan).back()));
     expect_true(run, result);
   }
 }

@@ -70,7 +70,7 @@ struct WordControl {
 /// What Fanuc's machining centres with custom macros have in common with those that follow them.
 inline constexpr WordControl fanuc_like = {
     .limits = {.loops = 10'000,
-               .m_codes = {{coolant, {24, 28}, {57, 59}, {150, 189}}},
+               .m_codes = {{coolant, {24, 28}, {57, 57}, {150, 189}}},
                .frames = {.offsets = {{{"G{}", 54, 59}, {"G54.1 P{}", 1, 48}}}}},
     .number = WordControl::ProgramNumber{},
     .head = {"%", "O{number}"},

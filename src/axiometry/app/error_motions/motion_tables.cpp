@@ -85,6 +85,12 @@ void add_both(report::Table& table, const AxisMotion& motion, const report::Opti
 std::string_view uncertainty_note(const MeasuredMotion& measured) {
   const bool instrument = measured.instrument.has_value();
   if (measured.motion.repeats_without_U()) return "Nothing tells an uncertainty.";
+  if (measured.motion.runs > 1 && measured.motion.reversal)
+    return instrument
+               ? "U for about 95 %, from runs and instrument; of ranges and the largest reversal without the bias that "
+                 "noise gives them."
+               : "U for about 95 %, from the runs alone; of ranges and the largest reversal without the bias that "
+                 "noise gives them.";
   if (measured.motion.runs > 1)
     return instrument
                ? "U for about 95 %, from runs and instrument; of a range without the bias noise gives it."

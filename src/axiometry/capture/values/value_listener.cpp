@@ -296,9 +296,7 @@ Result<void> ValueListener::finish() {
           fmt::format("{} {} whose target was not told: not used", held_.size(),
                       held_.size() == 1 ? "reading" : "readings"));
   if (const auto first = due())
-    event(EventKind::incomplete, end_s,
-          fmt::format("the recording ended before {} and the {} behind it", approach_name(*first),
-                      progress_.remaining() - 1));
+    event(EventKind::incomplete, end_s, ended_before(*first, progress_.remaining() - 1));
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/csv/csv_values.h"
+#include "axiometry/formats/motions/motion_rows.h"
 #include "axiometry/formats/motions/motion_units.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
@@ -146,7 +148,11 @@ class MotionRows {
     AXIOMETRY_TRY(MotionReading r, plan_ != nullptr ? planned(line.number) : stated(cells, line.number));
     const CsvCell& reading = cells[*columns_.at[value_column]];
     r.at = {line.number, reading.column};
-    if (is_missing(reading.text)) return {};
+    if (!columns_.at[direction_column] && plan_ == nullptr) order_of_rows_.take(r.run, r.position_mm);
+    if (is_missing(reading.text)) {
+      empty_mm_.insert(r.position_mm + 0.0);  // −0 is 0
+      return {};
+    }
     AXIOMETRY_TRY(const double value, numbers_.read(reading.text, r.at));
     r.value = motion_value(*columns_.value_unit, value);
     file.readings.push_back(r);
@@ -158,6 +164,15 @@ class MotionRows {
     if (plan_ == nullptr || next_ == order_.size()) return {};
     return fail(
         fmt::format("found {}, expected {} as the plan has approaches", counted(next_, "reading"), order_.size()));
+  }
+
+  /// What is to be told of the rows as a whole.
+  Result<void> remark(MotionFile& file) const {
+    if (!columns_.at[direction_column] && plan_ == nullptr)
+      AXIOMETRY_TRY_VOID(order_of_rows_.put_remark(file.remarks));
+    if (const auto left = positions_without_reading(empty_mm_, file.readings); !left.empty())
+      file.remarks.push_back(left_out_positions(left));
+    return {};
   }
 
   const MotionColumns& columns() const { return columns_; }
@@ -214,6 +229,8 @@ class MotionRows {
   std::vector<Approach> order_;  ///< of the plan
   std::size_t next_ = 0;
   std::map<std::pair<double, Direction>, std::size_t> approaches_;
+  MotionRowOrder order_of_rows_;
+  std::set<double> empty_mm_;  ///< positions of cells without a reading
 };
 
 Result<void> put_error(MotionFile& file, const MotionName& error, std::size_t line) {
@@ -247,7 +264,7 @@ Result<void> take_motion_comment(std::string_view content, std::size_t line, Mot
     return put_sense(file, sense, line);
   }
   const Field* field = find_field(key);
-  if (field == nullptr) return {};
+  if (field == nullptr) return placed(check_unknown_motion_key(key), {line, 1});
   return placed(set_line_value(file.metadata, *field, value), {line, 1});
 }
 
@@ -337,8 +354,6 @@ Result<MotionFile> read_motion_table(std::string_view bytes, const Plan* plan) {
     file.may_be_positions = columns.may_be_positions;
     if (columns.error) AXIOMETRY_TRY_VOID(put_error(file, *columns.error, line.number));
     if (!columns.passed_over.empty()) file.remarks.push_back({false, passed_over(columns.passed_over)});
-    if (!columns.at[direction_column] && plan == nullptr)
-      file.remarks.push_back({false, "no column direction: all readings are taken as positive approaches"});
     rows.emplace(std::move(columns), plan);
     return {};
   }));
@@ -346,6 +361,7 @@ Result<MotionFile> read_motion_table(std::string_view bytes, const Plan* plan) {
   if (file.readings.empty()) return fail("found no readings below the header, expected one on each line");
   AXIOMETRY_TRY_VOID(check_kind(file, rows->columns().line));
   AXIOMETRY_TRY_VOID(rows->check_complete());
+  AXIOMETRY_TRY_VOID(rows->remark(file));
   return file;
 }
 

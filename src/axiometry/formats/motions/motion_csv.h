@@ -28,10 +28,11 @@ struct MotionFile {
 /// reading is the column `straightness` (a length), `angle`, `roll`, `pitch`, `yaw` (an angle), `deviation` or
 /// `reading` (either), or the name of the error: `EYX_um`, `EAX_urad`. `direction` in the usual words and signs.
 /// Without `run` the approaches to a position in a direction count themselves in the order of the rows; without
-/// `direction` all are taken as positive approaches, with a remark. Lines that begin with # and hold `error`,
-/// `positive` (which way the readings are) or a known key and a colon are metadata, others comments. An empty cell, "-"
-/// or "NA" is a reading that was not taken. Columns `time`, `scatter`, `drift` and
-/// `samples`, which a capture writes beside its readings, are passed over, others with a remark.
+/// `direction` all are taken as positive approaches, with a remark, unless some runs rise and others fall. Lines that
+/// begin with # and hold `error`, `positive` (which way the readings are) or a known key and a colon are metadata,
+/// others comments; a key that nearly is one of these is refused. An empty cell, "-" or "NA" is a reading that was not
+/// taken: a remark names the positions that have none at all. Columns `time`, `scatter`, `drift` and `samples`, which
+/// a capture writes beside its readings, are passed over, others with a remark.
 ///
 /// Fails, with line and column, on a column that is missing, there twice or without a unit of its kind, on a second
 /// error or a second `positive` that contradicts the first, on a position twice where neither run nor direction tell

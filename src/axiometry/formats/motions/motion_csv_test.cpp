@@ -34,8 +34,9 @@ TEST(MotionCsv, ReadsOneReadingInARow) {
   EXPECT_EQ(file.readings[0].run, 2u);
   EXPECT_EQ(file.readings[0].value, 1.5);
   EXPECT_EQ(file.readings[1].value, -0.2505);
-  ASSERT_EQ(file.remarks.size(), 1u);
+  ASSERT_EQ(file.remarks.size(), 2u);
   EXPECT_THAT(file.remarks[0].message, HasSubstr("\"note\""));
+  EXPECT_THAT(file.remarks[1].message, HasSubstr("no reading was taken at 300 mm"));
 }
 
 TEST(MotionCsv, KeepsAnglesInTheUnitTheyAreStatedIn) {
@@ -156,6 +157,41 @@ TEST(MotionCsv, TakesReadingsWithoutADirectionAsPositiveAndSaysSo) {
   EXPECT_THAT(file.remarks[0].message, HasSubstr("no column direction"));
   EXPECT_THAT(motion_fault("position_mm,straightness_um\n0,1\n10,2\n10,2\n0,1\n"),
               HasSubstr("4:1: found a position a second"));
+}
+
+TEST(MotionCsv, TellsThePositionsOfWhichNoReadingWasTaken) {
+  const auto file = read_motions("position_mm,direction,straightness_um\n0,up,1\n10,up,2\n20,up,\n30,up,NA\n");
+  ASSERT_EQ(file.remarks.size(), 1u);
+  EXPECT_EQ(file.remarks[0].message, "no reading was taken at 20, 30 mm: the figures are those of the other positions");
+  std::string many = "position_mm,direction,straightness_um\n0,up,1\n";
+  for (int k = 1; k < 9; ++k) many += std::to_string(k) + ",up,\n";
+  EXPECT_THAT(read_motions(many).remarks.at(0).message, HasSubstr("at 1, 2, 3, 4, 5, 6, … mm"));
+  EXPECT_TRUE(read_motions("position_mm,run,direction,EYX_um\n0,1,up,1\n0,2,up,\n").remarks.empty())
+      << "one that another run has is the series' to refuse";
+}
+
+TEST(MotionCsv, HoldsTheOrderOfTheRowsAgainstReadingsWithoutADirection) {
+  const auto falling = read_motions("position_mm,straightness_um\n20,1\n10,2\n0,3\n");
+  ASSERT_EQ(falling.remarks.size(), 1u);
+  EXPECT_THAT(falling.remarks[0].message, HasSubstr("the positions fall from row to row"));
+  EXPECT_THAT(motion_fault("position_mm,run,straightness_um\n0,1,1\n10,1,2\n10,2,3\n0,2,4\n"),
+              HasSubstr("found rising positions in run 1 and falling ones in run 2 and no column direction"));
+  EXPECT_THAT(read_motions("position_mm,run,straightness_um\n0,1,1\n0,2,1\n10,2,2\n10,1,3\n").remarks.at(0).message,
+              HasSubstr("no column direction: all readings"));
+  EXPECT_EQ(motion_fault("position_mm,run,direction,straightness_um\n0,1,+,1\n10,1,+,2\n10,2,+,3\n0,2,+,4\n"), "");
+}
+
+TEST(MotionCsv, RefusesKeysThatAreMisspelt) {
+  const auto with = [](const std::string& line) {
+    return motion_fault("# " + line + "\nposition_mm,direction,straightness_um\n0,up,1\n");
+  };
+  EXPECT_EQ(with("postive: -Y"), "line 1:1: found the unknown key \"postive\", expected perhaps positive");
+  EXPECT_THAT(with("Errror: EYX"), HasSubstr("expected perhaps error"));
+  EXPECT_THAT(with("instrument.gian: 1.1"), HasSubstr("expected perhaps instrument.gain"));
+  EXPECT_THAT(with("machine.nickname: Otto"), HasSubstr("found the unknown key \"machine.nickname\""));
+  for (const char* comment : {"position: left of the table", "mirror: at the spindle", "sensor: LVDT 3", "v1.2: first",
+                              "Note: in the evening", "http://example.org"})
+    EXPECT_EQ(with(comment), "") << comment;
 }
 
 TEST(MotionCsv, RefusesWhatItCannotUse) {

@@ -327,6 +327,7 @@ constexpr Phrase capture_rows[] = {
     {"the rate that was given is not used, since the recording tells its times",
      "die angegebene Abtastrate wird nicht verwendet, denn die Aufzeichnung nennt ihre Zeiten"},
     {"the recording ended before", "die Aufzeichnung endete vorher"},
+    {"the recording ended before {0}", "die Aufzeichnung endete vor {0}"},
     {"the recording ended before {0} and the {1#} behind it", "die Aufzeichnung endete vor {0} und den {1} danach"},
     {"the recording gave {0#} of the {1#} readings of the plan",
      "die Aufzeichnung ergab {0} der {1} Messwerte des Plans"},

@@ -151,10 +151,18 @@ constexpr Phrase error_motions_rows[] = {
     {"U for about 95 %, from runs and instrument; of a range without the bias noise gives it.",
      "U für etwa 95\u00a0%, aus Durchläufen und Messgerät; einer Spannweite ohne ihren Versatz durch "
      "Rauschen."},
+    {"U for about 95 %, from runs and instrument; of ranges and the largest reversal without the bias that noise "
+     "gives them.",
+     "U für etwa 95\u00a0%, aus Durchläufen und Messgerät; von Spannweiten und größter Umkehrspanne ohne den "
+     "Versatz, den ihnen Rauschen gibt."},
     {"U for about 95 %, from the instrument alone.", "U für etwa 95\u00a0%, allein aus dem Messgerät."},
     {"U for about 95 %, from the runs alone; of a range without the bias that noise gives it.",
      "U für etwa 95\u00a0%, aus den Durchläufen allein; einer Spannweite ohne ihren Versatz durch "
      "Rauschen."},
+    {"U for about 95 %, from the runs alone; of ranges and the largest reversal without the bias that noise gives "
+     "them.",
+     "U für etwa 95\u00a0%, aus den Durchläufen allein; von Spannweiten und größter Umkehrspanne ohne den Versatz, "
+     "den ihnen Rauschen gibt."},
     {"U for about 95 %, of a line from its residuals alone; a range has none.",
      "U für etwa 95\u00a0%, einer Geraden allein aus ihren Residuen; eine Spannweite hat keine."},
     {"U for about 95 %, of a line from its residuals and the instrument, of a range from the instrument alone.",
@@ -178,10 +186,16 @@ constexpr Phrase error_motions_rows[] = {
     {"less that asked for / %", "gegenüber dem verlangten / %"},
     {"mean in {0#}", "Mittel in {0}"},
     {"mean less its line", "Mittel ohne seine Gerade"},
+    {"no column direction, and the positions fall from row to row: all readings are taken as positive approaches "
+     "all the same",
+     "keine Spalte für die Richtung, und die Positionen fallen von Zeile zu Zeile: Alle Messwerte gelten trotzdem "
+     "als positive Anfahrten"},
     {"no column direction: all readings are taken as positive approaches",
      "keine Spalte für die Richtung: Alle Messwerte gelten als positive Anfahrten"},
     {"no error of the optical square is stated: it counts as 0, and the squareness holds it",
      "keine Abweichung des optischen Winkels ist angegeben: Sie gilt als 0 und steckt in der Rechtwinkligkeit"},
+    {"no reading was taken at {0#} mm: the figures are those of the other positions",
+     "bei {0} mm steht kein Messwert: Die Werte sind die der übrigen Positionen"},
     {"no stretch of even motion was found: the vibrations are those of the whole recording about a straight line, into "
      "which every acceleration enters",
      "keine Strecke gleichmäßiger Bewegung wurde gefunden: Die Schwingungen sind die der ganzen Aufzeichnung um eine "

@@ -93,6 +93,10 @@ constexpr Phrase volume_files_rows[] = {
      "Messwerte, die in Richtung {0} positiv sind; erwartet: eine Drehung wie +A, wie Winkel sind"},
     {"found readings positive towards {0=}, expected {1=} or {2=} as {3=} is",
      "Messwerte, die in Richtung {0} positiv sind; erwartet: {1} oder {2}, wie {3} ist"},
+    {"found rising positions in run {0#} and falling ones in run {1#} and no column direction, expected one: it "
+     "tells from which side each was approached",
+     "steigende Positionen im Durchlauf {0} und fallende im Durchlauf {1}, aber keine Spalte für die Richtung; "
+     "erwartet: eine, denn sie sagt, von welcher Seite jede angefahren wurde"},
     {"found the column {0=} beside a plan, expected readings alone in the order of the plan",
      "Spalte {0} neben einem Plan; erwartet: nur Messwerte in der Reihenfolge des Plans"},
     {"found the column {0=} without a unit, expected one of angle: urad, mrad, um/m, mm/m, arcsec or deg",

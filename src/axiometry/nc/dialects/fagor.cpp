@@ -16,7 +16,7 @@ For 8055 and 8055i, and relatives that read its ISO programs (8035, 8037, 8040).
 - Start: `G71` or `G70`, `G17 G40 G90 G94`, `G7` (square corner: the axis comes to rest at the end of every
   block)
 - Dwell: `G4 K300`, in hundredths of a second: the dwell is rounded up to 0.01 s, 999.99 s at most
-- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 to M59 or M150 to M189, between two halves of
+- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 or M150 to M189, between two halves of
   the dwell: numbers that neither RS-274-D nor the control gives to spindle, tool, axes or program. What the machine's
   builder made of one stands in the machine's list of M codes: look there first, also whether it ends by itself
 - Lines end with CR LF [inferred]

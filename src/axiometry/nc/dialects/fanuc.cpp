@@ -17,7 +17,7 @@ B or C.
 - Start: `G21` or `G20` in a block of its own, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop, so that every
   target is reached)
 - Dwell: `G4 X3.0`, seconds
-- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 to M59 or M150 to M189, between two halves of
+- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 or M150 to M189, between two halves of
   the dwell: numbers that neither RS-274-D nor the control gives to spindle, tool, axes or program. What the machine's
   builder made of one stands in the machine's list of M codes: look there first, also whether it ends by itself
 - Comments: in round brackets, capitals

@@ -31,7 +31,7 @@ For TNC 426, 430, iTNC 530, TNC 320, 620, 640 and TNC7.
   cycle 32, which is harmless as long as there is room for it
 - Dwell: cycle 9, `CYCL DEF 9.0 DWELL TIME` and `CYCL DEF 9.1 DWELL 3`, seconds, up to 3600. It also brings
   the axis to rest, and is written for 0 s too
-- Trigger: M8 (coolant; M9 ends it with the dwell), M24 to M28 or M57 to M59, between two halves of the dwell; from M89
+- Trigger: M8 (coolant; M9 ends it with the dwell), M24 to M28 or M57, between two halves of the dwell; from M89
   on the numbers are the control's own functions. What the machine's builder made of one stands in the machine's
   manual: look there first, also whether it ends by itself
 - Lines end with CR LF
@@ -57,7 +57,7 @@ constexpr ControlLimits limits = {
     .dwell_longest = Duration::s(3600.0),
     .dwell_stops = true,
     .loops = 254,
-    .m_codes = {{{8, 8, 9, 9}, {24, 28}, {57, 59}}},
+    .m_codes = {{{8, 8, 9, 9}, {24, 28}, {57, 57}}},
     .frames = {.machine_move = "M91"},
 };
 

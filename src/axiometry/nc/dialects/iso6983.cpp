@@ -17,7 +17,7 @@ words of ISO 6983-1 is needed.
 - Dwell: `G4 X3.0`, seconds. A control that wants another word stops with an alarm, rather than wait a thousand
   times too long as with P
 - Exact stop: `G9` in every block: it needs no cancelling
-- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 to M59 or M150 to M189, between two halves of
+- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 or M150 to M189, between two halves of
   the dwell: numbers that neither RS-274-D nor the control gives to spindle, tool, axes or program. What the machine's
   builder made of one stands in the machine's list of M codes: look there first, also whether it ends by itself
 - Work offset: the one that is active, or `--frame G54` to `G59`

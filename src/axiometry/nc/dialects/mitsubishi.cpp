@@ -14,7 +14,7 @@ For M60, M70, M80, M700 and M800, machining centre system (L system lathes: as t
 - Loops: user macro, `WHILE [#1 LE 5] DO1` … `END1`, with the local variable #1; `--unrolled` without
 - Start: `G21` or `G20`, `G17 G40 G49 G80 G90 G94`, `G61` (exact stop check)
 - Dwell: `G4 X3.0`, seconds
-- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 to M59 or M150 to M189, between two halves of
+- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M24 to M28, M57 or M150 to M189, between two halves of
   the dwell: numbers that neither RS-274-D nor the control gives to spindle, tool, axes or program. What the machine's
   builder made of one stands in the machine's list of M codes: look there first, also whether it ends by itself
 - Work offset: the one that is active, or `--frame G54` to `G59`, `G54.1 P1` to `P48`

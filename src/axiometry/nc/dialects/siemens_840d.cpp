@@ -17,7 +17,7 @@ For 840D, 840D sl, 828D and SINUMERIK ONE in Siemens language (not in ISO dialec
   (exact stop, fine), `G1` at feed
 - Axes: X, Y, Z, U, V, W, A, B, C, with a number where the machine has one: `X1=100.0`
 - Dwell: `G4 F3.0`, seconds
-- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M27, M28, M57 to M59 or M150 to M189, between two halves of
+- Trigger: M7 or M8 (coolant; M9 ends it with the dwell), M27, M28, M57 or M150 to M189, between two halves of
   the dwell: numbers that neither RS-274-D nor the control gives to spindle, gears, punching or program. What the
   machine's builder made of one stands in the machine's list of M codes: look there first, also whether it ends by
   itself
@@ -39,7 +39,7 @@ Try in single block first: the start blocks, the first target with its dwell, th
 constexpr WordControl control = {
     .limits = {.numbered_axes = true,
                .loops = 10'000,
-               .m_codes = {{coolant, {27, 28}, {57, 59}, {150, 189}}},
+               .m_codes = {{coolant, {27, 28}, {57, 57}, {150, 189}}},
                .frames = {.offsets = {{{"G{}", 54, 57}, {"G{}", 500, 500}, {"G{}", 505, 599}}},
                           .machine_start = "D0",
                           .machine_move = "SUPA"},

@@ -13,7 +13,9 @@
 namespace axiometry::standards {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing_support::make_series;
 
 iso230_2::MonteCarloOptions trials(std::size_t count = 2000) {
@@ -142,6 +144,23 @@ TEST(RuleTrials, HaveNoSingleReadingsOfTheLongRunUnlessRunsAreResampled) {
   iso230_2::MonteCarloOptions resampled = trials();
   resampled.type_a = iso230_2::TypeA::resampled;
   EXPECT_TRUE(sampled_figure(sampled(test, resampled), "jis-b-6201", "positioning_up").interval);
+}
+
+/// Of 286 simulated machines the resampled interval of B held the truth for 32 %, that of R of t-scaled cells for 10 %.
+TEST(RuleTrials, SayWhereIntervalsHoldLessOftenThanTheyState) {
+  const auto test = known_by(laser_and_noise, testing_support::table2::series(), iso230_2::Measurand::this_machine);
+  const auto notes_by = [&](const axiometry::Test& of, iso230_2::TypeA type_a) {
+    iso230_2::MonteCarloOptions options = trials();
+    options.type_a = type_a;
+    return sampled(of, options).trials->notes;
+  };
+  const auto doubt = HasSubstr("held the true value less often in simulated tests than it states");
+  EXPECT_THAT(notes_by(test, iso230_2::TypeA::resampled), Contains(doubt));
+  EXPECT_THAT(notes_by(test, iso230_2::TypeA::t_scaled), Contains(doubt));
+  EXPECT_THAT(notes_by(test, iso230_2::TypeA::pooled), Not(Contains(doubt)));
+  EXPECT_THAT(notes_by(known_by(laser_and_noise, testing_support::table2::series()), iso230_2::TypeA::resampled),
+              Not(Contains(doubt)))
+      << "means nothing for this test";
 }
 
 TEST(RuleTrials, SayThatNothingIsKnownInsteadOfAnIntervalOfNoWidth) {

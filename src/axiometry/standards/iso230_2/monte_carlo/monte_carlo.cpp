@@ -13,6 +13,7 @@
 #include "axiometry/standards/iso230_2/monte_carlo/settled_trials.h"
 #include "axiometry/standards/iso230_2/monte_carlo/trial_figures.h"
 #include "axiometry/standards/iso230_2/monte_carlo/trials.h"
+#include "axiometry/standards/iso230_2/monte_carlo/type_a_doubt.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/standards/readings/test_course.h"
 
@@ -230,8 +231,9 @@ bool refuse_where_outliers(std::span<std::optional<ParameterDistribution>> distr
 }
 
 /// Noise is treated as normal, whatever its distribution.
-std::vector<std::string> notes_on(const UncertaintyInputs& inputs, Measurand measurand) {
+std::vector<std::string> notes_on(const UncertaintyInputs& inputs, Measurand measurand, TypeA type_a) {
   std::vector<std::string> notes = inputs.notes;
+  if (std::string doubt = doubt_of_type_a(measurand, type_a); !doubt.empty()) notes.push_back(std::move(doubt));
   if (measurand == Measurand::this_machine &&
       std::ranges::any_of(inputs.inputs, [](const UncertaintyInput& input) { return in_scatter(input.effect); }))
     notes.emplace_back(scatter_note);
@@ -286,7 +288,7 @@ Result<std::optional<MonteCarlo>> monte_carlo(const Test& test, const Evaluation
                     {},
                     inputs.inputs,
                     {},
-                    notes_on(inputs, measurand),
+                    notes_on(inputs, measurand, options.type_a),
                     std::move(noise.hypotheses),
                     {},
                     0};
@@ -317,7 +319,7 @@ Result<std::optional<FigureTrials>> monte_carlo(const Test& test, const Evaluati
   FigureTrials result{measurand,  options.seed,
                       run.trials, run.adaptive,
                       true,       options.propagation.coverage,
-                      {},         notes_on(inputs, measurand)};
+                      {},         notes_on(inputs, measurand, options.type_a)};
   result.notes.insert(result.notes.end(), noise.notes.begin(), noise.notes.end());
   note_hypotheses(result.notes, noise.hypotheses);
   for (ParameterDistribution& d : run.distributions) {

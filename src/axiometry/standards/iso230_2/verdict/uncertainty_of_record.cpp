@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/standards/iso230_2/monte_carlo/type_a_doubt.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -40,16 +41,10 @@ std::optional<ParameterUncertainty> of_gum(const GumUncertainty& gum, const Para
   return known;
 }
 
-/// Measured in docs/studies/coverage.md: each of these held the true value in fewer tests than it states, at some size
-/// of the scatter. Cells taken for themselves and runs drawn again do not see that extremes grow with noise; a mean
-/// over the targets does not grow.
+/// A mean over the targets does not grow with noise, as extremes do.
 std::string doubt_of(const MonteCarlo& run, const ParameterInfo& parameter) {
-  if (run.measurand != Measurand::this_machine || run.type_a == TypeA::pooled) return "";
   if (run.type_a == TypeA::t_scaled && parameter.member == &AxisParameters::B_mean) return "";
-  return fmt::format(
-      "an interval of --type-a {} held the true value less often in simulated tests than it states; "
-      "--type-a {} mends that",
-      type_a_key(run.type_a), type_a_key(TypeA::pooled));
+  return doubt_of_type_a(run.measurand, run.type_a);
 }
 
 std::optional<ParameterUncertainty> of_monte_carlo(const MonteCarlo& run, const ParameterInfo& parameter,

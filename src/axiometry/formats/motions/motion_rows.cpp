@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/formats/motions/motion_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "axiometry/base/number_text.h"
+#include "axiometry/base/text.h"
+#include "axiometry/model/fields.h"
+
+namespace axiometry::formats {
+namespace {
+
+constexpr std::size_t positions_named = 6;  // the others are counted
+
+/// Metadata keys have a group: "machine.nam" is meant as one of them, "v1.2" is not.
+bool begins_like_a_field(std::string_view key) {
+  const std::size_t dot = key.find('.');
+  return dot != std::string_view::npos && std::ranges::any_of(metadata_fields(), [&](const Field& field) {
+           return text::equal_ignoring_case(field.key.substr(0, dot + 1), key.substr(0, dot + 1));
+         });
+}
+
+/// Of the two words that change what the readings are; what else may stand there and looks like one is none.
+std::optional<std::string_view> word_meant(std::string_view key) {
+  constexpr std::string_view shortest = "errors";
+  if (key.size() < shortest.size()) return std::nullopt;
+  const auto near = text::nearest(text::to_lower(key), {"error", "positive", "position", "mirror"});
+  return near == "error" || near == "positive" ? near : std::nullopt;
+}
+
+}  // namespace
+
+void MotionRowOrder::take(std::size_t run, double position_mm) {
+  const auto [at, is_first] = runs_.try_emplace(run, Course{.last_mm = position_mm});
+  Course& course = at->second;
+  if (is_first) return;
+  course.rises |= position_mm > course.last_mm;
+  course.falls |= position_mm < course.last_mm;
+  course.last_mm = position_mm;
+}
+
+Result<void> MotionRowOrder::put_remark(std::vector<SourceRemark>& remarks) const {
+  const auto rising = std::ranges::find_if(runs_, [](const auto& r) { return r.second.rises && !r.second.falls; });
+  const auto falling = std::ranges::find_if(runs_, [](const auto& r) { return r.second.falls && !r.second.rises; });
+  if (rising != runs_.end() && falling != runs_.end())
+    return fail(fmt::format("found rising positions in run {} and falling ones in run {} and no column direction, "
+                            "expected one: it tells from which side each was approached",
+                            rising->first, falling->first));
+  remarks.push_back({false, falling == runs_.end()
+                                ? "no column direction: all readings are taken as positive approaches"
+                                : "no column direction, and the positions fall from row to row: all readings are taken "
+                                  "as positive approaches all the same"});
+  return {};
+}
+
+std::vector<double> positions_without_reading(const std::set<double>& empty_mm,
+                                              std::span<const MotionReading> readings) {
+  std::set<double> left = empty_mm;
+  for (const MotionReading& r : readings) left.erase(r.position_mm);
+  return {left.begin(), left.end()};
+}
+
+SourceRemark left_out_positions(std::span<const double> positions_mm) {
+  std::string places;
+  for (const double mm : positions_mm.first(std::min(positions_mm.size(), positions_named)))
+    places += fmt::format("{}{}", places.empty() ? "" : ", ", format_exact(mm));
+  if (positions_mm.size() > positions_named) places += ", …";
+  return {false, fmt::format("no reading was taken at {} mm: the figures are those of the other positions", places)};
+}
+
+Result<void> check_unknown_motion_key(std::string_view key) {
+  if (const auto word = word_meant(key))
+    return fail(fmt::format("found the unknown key {}, expected perhaps {}", text::quoted(key), *word));
+  if (!begins_like_a_field(key)) return {};
+  Metadata none;
+  return set_field_text(none, key, "");
+}
+
+}  // namespace axiometry::formats
