@@ -28,7 +28,7 @@ struct Cell {
 };
 
 struct Cells {
-  std::vector<Cell> of;            ///< in the order of make_dense(): ↑ of all targets, then ↓; empty where nothing scatters
+  std::vector<Cell> of;             ///< ↑ of all targets, then ↓, as make_dense() has them; empty without scatter
   std::array<double, 2> freedom{};  ///< degrees of freedom that s of a direction is known with
 };
 
