@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
@@ -26,9 +27,15 @@ struct Cell {
   std::size_t count = 0;
 };
 
-/// In the order of make_dense(): ↑ of all targets, then ↓. Empty where nothing scatters.
-std::vector<Cell> cells_of(const Series& series, bool each_its_own) {
+struct Cells {
+  std::vector<Cell> of;             ///< ↑ of all targets, then ↓, as make_dense() has them; empty without scatter
+  std::array<double, 2> freedom{};  ///< degrees of freedom that s of a direction is known with
+};
+
+/// `shifts_removed`: from each direction, which takes a degree of freedom for every run but one.
+Cells cells_of(const Series& series, bool each_its_own, bool shifts_removed) {
   std::vector<Cell> cells;
+  std::array<double, 2> known{};
   bool scatters = false;
   for (const Direction direction : {Direction::up, Direction::down}) {
     double squares = 0.0, freedom = 0.0;
@@ -41,10 +48,18 @@ std::vector<Cell> cells_of(const Series& series, bool each_its_own) {
       squares += static_cast<double>(m.count - 1) * m.standard_deviation * m.standard_deviation;
       freedom += static_cast<double>(m.count - 1);
     }
+    if (shifts_removed && series.run_count() > 1)
+      freedom = std::max(1.0, freedom - static_cast<double>(series.run_count() - 1));
+    known[static_cast<std::size_t>(direction)] = freedom;
     if (!each_its_own && freedom > 0.0)
       for (std::size_t k = first; k < cells.size(); ++k) cells[k].s = std::sqrt(squares / freedom);
   }
-  return scatters ? cells : std::vector<Cell>{};
+  return {scatters ? cells : std::vector<Cell>{}, known};
+}
+
+/// What a standard deviation may be of what was found with so many degrees of freedom: √(ν/χ²_ν), χ² at `p`.
+double possible_share(double p, double freedom) {
+  return freedom > 0.0 ? std::sqrt(freedom / numeric::chi_square_quantile(p, freedom)) : 1.0;
 }
 
 /// Standard deviations of what runs lie higher or lower by as a whole: in both directions alike, and in ↑ against ↓.
@@ -87,9 +102,10 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
   const iso230_2::ScatterStudy study = iso230_2::scatter_study(predicted);
   // Runs that lie higher or lower as a whole do so in all targets alike, and leave the shape of the axis alone.
   const RunSpread spread = study.shifts ? run_spread_of(predicted) : RunSpread{};
-  const std::vector<Cell> cells =
-      cells_of(study.shifts ? iso230_2::without_shifts(predicted) : predicted, study.uneven.has_value());
+  const auto [cells, freedom] = cells_of(study.shifts ? iso230_2::without_shifts(predicted) : predicted,
+                                         study.uneven.has_value(), study.shifts.has_value());
   if (cells.empty()) return std::nullopt;
+  const double freedom_of_runs = static_cast<double>(predicted.run_count()) - 1.0;
   const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
   const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 1;
   const std::size_t trials = std::clamp(readings_most / numbers_each, trials_least, trials_most);
@@ -99,12 +115,17 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
   std::vector<double> normal(numbers_each);
   for (std::size_t trial = 0; trial < trials; ++trial) {
     numeric::fill_normal({.seed = of_retest.seed, .stream = 0, .block = trial}, normal);
+    std::array<double, 4> uniform{};
+    numeric::fill_uniform({.seed = of_retest.seed, .stream = 1, .block = trial}, uniform);
+    // The scatter of the axis is known from the readings of one test: what it may be as well is drawn.
+    const std::array<double, 2> share{possible_share(uniform[0], freedom[0]), possible_share(uniform[1], freedom[1])};
+    const double common = study.shifts ? spread.common * possible_share(uniform[2], freedom_of_runs) : 0.0;
+    const double against = study.shifts ? spread.between_directions * possible_share(uniform[3], freedom_of_runs) : 0.0;
     std::vector<iso230_2::PositionResult> positions(targets.size());
     std::vector<double> readings(2 * runs);
     const double* z = normal.data();
     const std::span<const double> shifts = std::span(normal).last(2 * runs + 1);
-    const double of_table =
-        spread.between_directions * shifts[2 * runs] / std::sqrt(static_cast<double>(predicted.run_count()));
+    const double of_table = against * shifts[2 * runs] / std::sqrt(static_cast<double>(predicted.run_count()));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       std::array<std::span<double>, 2> of{std::span(readings).first(runs), std::span(readings).last(runs)};
       for (std::size_t d = 0; d < 2; ++d) {
@@ -114,8 +135,8 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
           of[d][j] = j < approaches
-                         ? cell.mean + cell.s * (table + *z) + spread.common * shifts[j] +
-                               (d == 0 ? 1.0 : -1.0) * (spread.between_directions * shifts[runs + j] + of_table)
+                         ? cell.mean + share[d] * cell.s * (table + *z) + common * shifts[j] +
+                               (d == 0 ? 1.0 : -1.0) * (against * shifts[runs + j] + of_table)
                          : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);

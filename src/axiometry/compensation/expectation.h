@@ -25,7 +25,8 @@ struct ExpectedRetest {
 /// scatters anew, so that its reading is r_i + s (z_i/√n_i + z_ij) with the mean r_i that is predicted and standard
 /// normal z; where runs were shifted as a whole, those of the re-test are too, as far as both directions alike and as
 /// far as one against the other. s is that of all targets of a direction together; of each target its own where they
-/// differ for sure. Nothing where no target has two readings in a direction. The same test gives the same numbers.
+/// differ for sure. How little the readings of one test tell about s counts: each trial draws s √(ν/χ²_ν). Nothing
+/// where no target has two readings in a direction. The same test gives the same numbers.
 std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTrials trials = {});
 
 }  // namespace axiometry::compensation

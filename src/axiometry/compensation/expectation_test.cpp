@@ -19,10 +19,10 @@ using testing_support::RunDeviations;
 const std::vector<double> bent_targets{0, 50, 100, 150, 200, 250, 300, 350, 400};
 
 /// An axis with a curve and a lost motion, its readings scattered by 0.8 µm, with what a table adds.
-Series measured(std::mt19937_64& random, const AxisCorrection* added, double run_shift = 0.0) {
+Series measured(std::mt19937_64& random, const AxisCorrection* added, double run_shift = 0.0, std::size_t runs = 5) {
   std::normal_distribution<double> scatter(0.0, 0.8), shift(0.0, run_shift + 1e-12);
-  std::vector<RunDeviations> up(5), down(5);
-  for (std::size_t j = 0; j < 5; ++j) {
+  std::vector<RunDeviations> up(runs), down(runs);
+  for (std::size_t j = 0; j < runs; ++j) {
     const double both = shift(random), against = 0.3 * shift(random);
     for (const double x : bent_targets) {
       const double c = 0.03 * x + 5.0 * std::sin(x / 40.0);
@@ -48,10 +48,33 @@ TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
     E_below_95 += after.E < expected->percent_95.E;
     A_below_95 += after.A < expected->percent_95.A;
   }
-  // Three standard deviations of the binomial: 7.5 % of a half, 3.3 % of 95 %.
+  // Three standard deviations of the binomial: 7.5 % of a half, 3.3 % of 95 %. Of A, which takes the scatter of both
+  // directions, more than 95 % are below: the scatter that each direction may have is drawn for itself.
   EXPECT_NEAR(E_below_median / static_cast<double>(axes), 0.50, 0.075);
   EXPECT_NEAR(E_below_95 / static_cast<double>(axes), 0.95, 0.033);
-  EXPECT_NEAR(A_below_95 / static_cast<double>(axes), 0.95, 0.040);
+  EXPECT_GT(A_below_95 / static_cast<double>(axes), 0.917);
+}
+
+/// s of few readings may be far from the scatter of the axis: without that 20 % of re-tests show more.
+TEST(ExpectedRetest, HoldsInReTestsOfTwoRuns) {
+  std::mt19937_64 random(14);
+  constexpr int axes = 200;
+  int A_up_below_95 = 0, E_up_below_95 = 0, R_below_95 = 0;
+  for (int k = 0; k < axes; ++k) {
+    const Series before = measured(random, nullptr, 0.0, 2);
+    const auto fit = fit_correction(before, AxisKind::linear, {.nodes = bent_targets, .curves = TableCurves::each_way});
+    const auto expected =
+        expected_retest(*corrected_series(before, fit->correction), {.seed = static_cast<unsigned>(k)});
+    ASSERT_TRUE(expected);
+    const auto after = iso230_2::evaluate(measured(random, &fit->correction, 0.0, 2)).parameters;
+    A_up_below_95 += after.A_up < expected->percent_95.A_up;
+    E_up_below_95 += after.E_up < expected->percent_95.E_up;
+    R_below_95 += after.R < expected->percent_95.R;
+  }
+  // 95 % less three standard deviations of the binomial.
+  EXPECT_GT(A_up_below_95 / static_cast<double>(axes), 0.904);
+  EXPECT_GT(E_up_below_95 / static_cast<double>(axes), 0.904);
+  EXPECT_GT(R_below_95 / static_cast<double>(axes), 0.904);
 }
 
 TEST(ExpectedRetest, HoldsWhereRunsAreShiftedAsAWhole) {
@@ -67,8 +90,8 @@ TEST(ExpectedRetest, HoldsWhereRunsAreShiftedAsAWhole) {
     below_95 += iso230_2::evaluate(measured(random, &fit->correction, 6.0)).parameters.E < expected->percent_95.E;
     bound += expected->percent_95.E->in_native() / axes;
   }
-  EXPECT_GT(below_95 / static_cast<double>(axes), 0.86) << "5 runs tell little of how runs are shifted";
-  EXPECT_LT(bound, 12.0) << "what both directions share is no error of the axis";
+  EXPECT_GT(below_95 / static_cast<double>(axes), 0.92) << "that 5 runs tell little of how runs are shifted counts";
+  EXPECT_LT(bound, 18.0) << "what both directions share is no error of the axis";
 }
 
 /// One approach scatters more than the mean of five.
