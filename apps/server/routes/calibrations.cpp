@@ -17,6 +17,7 @@
 #include "axiometry/store/kept/calibration_kinds.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
 
@@ -201,12 +202,7 @@ Result<Response> compare_calibrations(const Store& store, const Request& request
 }  // namespace
 
 void add_calibration_routes(Router& router, const Context& context) {
-  Store& store = context.store;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light,
-                       const Terms& terms = {}) {
-    router.add(
-        method, pattern, [&store, handler](const Request& request) { return handler(store, request); }, weight, terms);
-  };
+  const auto add = adder(router, context.store);
   const Terms looked_at{.sent = Sent::files, .only_looks = true, .body_max = calibration_bytes_max};
   add("POST", "/api/motions", motions, Weight::heavy, looked_at);
   add("POST", "/api/motions/report.{extension}", motions_report, Weight::heavy, looked_at);

@@ -18,6 +18,7 @@
 #include "axiometry/base/text.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
 
@@ -165,13 +166,7 @@ Result<Response> compensation_report(Workbench& workbench, const Request& reques
 }  // namespace
 
 void add_compensation_routes(Router& router, const Context& context) {
-  Workbench& workbench = context.workbench;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light,
-                       const Terms& terms = {}) {
-    router.add(
-        method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight,
-        terms);
-  };
+  const auto add = adder(router, context.workbench);
   const Terms looks{.sent = Sent::files, .only_looks = true, .body_max = table_bytes_max};
   add("GET", "/api/controls", list_controls);
   add("POST", "/api/controls/{control}/table", read_table, Weight::heavy, looks);

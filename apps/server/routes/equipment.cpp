@@ -9,6 +9,7 @@
 #include "axiometry/app/workbench/equipment_json.h"
 #include "axiometry/base/text.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/routes.h"
 
 namespace axiometry::server {
@@ -198,12 +199,7 @@ Result<Response> audit(Store& store, const Request& request) {
 }  // namespace
 
 void add_equipment_routes(Router& router, const Context& context) {
-  Store& store = context.store;
-  const auto add_route = [&](std::string_view method, std::string_view pattern, auto handler,
-                             Weight weight = Weight::light) {
-    router.add(
-        method, pattern, [&store, handler](const Request& request) { return handler(store, request); }, weight);
-  };
+  const auto add_route = adder(router, context.store);
   add_routes_of<MachineRecord>(add_route);
   add_routes_of<AxisRecord>(add_route);
   add_routes_of<InstrumentRecord>(add_route);

@@ -16,6 +16,7 @@
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/text/json_members.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/routes.h"
 #include "server/routes/test_filter.h"
 
@@ -320,12 +321,7 @@ void add_test_routes(Router& router, const Context& context) {
   constexpr Terms only_looks{.only_looks = true};
   constexpr Terms looks_at_files{.sent = Sent::files, .only_looks = true};
   Workbench& workbench = context.workbench;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light,
-                       const Terms& terms = {}) {
-    router.add(
-        method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight,
-        terms);
-  };
+  const auto add = adder(router, workbench);
   const auto add_read = [&](std::string_view method, std::string_view pattern, auto reader, const Terms& terms = {}) {
     router.add_read(
         method, pattern, [&workbench, reader](const Request& request) { return reader(workbench, request); }, terms);
