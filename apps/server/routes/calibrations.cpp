@@ -50,10 +50,11 @@ Result<store::CalibrationFilter> calibration_filter(const Request& request) {
   if (!filter.kind.empty() && !store::is_calibration_kind(filter.kind))
     return fail(
         fmt::format("found the kind {}, expected {}", text::quoted(filter.kind), store::calibration_kinds_text));
-  AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", store::id_max));
-  AXIOMETRY_TRY(filter.instrument, whole_of(request, "instrument", store::id_max));
-  AXIOMETRY_TRY(filter.measured_from, date_of(request, "from"));
-  AXIOMETRY_TRY(filter.measured_to, date_of(request, "to"));
+  AXIOMETRY_TRY(filter.machine, id_parameter(request, "machine"));
+  AXIOMETRY_TRY(filter.instrument, id_parameter(request, "instrument"));
+  AXIOMETRY_TRY(const DateRange dates, dates_of(request));
+  filter.measured_from = dates.from;
+  filter.measured_to = dates.to;
   AXIOMETRY_TRY(filter.withdrawn, flag_of(request, "withdrawn", false));
   AXIOMETRY_TRY(filter.descending, flag_of(request, "descending", true));
   AXIOMETRY_TRY(filter.order, calibration_order(request.parameter("order").value_or("received")));
@@ -193,7 +194,7 @@ Result<Response> calibration_report(const Store& store, const Request& request) 
 
 Result<Response> compare_calibrations(const Store& store, const Request& request) {
   AXIOMETRY_TRY(const store::Id before, id_of(request, "calibration"));
-  AXIOMETRY_TRY(const auto after, whole_of(request, "with", store::id_max));
+  AXIOMETRY_TRY(const auto after, id_parameter(request, "with"));
   if (!after) return fail("found no other calibration to compare with, expected with=NUMBER");
   AXIOMETRY_TRY(const app::CalibrationComparison comparison, app::compare_calibrations(store, before, *after));
   return json_response(app::to_json(comparison));

@@ -115,8 +115,8 @@ Result<Response> keep_table(Workbench& workbench, const Request& request) {
 
 Result<Response> list_compensations(Workbench& workbench, const Request& request) {
   store::CompensationFilter filter;
-  AXIOMETRY_TRY(filter.test, whole_of(request, "test", store::id_max));
-  AXIOMETRY_TRY(filter.axis, whole_of(request, "axis", store::id_max));
+  AXIOMETRY_TRY(filter.test, id_parameter(request, "test"));
+  AXIOMETRY_TRY(filter.axis, id_parameter(request, "axis"));
   AXIOMETRY_TRY(filter.withdrawn, flag_of(request, "withdrawn", false));
   AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", store::largest_page));
   filter.limit = limit.value_or(store::largest_page);

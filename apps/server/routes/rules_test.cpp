@@ -137,8 +137,11 @@ TEST_F(RuleRoutes, TakeSeedCoverageAndWayOfSamplingAsTheCommandLineDoes) {
     return interval.find("high")->number() - interval.find("low")->number();
   };
   EXPECT_LT(width(other), width(usual));
-  for (const auto& [name, wrong] : Pairs{{"seed", "-1"}, {"seed", "x"}, {"coverage", "1"}, {"type_a", "best"}})
-    EXPECT_EQ(asked({{name, wrong}}).status, 422) << name;
+  for (const auto& [name, wrong] : Pairs{{"seed", "-1"}, {"seed", "x"}, {"coverage", "1"}, {"type_a", "best"}}) {
+    const Response refused = asked({{name, wrong}});
+    EXPECT_EQ(refused.status, 422) << name;
+    EXPECT_THAT(value_of(refused).find("error")->find("message")->text(), testing::StartsWith(name + ": found"));
+  }
   for (const auto& [name, given] : Pairs{{"seed", "1"}, {"coverage", "0.95"}, {"type_a", "pooled"}})
     EXPECT_EQ(get("/api/tests/1/rules", {{name, given}}).status, 422) << name;
 }

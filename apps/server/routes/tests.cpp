@@ -96,7 +96,7 @@ Result<Reading> read_evaluation(const Workbench& workbench, const Request& reque
 
 Result<Response> receive(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
-  AXIOMETRY_TRY(const auto plan, whole_of(request, "plan", store::id_max));
+  AXIOMETRY_TRY(const auto plan, id_parameter(request, "plan"));
   AXIOMETRY_TRY(const auto files, files_of(request));
   std::vector<app::Upload> uploads;
   for (const SentFile& file : files) {
