@@ -16,6 +16,7 @@
 #include "axiometry/volumetric/identify/residual_causes.h"
 #include "axiometry/volumetric/identify/reversal_causes.h"
 #include "axiometry/volumetric/machine/error_motion.h"
+#include "axiometry/volumetric/identify/tried_fit.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -318,9 +319,12 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_unseen(machine, lengths, result, findings);
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
-  add_residual_causes(done, machine, lengths, findings);
-  add_mixed_days(done, findings);
-  add_reversal_beyond_chance(done, lengths, findings);
+  const bool in_rows = is_in_rows(lengths.readings);
+  add_residual_causes(done, machine, lengths, in_rows, findings);
+  if (!in_rows) {
+    add_mixed_days(done, findings);
+    add_reversal_beyond_chance(done, lengths, findings);
+  }
   add_set_aside(lengths, result, findings);
   add_breaks(done, lengths, result, findings);
   add_drift(result, findings);
