@@ -142,7 +142,7 @@ TEST(LayoutFigure, DrawsNoMoreThanSomeOfManyPoints) {
 
 TEST(LayoutFigure, ShowsOfARasterMoreThanOneOfItsPlanes) {
   Layout layout;
-  for (int k = 0; k < 20'000; ++k) layout.points_mm.push_back({k / 10 * 0.5, k * 7919LL % 601 * 1.0, k % 10 * 50.0});
+  for (int k = 0; k < 20'000; ++k) layout.points_mm.push_back({k / 10 * 0.5, k % 601 * 1.0, k % 10 * 50.0});
   std::map<long, int> at_a_height;
   for (const Operation& operation : layout_figure(layout, {}).operations)
     if (const Disc* disc = std::get_if<Disc>(&operation)) ++at_a_height[std::lround(1e3 * disc->centre.y)];

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "axiometry/report/figures/parts/ink.h"
 #include "axiometry/report/figures/parts/thinned.h"
 
 namespace axiometry::report::plot {
@@ -62,12 +63,13 @@ std::vector<Point> apart(const std::vector<Point>& points, double radius) {
   return kept;
 }
 
-void draw_stretches(std::vector<Operation>& operations, const std::vector<CrowdStretch>& stretches, Colour band,
-                    const Stroke& median) {
+Stroke crowd_median() { return ink::solid(ink::black, 0.8); }
+
+void draw_stretches(std::vector<Operation>& operations, const std::vector<CrowdStretch>& stretches, Colour band) {
   for (std::size_t begin = 0, end = 0; begin < stretches.size(); begin = end) {
     for (end = begin + 1; end < stretches.size() && stretches[end].left - stretches[end - 1].right < 1e-6;) ++end;
     Path outline{.points = {}, .closed = true, .stroke = {.width = 0.0}, .fill = band};
-    Path middle{.points = {}, .closed = false, .stroke = median, .fill = {0, 0, 0, 0}};
+    Path middle{.points = {}, .closed = false, .stroke = crowd_median(), .fill = {0, 0, 0, 0}};
     for (std::size_t k = begin; k < end; ++k) {
       const CrowdStretch& s = stretches[k];
       outline.points.insert(outline.points.end(), {{s.left, s.high}, {s.right, s.high}});

@@ -30,7 +30,9 @@ Crowd crowd(std::vector<Point> points);
 std::vector<Point> apart(const std::vector<Point>& points, double radius);
 
 /// Bands with their medians, as steps.
-void draw_stretches(std::vector<Operation>& operations, const std::vector<CrowdStretch>& stretches, Colour band,
-                    const Stroke& median);
+void draw_stretches(std::vector<Operation>& operations, const std::vector<CrowdStretch>& stretches, Colour band);
+
+Stroke crowd_median();  ///< pen of the medians
+inline constexpr const char* crowd_words = "of many readings the central 95 % with their median, and the farthest";
 
 }  // namespace axiometry::report::plot

@@ -33,7 +33,6 @@ constexpr double dot_radius = 0.85;
 constexpr double aside_radius = 1.6;
 constexpr std::size_t stations_shown_most = 24;
 constexpr Colour crowd_band = ink::faint(ink::blue, 0.32);
-const Stroke crowd_median = ink::solid(ink::black, 0.8);
 
 class ResidualDrawing {
  public:
@@ -73,11 +72,10 @@ class ResidualDrawing {
                        .mark = Disc{.centre = {}, .radius = 1.4, .fill = ink::blue},
                        .text = {plot::plain(say("readings"))}});
     if (aside_.size() - found_.set_aside.size() > plot::most_points_shown)
-      entries.push_back(
-          {.line = crowd_median,
-           .band = crowd_band,
-           .mark = std::nullopt,
-           .text = {plot::plain(say("of many readings the central 95 % with their median, and the farthest"))}});
+      entries.push_back({.line = plot::crowd_median(),
+                         .band = crowd_band,
+                         .mark = std::nullopt,
+                         .text = {plot::plain(say(plot::crowd_words))}});
     if (!found_.set_aside.empty())
       entries.push_back({.line = std::nullopt,
                          .band = std::nullopt,
@@ -101,7 +99,7 @@ class ResidualDrawing {
         used.push_back(pane.at(place(i), um));
     }
     const plot::Crowd shown = plot::crowd(std::move(used));
-    plot::draw_stretches(figure_.operations, shown.stretches, crowd_band, crowd_median);
+    plot::draw_stretches(figure_.operations, shown.stretches, crowd_band);
     for (const Point& at : shown.dots)
       figure_.operations.push_back(
           Disc{.centre = at, .radius = dot_radius, .fill = ink::faint(ink::blue, ink::reading_alpha)});
