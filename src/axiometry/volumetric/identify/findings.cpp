@@ -83,7 +83,7 @@ void add_set_aside(const VolumetricLengths& lengths, const Identification& resul
                    std::vector<VolumetricFinding>& findings) {
   std::vector<SetAside> outliers;
   for (const SetAside& s : result.set_aside)
-    if (s.why == SetAside::Why::outlier) outliers.push_back(s);
+    if (s.reason == SetAside::Reason::outlier) outliers.push_back(s);
   if (outliers.empty()) return;
   const SetAside worst =
       *std::ranges::max_element(outliers, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
