@@ -124,8 +124,8 @@ Result<EvaluatedMotion> evaluated_square(std::span<const GivenFile> files, const
 Result<void> check_offset(Vector3 offset_mm) {
   for (std::size_t k = 0; k < 3; ++k)
     if (!(std::abs(offset_mm[k]) <= largest_offset_mm))
-      return fail(fmt::format("found {} mm in the offset, expected {} mm at most: no machine is larger",
-                              format_exact(offset_mm[k]), format_exact(largest_offset_mm)));
+      return fail(fmt::format("found {:.12g} mm in the offset, expected {:.12g} mm at most: no machine is larger",
+                              offset_mm[k], largest_offset_mm));
   return {};
 }
 
