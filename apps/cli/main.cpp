@@ -18,6 +18,7 @@
 #include "axiometry/base/version.h"
 #include "axiometry/language/language.h"
 #include "cli/failure.h"
+#include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
 #include "cli/verbs/commands.h"
 #include "cli/verbs/dynamic.h"
@@ -129,6 +130,13 @@ std::optional<axiometry::language::Language> usual_language() {
   return language;
 }
 
+/// A flag that some verbs took and others refused would be a surprise.
+void add_language_where_none_is(CLI::App& verb) {
+  const auto below = verb.get_subcommands(is_verb);
+  for (CLI::App* const one : below) add_language_where_none_is(*one);
+  if (below.empty() && verb.get_option_no_throw("--language") == nullptr) axiometry::cli::add_language(verb);
+}
+
 int run(int argc, char** argv) {
   using namespace axiometry::cli;
   const auto asked = asked_language(argc, argv);
@@ -167,6 +175,7 @@ int run(int argc, char** argv) {
   add_bench(verbs, exit_code);
   add_completion(verbs, exit_code);
   add_manual(verbs, exit_code);
+  add_language_where_none_is(program);
   program.footer(examples);  // behind the verbs: each takes over what is there when it is made, and has its own or none
   try {
     if (const std::string fault = unknown_verb(program, argc, argv); !fault.empty()) throw CLI::ValidationError(fault);

@@ -130,14 +130,14 @@ def statements_stay_text(server, checks):
     kept = server.request("GET", f"/api/machines/{made['id']}").json()
     checks.that("it is kept as it is", evil in json.dumps(kept), kept)
     for query, expected in (("text=%27%20OR%201%3D1%20--", 200), ("text=%25", 200), ("text=_", 200),
-                            ("sha256=%27", 200), ("verdict=%27%20OR%20%271%27%3D%271", 200), ("from=%27", 422),
+                            ("sha256=%27", 422), ("verdict=%27%20OR%20%271%27%3D%271", 422), ("from=%27", 422),
                             ("order=title%3B%20DROP%20TABLE%20test", 422), ("machine=1%20OR%201%3D1", 422),
                             ("limit=1%3B", 422)):
         answer = server.request("GET", f"/api/tests?{query}")
         checks.that(f"{query} answers {expected}", answer.status == expected, answer.body[:200])
         checks.that(f"{query} finds nothing", expected != 200 or answer.json()["total"] == 0, answer.body[:200])
     answer = server.request("GET", "/api/audit?subject=%27%20OR%201%3D1&limit=5")
-    checks.that("the trail is not opened by it", answer.json().get("entries", []) == [], answer.body[:200])
+    checks.that("the trail is not opened by it", answer.status == 422, answer.body[:200])
     checks.that("the tests are there", server.request("GET", "/api/tests").json()["total"] == 1)
 
 

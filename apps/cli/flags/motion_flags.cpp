@@ -121,7 +121,7 @@ void add_motion_flags(const Verb& verb, std::string_view kind, MotionFiles& give
     add_read(verb, {"--offset", "DX,DY,DZ", "From the measured line to another point of the moving part, mm"},
              [&choices](const std::string& text) -> Result<void> {
                AXIOMETRY_TRY(choices.offset_mm, app::parse_vector(text));
-               return {};
+               return app::check_offset(*choices.offset_mm);
              });
   }
 }

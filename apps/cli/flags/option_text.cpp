@@ -59,17 +59,31 @@ Flag add_decimal(const Verb& verb, char& mark, const std::string& description) {
   });
 }
 
+namespace {
+
+Result<language::Language> known_language(const std::string& word) {
+  if (const auto language = language::language_of(word)) return *language;
+  return fail(fmt::format("found {}, expected one of {}", text::quoted(word), language::tags_of_languages()));
+}
+
+}  // namespace
+
 Flag add_language(const Verb& verb, report::Options& options, Flag decimal) {
   return add_read(
       verb, {"--language", "LANGUAGE", "Language of reports and sheets: " + language::tags_of_languages()},
       [&options, decimal](const std::string& word) -> Result<void> {
-        const auto language = language::language_of(word);
-        if (!language)
-          return fail(fmt::format("found {}, expected one of {}", text::quoted(word), language::tags_of_languages()));
-        options.language = *language;
-        if (decimal->count() == 0) options.numbers = language::usual_numbers(*language);
+        AXIOMETRY_TRY(options.language, known_language(word));
+        if (decimal->count() == 0) options.numbers = language::usual_numbers(options.language);
         return {};
       });
+}
+
+Flag add_language(const Verb& verb) {
+  return add_read(verb, {"--language", "LANGUAGE", "Language of what is told: " + language::tags_of_languages()},
+                  [](const std::string& word) -> Result<void> {
+                    AXIOMETRY_TRY_VOID(known_language(word));
+                    return {};
+                  });
 }
 
 std::string fault_of_empty_name(const std::string& name) {

@@ -36,6 +36,9 @@ Flag add_decimal(const Verb& verb, char& mark, const std::string& description = 
 /// --language: of reports and sheets; also the decimal mark that its readers expect, unless `decimal` is given.
 Flag add_language(const Verb& verb, report::Options& options, Flag decimal);
 
+/// --language of a verb that writes no report: of what it tells in the terminal, for which main() looks at all words.
+Flag add_language(const Verb& verb);
+
 /// For check(): what is wrong with the name of a file that is read; "" when nothing is.
 std::string fault_of_empty_name(const std::string& name);
 

@@ -75,17 +75,11 @@ class Run {
 
   /// False after an error, which has been reported.
   bool evaluate(const app::InputFile& input) {
-    if (input.from_folder && arguments_.evaluate.profile.empty()) {
-      auto known = app::is_test_file(input.name);
-      if (known && !*known) {
-        tell({"passed over, no known format", input.name, {}});
-        return true;
-      }
-    }
-    auto result = app::evaluate_file(
-        input.name, arguments_.evaluate, threads_,
+    const auto result = app::evaluate_input(
+        input, arguments_.evaluate, threads_,
         [&](app::Evaluated&& evaluated, std::string&& text) { return take(std::move(evaluated), text); });
     bar_.clear();
+    if (result && !*result) tell({"passed over, no known format", input.name, {}});
     if (result) return true;
     if (InterruptGuard::interrupted()) {
       gave_up(result.error(), exit_interrupted);

@@ -76,11 +76,31 @@ Result<std::optional<std::int64_t>> whole_of(const Request& request, std::string
   return std::optional(static_cast<std::int64_t>(*number));
 }
 
+Result<std::optional<store::Id>> id_parameter(const Request& request, std::string_view name) {
+  const auto text = request.parameter(name);
+  if (!text || text->empty()) return std::optional<store::Id>();
+  const auto number = parse_count(*text);
+  if (!number || *number == 0 || *number > static_cast<unsigned long long>(store::id_max))
+    return fail(
+        fmt::format("found {}={}, expected a whole number from 1 to {}", name, text::quoted(*text), store::id_max));
+  return std::optional(static_cast<store::Id>(*number));
+}
+
 Result<std::string> date_of(const Request& request, std::string_view name) {
   const std::string text(request.parameter(name).value_or(""));
   if (!text.empty() && iso_date(text) != text)
     return fail(fmt::format("found {}={}, expected a date such as 2026-01-31", name, text::quoted(text)));
   return text;
+}
+
+Result<DateRange> dates_of(const Request& request) {
+  DateRange dates;
+  AXIOMETRY_TRY(dates.from, date_of(request, "from"));
+  AXIOMETRY_TRY(dates.to, date_of(request, "to"));
+  if (!dates.from.empty() && !dates.to.empty() && dates.from > dates.to)
+    return fail(fmt::format("found from={} after to={}, expected a day no later", text::quoted(dates.from),
+                            text::quoted(dates.to)));
+  return dates;
 }
 
 Result<bool> flag_of(const Request& request, std::string_view name, bool otherwise) {

@@ -25,8 +25,18 @@ Result<std::optional<int>> version_of(const Request& request);
 /// A whole number of the query from 0 to `largest`. Fails on another.
 Result<std::optional<std::int64_t>> whole_of(const Request& request, std::string_view name, std::int64_t largest);
 
+/// The number of a thing in the archive, from 1. Fails on another value.
+Result<std::optional<store::Id>> id_parameter(const Request& request, std::string_view name);
+
 /// A date of the query, "2026-01-31"; empty where there is none. Fails on other text and on a day that does not exist.
 Result<std::string> date_of(const Request& request, std::string_view name);
+
+/// Days from ?from= to ?to=, each empty where there is none. Fails as date_of() does, and where the first is after the
+/// last.
+struct DateRange {
+  std::string from, to;
+};
+Result<DateRange> dates_of(const Request& request);
 
 /// "1", "true" and "yes", or "0", "false" and "no". Fails on other words.
 Result<bool> flag_of(const Request& request, std::string_view name, bool otherwise);

@@ -17,6 +17,7 @@
 #include "axiometry/store/kept/calibration_kinds.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
 
@@ -49,10 +50,11 @@ Result<store::CalibrationFilter> calibration_filter(const Request& request) {
   if (!filter.kind.empty() && !store::is_calibration_kind(filter.kind))
     return fail(
         fmt::format("found the kind {}, expected {}", text::quoted(filter.kind), store::calibration_kinds_text));
-  AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", store::id_max));
-  AXIOMETRY_TRY(filter.instrument, whole_of(request, "instrument", store::id_max));
-  AXIOMETRY_TRY(filter.measured_from, date_of(request, "from"));
-  AXIOMETRY_TRY(filter.measured_to, date_of(request, "to"));
+  AXIOMETRY_TRY(filter.machine, id_parameter(request, "machine"));
+  AXIOMETRY_TRY(filter.instrument, id_parameter(request, "instrument"));
+  AXIOMETRY_TRY(const DateRange dates, dates_of(request));
+  filter.measured_from = dates.from;
+  filter.measured_to = dates.to;
   AXIOMETRY_TRY(filter.withdrawn, flag_of(request, "withdrawn", false));
   AXIOMETRY_TRY(filter.descending, flag_of(request, "descending", true));
   AXIOMETRY_TRY(filter.order, calibration_order(request.parameter("order").value_or("received")));
@@ -192,7 +194,7 @@ Result<Response> calibration_report(const Store& store, const Request& request) 
 
 Result<Response> compare_calibrations(const Store& store, const Request& request) {
   AXIOMETRY_TRY(const store::Id before, id_of(request, "calibration"));
-  AXIOMETRY_TRY(const auto after, whole_of(request, "with", store::id_max));
+  AXIOMETRY_TRY(const auto after, id_parameter(request, "with"));
   if (!after) return fail("found no other calibration to compare with, expected with=NUMBER");
   AXIOMETRY_TRY(const app::CalibrationComparison comparison, app::compare_calibrations(store, before, *after));
   return json_response(app::to_json(comparison));
@@ -201,12 +203,7 @@ Result<Response> compare_calibrations(const Store& store, const Request& request
 }  // namespace
 
 void add_calibration_routes(Router& router, const Context& context) {
-  Store& store = context.store;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light,
-                       const Terms& terms = {}) {
-    router.add(
-        method, pattern, [&store, handler](const Request& request) { return handler(store, request); }, weight, terms);
-  };
+  const auto add = adder(router, context.store);
   const Terms looked_at{.sent = Sent::files, .only_looks = true, .body_max = calibration_bytes_max};
   add("POST", "/api/motions", motions, Weight::heavy, looked_at);
   add("POST", "/api/motions/report.{extension}", motions_report, Weight::heavy, looked_at);

@@ -369,6 +369,8 @@ TEST_F(CalibrationRoutes, refuse_motions_that_are_none) {
   EXPECT_THAT(refused({{"readings", eyx}, {"readings-3", exy}}, "squareness"), HasSubstr("found no file readings-2"));
   EXPECT_THAT(refused({{"readings", eyx}}, "angles"), HasSubstr("found readings of a length, expected an angle"));
   EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"offset_mm": [0, 0, 1]})"), HasSubstr("no use for"));
+  EXPECT_THAT(refused({{"readings", eyx}}, "angles", R"({"offset_mm": [0, 1e9, 1]})"),
+              HasSubstr("offset_mm: found 1000000000 mm in the offset, expected 100000 mm at most"));
   EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"square_error_arcsec": 1})"), HasSubstr("no use for"));
   EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"reference": "none"})"), HasSubstr("no use for"));
   EXPECT_THAT(refused({{"readings", eyx}}, "straightness", R"({"instrument": [-1]})"), HasSubstr("from 0 to"));

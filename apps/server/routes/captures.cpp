@@ -17,6 +17,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/routes.h"
 
 namespace axiometry::server {
@@ -275,21 +276,13 @@ Result<Response> press(CaptureService& captures, const Request& request) {
 
 void add_capture_routes(Router& router, const Context& context) {
   CaptureService& captures = context.captures;
-  router.add("GET", "/api/sources", [&captures](const Request& request) { return sources(captures, request); });
-  router.add("GET", "/api/captures", [&captures](const Request& request) { return list_captures(captures, request); });
+  const auto add = adder(router, captures);
+  add("GET", "/api/sources", sources);
+  add("GET", "/api/captures", list_captures);
   router.add("POST", "/api/captures", [context](const Request& request) { return post(context, request); },
              Weight::by_size, {.body_max = length_plan_bytes_max});
-  router.add("GET", "/api/captures/{id}",
-             [&captures](const Request& request) { return get_capture(captures, request); });
-  router.add(
-      "POST", "/api/captures/{id}/stop", [&captures](const Request& request) { return stop(captures, request); },
-      Weight::edit);  // waits for what is still to be kept
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight,
-                       const Terms& terms = {}) {
-    router.add(
-        method, pattern, [&captures, handler](const Request& request) { return handler(captures, request); }, weight,
-        terms);
-  };
+  add("GET", "/api/captures/{id}", get_capture);
+  add("POST", "/api/captures/{id}/stop", stop, Weight::edit);  // waits for what is still to be kept
   add("POST", "/api/captures/parts", length_parts, Weight::by_size,
       {.only_looks = true, .body_max = length_plan_bytes_max});
   add("POST", "/api/captures/lengths", joined_lengths, Weight::heavy, {.only_looks = true});

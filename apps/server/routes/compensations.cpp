@@ -18,6 +18,7 @@
 #include "axiometry/base/text.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
 
@@ -114,8 +115,8 @@ Result<Response> keep_table(Workbench& workbench, const Request& request) {
 
 Result<Response> list_compensations(Workbench& workbench, const Request& request) {
   store::CompensationFilter filter;
-  AXIOMETRY_TRY(filter.test, whole_of(request, "test", store::id_max));
-  AXIOMETRY_TRY(filter.axis, whole_of(request, "axis", store::id_max));
+  AXIOMETRY_TRY(filter.test, id_parameter(request, "test"));
+  AXIOMETRY_TRY(filter.axis, id_parameter(request, "axis"));
   AXIOMETRY_TRY(filter.withdrawn, flag_of(request, "withdrawn", false));
   AXIOMETRY_TRY(const auto limit, whole_of(request, "limit", store::largest_page));
   filter.limit = limit.value_or(store::largest_page);
@@ -165,13 +166,7 @@ Result<Response> compensation_report(Workbench& workbench, const Request& reques
 }  // namespace
 
 void add_compensation_routes(Router& router, const Context& context) {
-  Workbench& workbench = context.workbench;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light,
-                       const Terms& terms = {}) {
-    router.add(
-        method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight,
-        terms);
-  };
+  const auto add = adder(router, context.workbench);
   const Terms looks{.sent = Sent::files, .only_looks = true, .body_max = table_bytes_max};
   add("GET", "/api/controls", list_controls);
   add("POST", "/api/controls/{control}/table", read_table, Weight::heavy, looks);

@@ -10,6 +10,7 @@ namespace axiometry::server {
 namespace {
 
 using testing::Contains;
+using testing::Field;
 using testing::Not;
 
 QueryNames described_names() { return QueryNames(openapi_files().front().bytes); }
@@ -27,9 +28,10 @@ Response asked(const Router& router, std::string method, Pairs query,
 TEST(QueryNames, are_those_of_the_description) {
   const QueryNames names = described_names();
   ASSERT_NE(names.of("GET", "/api/tests"), nullptr);
-  EXPECT_THAT(*names.of("GET", "/api/tests"), Contains("verdict"));
-  EXPECT_THAT(*names.of("GET", "/api/tests"), Contains("decimal")) << "of a reference";
-  EXPECT_THAT(*names.of("GET", "/api/tests/{id}"), Not(Contains("id"))) << "it is in the path";
+  const auto called = [](const char* name) { return Field(&QueryName::name, name); };
+  EXPECT_THAT(*names.of("GET", "/api/tests"), Contains(called("verdict")));
+  EXPECT_THAT(*names.of("GET", "/api/tests"), Contains(called("decimal"))) << "of a reference";
+  EXPECT_THAT(*names.of("GET", "/api/tests/{id}"), Not(Contains(called("id")))) << "it is in the path";
   EXPECT_TRUE(names.of("GET", "/api/machines")->empty());
   EXPECT_EQ(names.of("GET", "/api/nothing"), nullptr);
   EXPECT_EQ(names.of("PUT", "/api/tests"), nullptr);
@@ -41,8 +43,8 @@ TEST(Router, refuses_what_a_query_may_not_have) {
   router.add("GET", "/api/tests", taken);
   EXPECT_EQ(asked(router, "GET", {{"verdickt", "fail"}}).status, 200) << "nobody has said what it may have";
   router.expect(described_names());
-  EXPECT_EQ(asked(router, "GET", {{"verdict", "fail"}, {"language", "de"}}).body, "taken");
-  const Response refused = asked(router, "GET", {{"verdict", "fail"}, {"verdickt", "fail"}});
+  EXPECT_EQ(asked(router, "GET", {{"verdict", "undecided"}, {"language", "de"}}).body, "taken");
+  const Response refused = asked(router, "GET", {{"verdict", "undecided"}, {"verdickt", "fail"}});
   EXPECT_EQ(refused.status, 422);
   EXPECT_THAT(refused.body,
               testing::HasSubstr(R"(found the query parameter \"verdickt\", expected one of text, machine)"));
@@ -51,6 +53,23 @@ TEST(Router, refuses_what_a_query_may_not_have) {
               testing::HasSubstr("more than once, expected it once"));
   EXPECT_THAT(asked(router, "GET", {{"oder", "name"}}, language::Language::german).body,
               testing::HasSubstr(R"(Abfrageparameter \"oder\"; erwartet: einer von text, machine)"));
+}
+
+TEST(Router, refuses_a_word_that_is_none_of_those_enumerated) {
+  Router router;
+  const Handler taken = [](const Request&) -> Result<Response> { return Response{.body = "taken"}; };
+  router.add("GET", "/api/tests", taken);
+  router.expect(described_names());
+  const Response refused = asked(router, "GET", {{"verdict", "nonsense"}});
+  EXPECT_EQ(refused.status, 422);
+  EXPECT_THAT(
+      refused.body,
+      testing::HasSubstr(R"(found verdict=\"nonsense\", expected one of conforms, does not conform, undecided)"));
+  EXPECT_THAT(asked(router, "GET", {{"decimal", "dot"}}).body, testing::HasSubstr("expected one of point, comma"))
+      << "of a reference";
+  EXPECT_EQ(asked(router, "GET", {{"verdict", ""}, {"text", "nonsense"}}).body, "taken");
+  EXPECT_THAT(asked(router, "GET", {{"verdict", "nonsense"}}, language::Language::german).body,
+              testing::HasSubstr(R"(verdict=\"nonsense\"; erwartet: )"));
 }
 
 TEST(Router, takes_the_language_of_its_refusals_everywhere) {

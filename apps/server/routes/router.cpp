@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <ranges>
 #include <stop_token>
 
 #include "axiometry/base/text.h"
@@ -137,9 +138,8 @@ std::optional<Response> Router::refused_query(const Entry& entry, const Request&
   if (!entry.query_names) return {};
   const auto refused = [&](const std::string& message) { return refusal(422, message, request.language); };
   const auto& names = *entry.query_names;
-  const auto is_known = [&](const std::string& name) {
-    const bool names_file = entry.terms.sent == Sent::files && (name == "name" || name == "filename");
-    return name == "language" || names_file || std::ranges::find(names, name) != names.end();
+  const auto is_file_name = [&](const std::string& name) {
+    return entry.terms.sent == Sent::files && (name == "name" || name == "filename");
   };
   for (const auto& [name, value] : request.query) {
     const std::string found = text::quoted(name);
@@ -148,10 +148,15 @@ std::optional<Response> Router::refused_query(const Entry& entry, const Request&
     if (name == "language" && !language::language_of(value))
       return refused(
           fmt::format("found the language {}, expected one of {}", text::quoted(value), language::tags_of_languages()));
-    if (is_known(name)) continue;
-    return refused(
-        names.empty() ? fmt::format("found the query parameter {}, expected none", found)
-                      : fmt::format("found the query parameter {}, expected one of {}", found, fmt::join(names, ", ")));
+    if (name == "language" || is_file_name(name)) continue;
+    const auto known = std::ranges::find(names, name, &QueryName::name);
+    if (known == names.end())
+      return refused(names.empty() ? fmt::format("found the query parameter {}, expected none", found)
+                                   : fmt::format("found the query parameter {}, expected one of {}", found,
+                                                 fmt::join(names | std::views::transform(&QueryName::name), ", ")));
+    if (!value.empty() && !known->words.empty() && std::ranges::find(known->words, value) == known->words.end())
+      return refused(
+          fmt::format("found {}={}, expected one of {}", name, text::quoted(value), fmt::join(known->words, ", ")));
   }
   return {};
 }

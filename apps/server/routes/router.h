@@ -64,7 +64,8 @@ class Router {
   void add_otherwise(Handler handler) { otherwise_ = std::move(handler); }
 
   /// 422 from now on for a query with another name than these, `language`, which every answer has, and those by which a
-  /// file that is sent may be named (sent_name()), or with one name twice; of routes that are described.
+  /// file that is sent may be named (sent_name()), with one name twice, or with another word than those of its name; of
+  /// routes that are described.
   void expect(const QueryNames& names);
 
   /// In which queue a request with its body waits to be read: light where there is no route for it, and of a route by
@@ -103,7 +104,7 @@ class Router {
     RouteReader reader;
     Weight weight = Weight::light;
     Terms terms{};
-    std::optional<std::vector<std::string>> query_names{};  ///< names that its query may have
+    std::optional<std::vector<QueryName>> query_names{};  ///< what its query may have
   };
   static bool may_keep(const Entry& entry);
   static std::optional<Response> refused_query(const Entry& entry, const Request& request);

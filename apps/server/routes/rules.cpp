@@ -39,7 +39,9 @@ Result<void> take_drawing(const Request& request, app::UncertaintyOptions& optio
   constexpr std::pair<std::string_view, Choose> choices[] = {
       {"seed", app::choose_seed}, {"coverage", app::choose_coverage}, {"type_a", app::choose_type_a}};
   for (const auto& [name, choose] : choices)
-    if (const auto text = request.parameter(name); text && !text->empty()) AXIOMETRY_TRY_VOID(choose(*text, options));
+    if (const auto text = request.parameter(name); text && !text->empty())
+      if (auto chosen = choose(*text, options); !chosen)
+        return fail(fmt::format("{}: {}", name, chosen.error().message));
   return {};
 }
 

@@ -137,11 +137,15 @@ TEST_F(RuleRoutes, TakeSeedCoverageAndWayOfSamplingAsTheCommandLineDoes) {
     return interval.find("high")->number() - interval.find("low")->number();
   };
   EXPECT_LT(width(other), width(usual));
-  for (const auto& [name, wrong] : Pairs{{"seed", "-1"}, {"seed", "x"}, {"coverage", "1"}, {"type_a", "best"}})
-    EXPECT_EQ(asked({{name, wrong}}).status, 422) << name;
+  for (const auto& [name, wrong] : Pairs{{"seed", "-1"}, {"seed", "x"}, {"coverage", "1"}, {"type_a", "best"}}) {
+    const Response refused = asked({{name, wrong}});
+    EXPECT_EQ(refused.status, 422) << name;
+    EXPECT_THAT(refused.body, HasSubstr("\"message\":\"" + name + ": found"));
+  }
   for (const auto& [name, given] : Pairs{{"seed", "1"}, {"coverage", "0.95"}, {"type_a", "pooled"}})
     EXPECT_EQ(get("/api/tests/1/rules", {{name, given}}).status, 422) << name;
 }
+
 TEST_F(RuleRoutes, TakeAllProcessorsForTrialsAlone) {
   const auto load = [&](Pairs query) {
     auto request = std::make_shared<Request>();

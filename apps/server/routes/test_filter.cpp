@@ -38,6 +38,15 @@ Result<std::string> searched_text(const std::string& text) {
   return fail(fmt::format("found {} words to search for, expected at most {}", words, words_max));
 }
 
+/// Small letters, as hashes are kept.
+Result<std::string> sha256_of(const Request& request) {
+  const std::string_view given = request.parameter("sha256").value_or("");
+  const std::string hash = text::to_lower(given);
+  if (hash.empty() || (hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == std::string::npos))
+    return hash;
+  return fail(fmt::format("found sha256={}, expected 64 hexadecimal digits", text::quoted(given)));
+}
+
 }  // namespace
 
 Result<store::TestFilter> test_filter_of(const Request& request) {
@@ -45,13 +54,14 @@ Result<store::TestFilter> test_filter_of(const Request& request) {
   store::TestFilter filter;
   const auto text = [&](std::string_view name) { return std::string(request.parameter(name).value_or("")); };
   AXIOMETRY_TRY(filter.text, searched_text(text("text")));
-  AXIOMETRY_TRY(filter.measured_from, date_of(request, "from"));
-  AXIOMETRY_TRY(filter.measured_to, date_of(request, "to"));
+  AXIOMETRY_TRY(const DateRange dates, dates_of(request));
+  filter.measured_from = dates.from;
+  filter.measured_to = dates.to;
   filter.verdict = text("verdict");
-  filter.sha256 = text("sha256");
-  AXIOMETRY_TRY(filter.machine, whole_of(request, "machine", store::id_max));
-  AXIOMETRY_TRY(filter.axis, whole_of(request, "axis", store::id_max));
-  AXIOMETRY_TRY(filter.instrument, whole_of(request, "instrument", store::id_max));
+  AXIOMETRY_TRY(filter.sha256, sha256_of(request));
+  AXIOMETRY_TRY(filter.machine, id_parameter(request, "machine"));
+  AXIOMETRY_TRY(filter.axis, id_parameter(request, "axis"));
+  AXIOMETRY_TRY(filter.instrument, id_parameter(request, "instrument"));
   AXIOMETRY_TRY(filter.withdrawn, flag_of(request, "withdrawn", false));
   AXIOMETRY_TRY(filter.descending, flag_of(request, "descending", true));
   AXIOMETRY_TRY(const auto offset, whole_of(request, "offset", store::id_max));

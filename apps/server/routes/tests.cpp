@@ -16,6 +16,7 @@
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/text/json_members.h"
 #include "server/http/request_values.h"
+#include "server/routes/adder.h"
 #include "server/routes/routes.h"
 #include "server/routes/test_filter.h"
 
@@ -95,7 +96,7 @@ Result<Reading> read_evaluation(const Workbench& workbench, const Request& reque
 
 Result<Response> receive(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
-  AXIOMETRY_TRY(const auto plan, whole_of(request, "plan", store::id_max));
+  AXIOMETRY_TRY(const auto plan, id_parameter(request, "plan"));
   AXIOMETRY_TRY(const auto files, files_of(request));
   std::vector<app::Upload> uploads;
   for (const SentFile& file : files) {
@@ -320,12 +321,7 @@ void add_test_routes(Router& router, const Context& context) {
   constexpr Terms only_looks{.only_looks = true};
   constexpr Terms looks_at_files{.sent = Sent::files, .only_looks = true};
   Workbench& workbench = context.workbench;
-  const auto add = [&](std::string_view method, std::string_view pattern, auto handler, Weight weight = Weight::light,
-                       const Terms& terms = {}) {
-    router.add(
-        method, pattern, [&workbench, handler](const Request& request) { return handler(workbench, request); }, weight,
-        terms);
-  };
+  const auto add = adder(router, workbench);
   const auto add_read = [&](std::string_view method, std::string_view pattern, auto reader, const Terms& terms = {}) {
     router.add_read(
         method, pattern, [&workbench, reader](const Request& request) { return reader(workbench, request); }, terms);

@@ -27,6 +27,7 @@ class Routes : public testing::Test {
     const Context context{archive.store(), workbench, captures};
     add_test_routes(router, context);
     add_equipment_routes(router, context);
+    add_compensation_routes(router, context);
   }
 
   Response send(std::string method, std::string path, std::string body = {}, Pairs query = {}, Pairs headers = {}) {
@@ -338,6 +339,29 @@ TEST_F(Routes, TellMachinesAxesAndTrends) {
   EXPECT_EQ(send("GET", "/api/axes/1/trend", "", {{"parameters", "A,Q"}}).status, 422);
   EXPECT_EQ(send("GET", "/api/axes/9/trend").status, 404);
   EXPECT_FALSE(answer(send("GET", "/api/audit"), 200).find("entries")->items().empty());
+  EXPECT_FALSE(answer(send("GET", "/api/audit", "", {{"subject", "axis 1"}}), 200).find("entries")->items().empty());
+}
+
+TEST_F(Routes, RefuseWhatNoTestOrSubjectCanHaveInPlaceOfAnEmptyList) {
+  struct Case {
+    const char *path, *name, *value, *expected;
+  };
+  const Case cases[] = {
+      {"/api/tests", "sha256", "zz", "found sha256=\"zz\", expected 64 hexadecimal digits"},
+      {"/api/tests", "machine", "0", "found machine=\"0\", expected a whole number from 1 to"},
+      {"/api/compensations", "test", "0", "found test=\"0\", expected a whole number from 1 to"},
+      {"/api/audit", "subject", "tests 1", "found subject=\"tests 1\", expected one of test, machine"},
+      {"/api/audit", "subject", "test", "found subject=\"test\", expected one of test, machine"},
+      {"/api/audit", "subject", "test x", "with its number, as in \"test 12\""}};
+  for (const auto& [path, name, value, expected] : cases) {
+    const Value refused = answer(send("GET", path, "", {{name, value}}), 422);
+    EXPECT_THAT(text(*refused.find("error"), "message"), testing::HasSubstr(expected)) << value;
+  }
+  const Value turned = answer(send("GET", "/api/tests", "", {{"from", "2026-02-01"}, {"to", "2026-01-31"}}), 422);
+  EXPECT_THAT(text(*turned.find("error"), "message"), testing::HasSubstr("after to="));
+  answer(
+      send("GET", "/api/tests", "", {{"from", "2026-02-01"}, {"to", "2026-02-01"}, {"sha256", std::string(64, 'A')}}),
+      200);
 }
 
 TEST_F(Routes, TellOfTestsInOneDirectionAllThatTheyHaveWhereNoParametersAreAskedFor) {

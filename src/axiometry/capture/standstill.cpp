@@ -111,7 +111,7 @@ std::vector<Standstill> StandstillDetector::interrupt() {
 std::vector<Standstill> StandstillDetector::jumped() {
   std::vector<Standstill> found;
   take_begun(found);
-  frozen_long() ? lose(found) : gap(found);
+  frozen_long() ? end_frozen(found) : gap(found);
   return found;
 }
 
@@ -122,9 +122,9 @@ void StandstillDetector::take_begun(std::vector<Standstill>& found) {
   if (enough) take(rest, false, found);
 }
 
-std::optional<StandstillDetector::Now> StandstillDetector::now() const {
+std::optional<StandstillDetector::Whereabouts> StandstillDetector::now() const {
   if (!now_) return std::nullopt;
-  return Now{Position::native(now_->mean), at_rest_};
+  return Whereabouts{Position::native(now_->mean), at_rest_};
 }
 
 /// The samples of one cell, perhaps with gaps before and within it. How many were taken: of what may be a jump the rest
@@ -153,7 +153,7 @@ std::size_t StandstillDetector::take_piece(std::span<const Sample> samples, cons
   if (leap && (too_few || stays_away(behind))) {
     if (!still.empty()) take_piece(still, sums_of(still), false, found);
     if (too_few) return still.size();
-    lose(found);
+    end_frozen(found);
     return still.size() + take_piece(behind, sums_of(behind), more_come, found);
   }
   watch_value(samples, sums);
@@ -209,7 +209,7 @@ void StandstillDetector::take_cell(std::span<const Sample> samples, const CellSu
   const double noise = noises_.size() < noise_memory ? 0.0 : numeric::median({noises_.begin(), noises_.end()});
   const double floor = std::max(quantum_, 0.5 * options_.smallest.in_native());
   const Cell cell = maker_.make(samples, sums, noise, floor);
-  learn(samples, cell);
+  note_usual(samples, cell);
   travel(samples, cell);
   window_.push_back(cell);
   if (window_.size() > cells_per_window) window_.pop_front();
@@ -221,7 +221,7 @@ void StandstillDetector::take_cell(std::span<const Sample> samples, const CellSu
   if (!at_rest_ && rests) begin_rest(limit);
 }
 
-void StandstillDetector::learn(std::span<const Sample> samples, const Cell& cell) {
+void StandstillDetector::note_usual(std::span<const Sample> samples, const Cell& cell) {
   noises_.push_back(cell.scale);
   if (noises_.size() > noise_memory) noises_.pop_front();
   usual_step_s_ = (cell.end_s - cell.begin_s) / static_cast<double>(samples.size() - 1);
@@ -253,7 +253,7 @@ void StandstillDetector::gap(std::vector<Standstill>& found) {
 }
 
 /// The signal, as it seems: a gap that was filled with the last value.
-void StandstillDetector::lose(std::vector<Standstill>& found) {
+void StandstillDetector::end_frozen(std::vector<Standstill>& found) {
   rest_.frozen_from_s = frozen_->from_s;
   gap(found);
 }

@@ -82,11 +82,11 @@ class StandstillDetector {
   std::vector<Standstill> jumped();
 
   /// Where the axis is now, for people who watch; nothing before the first cell.
-  struct Now {
+  struct Whereabouts {
     Position position;
     bool at_rest = false;
   };
-  std::optional<Now> now() const;
+  std::optional<Whereabouts> now() const;
 
  private:
   /// Sums over the cells of one standstill, as deviations from its first mean and its begin.
@@ -118,9 +118,9 @@ class StandstillDetector {
   void watch_value(std::span<const Sample> samples, const CellSums& sums);
   void take_cell(std::span<const Sample> samples, const CellSums& sums, std::vector<Standstill>& found);
   void travel(std::span<const Sample> samples, const Cell& cell);
-  void learn(std::span<const Sample> samples, const Cell& cell);
+  void note_usual(std::span<const Sample> samples, const Cell& cell);
   void gap(std::vector<Standstill>& found);
-  void lose(std::vector<Standstill>& found);
+  void end_frozen(std::vector<Standstill>& found);
   double threshold() const;
   bool settled(double threshold) const;
   void begin_rest(double threshold);

@@ -92,7 +92,7 @@ class StopListener {
   void interrupt();
 
   const StopMatcher& matcher() const { return matcher_; }
-  std::optional<StandstillDetector::Now> now() const { return detector_.now(); }
+  std::optional<StandstillDetector::Whereabouts> now() const { return detector_.now(); }
 
   /// stop_lengths(), as far as the recording has come.
   Result<StopLengths> lengths() const { return stop_lengths(matcher_); }

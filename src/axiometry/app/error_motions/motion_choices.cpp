@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "axiometry/app/files/request_members.h"
 #include "axiometry/base/counted.h"
@@ -120,6 +121,14 @@ Result<EvaluatedMotion> evaluated_square(std::span<const GivenFile> files, const
 
 }  // namespace
 
+Result<void> check_offset(Vector3 offset_mm) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(std::abs(offset_mm[k]) <= largest_offset_mm))
+      return fail(fmt::format("found {:.12g} mm in the offset, expected {:.12g} mm at most: no machine is larger",
+                              offset_mm[k], largest_offset_mm));
+  return {};
+}
+
 Result<MotionChoices> motion_choices_from(const Value& options) {
   MotionChoices choices;
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(options, "options"));
@@ -128,6 +137,8 @@ Result<MotionChoices> motion_choices_from(const Value& options) {
   AXIOMETRY_TRY_VOID(take_senses(members, choices));
   if (const Value* value = members.optional("offset_mm")) {
     AXIOMETRY_TRY(choices.offset_mm, formats::vector_in(*value, "offset_mm"));
+    if (auto possible = check_offset(*choices.offset_mm); !possible)
+      return fail(fmt::format("offset_mm: {}", possible.error().message), value->at());
   }
   if (const Value* value = members.optional("square_error_arcsec")) {
     AXIOMETRY_TRY(choices.square.square_error_arcsec,

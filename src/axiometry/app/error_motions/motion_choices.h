@@ -35,6 +35,10 @@ json::Value to_json(const MotionChoices& choices);
 /// Bounds of what is stated, also on the command line.
 inline constexpr double largest_motion_uncertainty = 1e6;  ///< µm, µrad or ″; no instrument has more
 inline constexpr double largest_square_arcsec = 3600.0;    ///< a degree
+inline constexpr double largest_offset_mm = 1e5;           ///< 100 m; no machine has more
+
+/// Fails on an offset of which a part is larger than that of any machine.
+Result<void> check_offset(Vector3 offset_mm);
 
 using EvaluatedMotion = std::variant<MeasuredMotion, AnglesMeasurement, SquarenessMeasurement>;
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -88,6 +89,17 @@ Result<void> check_statements(const MeasuredMotion& measured, bool may_be_positi
   return {};
 }
 
+/// Which of both is pitch and which is yaw depends on how the machine stands; which is roll does not.
+Result<void> check_turn(const std::optional<MotionName>& error, std::string_view turn) {
+  if (!error || turn.empty() || (turn == "roll") == error->roll()) return {};
+  const auto about = [&](int places) {
+    return MotionName{static_cast<char>('A' + (error->axis - 'X' + places) % 3), error->axis}.text();
+  };
+  return fail(turn == "roll" ? fmt::format("found a column of roll for {}, expected {}", error->text(), about(0))
+                             : fmt::format("found a column of {} for {}, which is the roll; expected {} or {}", turn,
+                                           error->text(), std::min(about(1), about(2)), std::max(about(1), about(2))));
+}
+
 /// Of two statements; nothing where one of them is missing.
 std::optional<bool> are_alike(std::string_view a, std::string_view b) {
   const std::string_view one = text::trim(a), two = text::trim(b);
@@ -140,6 +152,7 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
     measured.remarks.emplace_back("the plan names no error: it was made for positions");
   AXIOMETRY_TRY_VOID(put_sense(measured, request.sense, file));
   AXIOMETRY_TRY_VOID(check_statements(measured, file.may_be_positions));
+  AXIOMETRY_TRY_VOID(check_turn(measured.error, file.turn));
   AXIOMETRY_TRY(const MotionSeries series, MotionSeries::make(std::move(file.readings), file.unit, angle ? 2 : 3));
   error_motions::MotionOptions options = request.options;
   if (states_nothing(options.instrument)) options.instrument.reset();

@@ -147,8 +147,7 @@ TEST(MotionReport, HasAnUncertaintyOfTheAngleOfALineAndNoRoundingForAValue) {
 
 /// A second run that is the first one's copy knows no more than that, and nothing of the truth.
 TEST(MotionReport, HasNoUncertaintyOfNothingWhereRunsAgreeToTheLastDigit) {
-  const std::string rows =
-      "position_mm,run,straightness_um\n0,1,1\n400,1,2\n800,1,3.5\n0,2,1\n400,2,2\n800,2,3.5\n";
+  const std::string rows = "position_mm,run,straightness_um\n0,1,1\n400,1,2\n800,1,3.5\n0,2,1\n400,2,2\n800,2,3.5\n";
   const auto copied = straight_document(rows);
   for (const char* row : {"Straightness, range of the residuals", "Slope of the line", "Line at position 0"})
     EXPECT_EQ(row_of(copied, row).at(3), "–") << row;
@@ -200,6 +199,20 @@ TEST(MeasuredMotion, DoesNotBelieveAnInstrumentWithoutUncertainty) {
   ASSERT_TRUE(growing);
   EXPECT_TRUE(growing->motion.principal().range.tells_U());
   EXPECT_EQ(std::ranges::count(growing->remarks, zero_instrument_remark), 0);
+}
+
+TEST(Angles, RefuseAColumnOfRollForAnErrorThatIsNone) {
+  const auto fault = [](const char* column, const char* error) -> std::string {
+    const std::string bytes = std::string("position_mm,") + column + "_urad\n0,1\n400,2\n";
+    const auto measured = measure_angle({.file = "a.csv", .error = *motion_name(error), .options = {}, .bytes = bytes});
+    return measured ? "" : measured.error().message;
+  };
+  EXPECT_EQ(fault("roll", "EBX"), "found a column of roll for EBX, expected EAX");
+  EXPECT_EQ(fault("roll", "EBY"), "");
+  EXPECT_EQ(fault("pitch", "ECZ"), "found a column of pitch for ECZ, which is the roll; expected EAZ or EBZ");
+  EXPECT_EQ(fault("yaw", "EAX"), "found a column of yaw for EAX, which is the roll; expected EBX or ECX");
+  for (const char* error : {"EBX", "ECX"}) EXPECT_EQ(fault("pitch", error), "") << "as the machine stands";
+  EXPECT_EQ(fault("angle", "EBX"), "");
 }
 
 }  // namespace

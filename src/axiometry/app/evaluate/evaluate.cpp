@@ -32,10 +32,11 @@ namespace {
 
 constexpr std::size_t single_test_limit = std::size_t{2} << 30;  // logs of controls have gigabytes
 
-/// `forced`: its id; empty where it is to be recognised.
-Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced) {
+/// `forced`: its id; empty where it is to be recognised, or `known` already.
+Result<const formats::Format*> format_of_id(std::string_view head, const std::string& forced,
+                                            std::optional<Recognised> known = {}) {
   if (forced.empty()) {
-    Recognised found = recognised(head);
+    Recognised found = known ? *std::move(known) : recognised(head);
     if (found.recording == nullptr) return std::move(found.format);
     if (formats::sensors_of_log(head))
       return fail(
@@ -59,13 +60,13 @@ struct Forced {
   const std::string& profile;
 };
 
-Result<const formats::Format*> format_of(Source& source, const Forced& forced) {
+Result<const formats::Format*> format_of(Source& source, const Forced& forced, std::optional<Recognised> known = {}) {
   AXIOMETRY_TRY(const std::string_view head, source.head());
   const bool by_profile = !forced.profile.empty();
   if (by_profile && !forced.format.empty() && forced.format != formats::any_table_format)
     return fail(fmt::format("found the format \"{}\" beside an import profile, expected \"{}\" or none", forced.format,
                             formats::any_table_format));
-  return format_of_id(head, by_profile ? std::string(formats::any_table_format) : forced.format);
+  return format_of_id(head, by_profile ? std::string(formats::any_table_format) : forced.format, std::move(known));
 }
 
 bool holds_many(const formats::Format& format, std::string_view head) {
@@ -74,14 +75,12 @@ bool holds_many(const formats::Format& format, std::string_view head) {
 
 /// Reads after an import profile and says so.
 Result<Test> read_by_profile(std::string_view bytes, const std::string& name) {
-  auto text = file_bytes(name);
-  if (!text) return std::unexpected(in_file(std::move(text).error(), name));
-  const auto profile = formats::read_profile(*text);
-  if (!profile) return std::unexpected(in_file(profile.error(), name));
-  AXIOMETRY_TRY(Test test, formats::read_with(*profile, bytes));
+  AXIOMETRY_TRY(const std::string text, in_file(file_bytes(name), name));
+  AXIOMETRY_TRY(const formats::ImportProfile profile, in_file(formats::read_profile(text), name));
+  AXIOMETRY_TRY(Test test, formats::read_with(profile, bytes));
   auto& remarks = test.provenance.remarks;
   remarks.insert(remarks.begin(), {false, fmt::format("columns were read after the import profile {}, SHA-256 {}",
-                                                      text::quoted(base_name(name)), sha256(*text))});
+                                                      text::quoted(base_name(name)), sha256(text))});
   return test;
 }
 
@@ -146,13 +145,13 @@ Result<void> evaluate_many(Source& source, const formats::Format& format, const 
 }
 
 Result<void> evaluate_source(Source& source, const EvaluateOptions& options, const ManyThreads& threads,
-                             const EvaluatedTextSink& sink) {
+                             const EvaluatedTextSink& sink, std::optional<Recognised> known = {}) {
   if (options.recording) {
     AXIOMETRY_TRY(Test test, read_recording(source, *options.recording));
     AXIOMETRY_TRY(Evaluated evaluated, evaluate_test(std::move(test), options));
     return sink(std::move(evaluated), {});
   }
-  AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}));
+  AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}, std::move(known)));
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(*format, head)) {
     if (options.temperatures) return fail("found a file of many tests, expected one test with --temperatures");
@@ -321,11 +320,8 @@ Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::str
 }
 
 Result<Test> read_test(const std::string& file, const std::string& format, const std::string& profile) {
-  auto source = Source::open(file);
-  if (!source) return std::unexpected(in_file(std::move(source).error(), file));
-  auto test = read_source(*source, {format, profile});
-  if (!test) return std::unexpected(in_file(std::move(test).error(), file));
-  return test;
+  AXIOMETRY_TRY(Source source, in_file(Source::open(file), file));
+  return in_file(read_source(source, {format, profile}), file);
 }
 
 Result<void> read_tests(Source& source, const TestSink& sink) {
@@ -356,10 +352,24 @@ Result<void> evaluate_file(const std::string& file, const EvaluateOptions& optio
 
 Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const ManyThreads& threads,
                            const EvaluatedTextSink& sink) {
-  auto source = Source::open(file);
-  if (!source) return std::unexpected(in_file(std::move(source).error(), file));
-  auto result = evaluate_source(*source, options, threads, sink);
-  return result ? Result<void>{} : std::unexpected(in_file(std::move(result).error(), file));
+  AXIOMETRY_TRY_VOID(evaluate_input({file, false}, options, threads, sink));
+  return {};
+}
+
+Result<bool> evaluate_input(const InputFile& input, const EvaluateOptions& options, const ManyThreads& threads,
+                            const EvaluatedTextSink& sink) {
+  const auto work = [&]() -> Result<bool> {
+    AXIOMETRY_TRY(Source source, Source::open(input.name));
+    std::optional<Recognised> known;
+    if (input.from_folder && options.profile.empty()) {
+      AXIOMETRY_TRY(const std::string_view head, source.head());
+      known = recognised(head);
+      if (!known->format) return false;
+    }
+    AXIOMETRY_TRY_VOID(evaluate_source(source, options, threads, sink, std::move(known)));
+    return true;
+  };
+  return in_file(work(), input.name);
 }
 
 Result<std::vector<InputFile>> expand_inputs(const std::vector<std::string>& names) {
@@ -383,12 +393,6 @@ Result<std::vector<InputFile>> expand_inputs(const std::vector<std::string>& nam
     inputs.insert(inputs.end(), found.begin(), found.end());
   }
   return inputs;
-}
-
-Result<bool> is_test_file(const std::string& file) {
-  AXIOMETRY_TRY(Source source, Source::open(file));
-  AXIOMETRY_TRY(const std::string_view head, source.head());
-  return formats::recognise(head).has_value();
 }
 
 }  // namespace axiometry::app

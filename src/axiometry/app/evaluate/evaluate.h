@@ -119,7 +119,4 @@ struct InputFile {
 /// what does not exist.
 Result<std::vector<InputFile>> expand_inputs(const std::vector<std::string>& names);
 
-/// Whether any format recognises the beginning of the file.
-Result<bool> is_test_file(const std::string& file);
-
 }  // namespace axiometry::app

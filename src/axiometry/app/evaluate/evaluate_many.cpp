@@ -31,14 +31,14 @@ class TestsSideBySide::Batch {
   }
 
   std::vector<Waiting> waiting;
-  std::vector<std::optional<Done>> results;
+  std::vector<std::optional<Finished>> results;
   std::vector<std::exception_ptr> thrown;
 
  private:
   void work() {
     for (std::size_t k = next_++; k < results.size(); k = next_++) {
       try {
-        results[k].emplace(owner_.done(waiting[k]));
+        results[k].emplace(owner_.finished(waiting[k]));
       } catch (...) {
         thrown[k] = std::current_exception();
       }
@@ -58,8 +58,8 @@ TestsSideBySide::TestsSideBySide(Evaluate evaluate, ManyThreads threads, Evaluat
 TestsSideBySide::~TestsSideBySide() = default;
 
 // Tests are large: what is made of one is made where it stays, or moved once.
-TestsSideBySide::Done TestsSideBySide::done(Waiting& waiting) const {
-  Done done{evaluate_(std::move(waiting.test)), {}};
+TestsSideBySide::Finished TestsSideBySide::finished(Waiting& waiting) const {
+  Finished done{evaluate_(std::move(waiting.test)), {}};
   if (!done.evaluated) return done;
   done.evaluated->name = std::move(waiting.name);
   if (!threads_.make_text) return done;
@@ -102,7 +102,7 @@ Result<void> TestsSideBySide::hand_over(Batch& batch) {
   for (std::size_t k = 0; k < batch.results.size(); ++k) {
     if (batch.thrown[k]) std::rethrow_exception(batch.thrown[k]);
     auto handed_over = Result<void>();
-    if (Done& result = *batch.results[k]; result.evaluated)
+    if (Finished& result = *batch.results[k]; result.evaluated)
       handed_over = sink_(*std::move(result.evaluated), std::move(result.text));
     else
       handed_over = std::unexpected(std::move(result.evaluated).error());

@@ -28,6 +28,11 @@ struct ManyThreads {
 Result<void> evaluate_file(const std::string& file, const EvaluateOptions& options, const ManyThreads& threads,
                            const EvaluatedTextSink& sink);
 
+/// As evaluate_file(), once recognised. False for what was found in a folder and no format recognises: it is passed
+/// over, unless it is to be read after a profile.
+Result<bool> evaluate_input(const InputFile& input, const EvaluateOptions& options, const ManyThreads& threads,
+                            const EvaluatedTextSink& sink);
+
 /// Gathers tests and evaluates some at once, the other threads while this one reads the next and writes the last.
 /// Whatever fails, all tests before it are handed over, and none after.
 class TestsSideBySide {
@@ -49,12 +54,12 @@ class TestsSideBySide {
     std::string name;
     std::size_t line = 0;
   };
-  struct Done {
+  struct Finished {
     Result<Evaluated> evaluated;  ///< what was found, or why there is nothing, or no text of it
     std::string text;
   };
   class Batch;
-  Done done(Waiting& waiting) const;
+  Finished finished(Waiting& waiting) const;
   std::size_t at_once() const;
   Result<void> next_batch();
   Result<void> hand_over(Batch& batch);

@@ -280,7 +280,7 @@ std::size_t CaptureSession::expected() const {
   return stops_ ? stops_->matcher().stops().size() : matcher_->result().approaches;
 }
 
-std::optional<capture::StandstillDetector::Now> CaptureSession::now() const {
+std::optional<capture::StandstillDetector::Whereabouts> CaptureSession::now() const {
   if (motion_) return axis_;
   return stops_ ? stops_->now() : detector_->now();
 }

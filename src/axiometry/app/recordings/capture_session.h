@@ -101,8 +101,8 @@ class CaptureSession {
   std::size_t lost() const { return reader_ ? reader_->lost() : 0; }
   Environment environment() const { return reader_ ? reader_->environment() : Environment{}; }
   /// Where the axis is; nothing of readings that do not tell it, unless somebody else does.
-  std::optional<capture::StandstillDetector::Now> now() const;
-  void tell_axis(capture::StandstillDetector::Now now) { axis_ = now; }  ///< where a simulated axis stands
+  std::optional<capture::StandstillDetector::Whereabouts> now() const;
+  void tell_axis(capture::StandstillDetector::Whereabouts now) { axis_ = now; }  ///< where a simulated axis stands
 
  private:
   CaptureSession() = default;
@@ -120,7 +120,7 @@ class CaptureSession {
   std::unique_ptr<capture::StandstillDetector> detector_;
   std::unique_ptr<capture::StopListener> stops_;  // in place of both others, where lengths are captured
   std::unique_ptr<MotionListener> motion_;        // likewise
-  std::optional<capture::StandstillDetector::Now> axis_;
+  std::optional<capture::StandstillDetector::Whereabouts> axis_;
   const formats::Recording* layout_ = nullptr;
   std::unique_ptr<formats::RecordingReader> reader_;
   std::unique_ptr<formats::RecordingReader> beside_;  // reader of what tells the stops of motion_, in the same bytes

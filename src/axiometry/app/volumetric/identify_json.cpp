@@ -35,11 +35,11 @@ using volumetric::Squareness;
 using volumetric::VolumetricRank;
 using volumetric::VolumetricReading;
 
-const char* why_name(SetAside::Why why) {
-  switch (why) {
-    case SetAside::Why::outlier: return "outlier";
-    case SetAside::Why::beside_break: return "beside a break";
-    case SetAside::Why::unknown_direction: return "unknown direction";
+const char* reason_name(SetAside::Reason reason) {
+  switch (reason) {
+    case SetAside::Reason::outlier: return "outlier";
+    case SetAside::Reason::beside_break: return "beside a break";
+    case SetAside::Reason::unknown_direction: return "unknown direction";
   }
   return "";
 }
@@ -217,7 +217,7 @@ Value to_json(const IdentifiedMachine& identified) {
     add_reading(item, identified, s.reading);
     item.add("residual_um", s.residual_um);
     item.add("normalised", s.normalised);
-    item.add("why", why_name(s.why));
+    item.add("why", reason_name(s.reason));
   }
   Value& breaks = root.add("breaks", Value::array());
   for (const FoundBreak& b : found.breaks) {

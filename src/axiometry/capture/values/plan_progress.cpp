@@ -41,12 +41,13 @@ std::optional<Approach> PlanProgress::due() const {
 }
 
 std::size_t PlanProgress::taken() const {
-  return static_cast<std::size_t>(std::ranges::count_if(done_, [](const Done& d) { return d.value.has_value(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(done_, [](const PassedStop& d) { return d.value.has_value(); }));
 }
 
 std::vector<PlannedValue> PlanProgress::values() const {
   std::vector<PlannedValue> list;
-  for (const Done& done : done_)
+  for (const PassedStop& done : done_)
     if (done.value) list.push_back(*done.value);
   return list;
 }

@@ -55,7 +55,7 @@ class PlanProgress {
   bool undo();
 
  private:
-  struct Done {
+  struct PassedStop {
     std::optional<double> time_s;
     std::optional<PlannedValue> value;
     double pace = 0.0;  // 0 where none was seen
@@ -67,7 +67,7 @@ class PlanProgress {
 
   std::vector<Approach> approaches_;
   std::vector<double> planned_s_;  // time from the stop before to this one
-  std::vector<Done> done_;
+  std::vector<PassedStop> done_;
 };
 
 }  // namespace axiometry::capture

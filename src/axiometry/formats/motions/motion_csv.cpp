@@ -42,6 +42,7 @@ struct MotionColumns {
   char delimiter = ',';
   std::vector<std::string> passed_over;
   bool may_be_positions = false;
+  std::string turn;  ///< as that of MotionFile
 };
 
 std::optional<MotionRole> motion_role(std::string_view name) {
@@ -60,6 +61,8 @@ bool is_beside_reading(std::string_view name) {
   return name == "time" || name == "scatter" || name == "drift" || name == "samples";
 }
 
+bool is_turn(std::string_view name) { return name == "roll" || name == "pitch" || name == "yaw"; }
+
 /// As table_head(), and with inclinations: "pitch_um/m".
 TableHead motion_head(std::string_view text) {
   TableHead head = table_head(text);
@@ -74,8 +77,7 @@ Result<const Unit*> value_unit(const CsvCell& head, const TableHead& named, std:
   const TextPosition at{line, head.column};
   const auto error = motion_name(named.name);
   const bool length = named.name.ends_with("straightness") || (error && !error->rotation());
-  const bool angle = named.name == "angle" || named.name == "roll" || named.name == "pitch" || named.name == "yaw" ||
-                     (error && error->rotation());
+  const bool angle = named.name == "angle" || is_turn(named.name) || (error && error->rotation());
   const std::string_view wanted = length  ? "of length: um, mm, nm, m or in"
                                   : angle ? "of angle: urad, mrad, um/m, mm/m, arcsec or deg"
                                           : "such as um, urad or arcsec";
@@ -114,6 +116,7 @@ Result<MotionColumns> motion_columns(std::string_view header, std::size_t line, 
     } else if (*role == value_column) {
       AXIOMETRY_TRY(columns.value_unit, value_unit(heads[k], named, line));
       if (const auto error = motion_name(named.name)) columns.error = *error;
+      if (is_turn(named.name)) columns.turn = named.name;
       columns.may_be_positions = named.name == "deviation" && columns.value_unit->kind == AxisKind::linear;
     }
   }
@@ -279,7 +282,7 @@ Result<void> check_kind(const MotionFile& file, std::size_t line) {
 /// Whether a name is one that no deviation of positions has.
 bool names_other_error(std::string_view name) {
   if (const auto error = motion_name(name)) return error->rotation() || error->straightness();
-  return name.ends_with("straightness") || name == "roll" || name == "pitch" || name == "yaw";
+  return name.ends_with("straightness") || is_turn(name);
 }
 
 /// "EYX", "straightness", or nothing; of the comments above a table and its header.
@@ -352,6 +355,7 @@ Result<MotionFile> read_motion_table(std::string_view bytes, const Plan* plan) {
     AXIOMETRY_TRY(MotionColumns columns, motion_columns(line.text, line.number, plan != nullptr));
     file.unit = motion_unit_of(*columns.value_unit);
     file.may_be_positions = columns.may_be_positions;
+    file.turn = columns.turn;
     if (columns.error) AXIOMETRY_TRY_VOID(put_error(file, *columns.error, line.number));
     if (!columns.passed_over.empty()) file.remarks.push_back({false, passed_over(columns.passed_over)});
     rows.emplace(std::move(columns), plan);

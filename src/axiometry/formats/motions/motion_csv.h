@@ -20,6 +20,7 @@ struct MotionFile {
   std::optional<ReadingSense> sense;  ///< stated by `# positive: -Y`
   Metadata metadata;                  ///< metadata of `# key: value` lines
   bool may_be_positions = false;      ///< lengths in a column "deviation", as those of positions are called
+  std::string turn{};                 ///< "roll", "pitch" or "yaw", where the column is called so
   std::vector<SourceRemark> remarks{};
 };
 

@@ -186,9 +186,27 @@ std::optional<SampleColumns> time_columns(const std::vector<Heading>& headings, 
 
 }  // namespace
 
+namespace {
+
+/// A delimiter between quotes parts no cells: `"20,5"`.
+std::vector<std::string_view> split_beside_quotes(std::string_view line, char delimiter) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::size_t closing = line.substr(begin, 1) == "\"" ? line.find('"', begin + 1) : line.npos;
+    const std::size_t end = std::min(line.find(delimiter, closing == line.npos ? 0 : closing), line.size());
+    cells.push_back(line.substr(0, end));
+    if (end == line.size()) return cells;
+    line.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace
+
 std::vector<std::string_view> cells_of(std::string_view line, char delimiter) {
   if (delimiter != ' ') {
-    std::vector<std::string_view> cells = text::split(line, delimiter);
+    const bool quotes = line.find('"') != line.npos;
+    std::vector<std::string_view> cells = quotes ? split_beside_quotes(line, delimiter) : text::split(line, delimiter);
     for (std::string_view& cell : cells) cell = unquoted(cell);
     while (cells.size() > 2 && cells.back().empty()) cells.pop_back();  // a delimiter at the end of the line
     return cells;

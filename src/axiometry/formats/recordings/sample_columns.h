@@ -25,7 +25,8 @@ struct SampleColumns {
   const Unit* unit = nullptr;  ///< unit that the header names
 };
 
-/// The cells of a line; with blanks as delimiter, date and time of day that a blank parts are one cell.
+/// The cells of a line, without quotes about them; with blanks as delimiter, date and time of day that a blank parts
+/// are one cell.
 std::vector<std::string_view> cells_of(std::string_view line, char delimiter);
 
 /// A number with a decimal point, or with a comma where the comma is not the delimiter.

@@ -153,6 +153,19 @@ bool dates_readings(const std::vector<std::string_view>& cells, std::size_t date
          (std::ranges::any_of(before, is_number) || std::ranges::any_of(after, is_number));
 }
 
+/// "CET" of "2026-03-02 09:00 CET", "+25:00": what stands behind a moment and is no zone that is read.
+std::optional<std::string_view> behind_moment(std::string_view cell) {
+  constexpr std::size_t shortest = 14;  // "1.3.2026 09:00"
+  if (moment_of(cell)) return std::nullopt;
+  for (std::size_t end = cell.size(); end-- > shortest;) {
+    const auto moment = moment_of(text::trim(cell.substr(0, end)));
+    if (!moment || moment->zoned) continue;
+    const std::string_view rest = text::trim(cell.substr(end));
+    return std::string_view(":.,0123456789").contains(rest.front()) ? std::nullopt : std::optional(rest);
+  }
+  return std::nullopt;
+}
+
 /// Where the time stands; nothing where the line tells none.
 std::optional<LogColumns> time_columns(const std::vector<std::string_view>& cells, const std::vector<Head>& heads,
                                        char delimiter) {
@@ -178,7 +191,7 @@ std::optional<LogColumns> time_columns(const std::vector<std::string_view>& cell
     columns.time = static_cast<std::size_t>(named - heads.begin());
     columns.seconds_per_unit = named->seconds.value_or(1.0);
   }
-  if (columns.time >= cells.size() || !log_number(cells[columns.time], delimiter)) return std::nullopt;
+  if (columns.time >= cells.size() || !number_of(cells[columns.time], delimiter)) return std::nullopt;
   return columns;
 }
 
@@ -204,7 +217,9 @@ std::vector<std::string_view> log_cells(std::string_view line, char delimiter) {
   return joined;
 }
 
-std::optional<double> log_number(std::string_view cell, char delimiter) { return number_of(cell, delimiter); }
+std::optional<double> log_number(std::string_view cell, char delimiter) {
+  return number_of(cell, delimiter == ',' ? ';' : delimiter);
+}
 
 bool has_no_value(std::string_view cell) { return cell.empty() || text::is_one_of(cell, no_values); }
 
@@ -317,6 +332,10 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
   if (half != cells.end() && dates_readings(cells, static_cast<std::size_t>(half - cells.begin()), delimiter))
     return fail(fmt::format("found the time {}, expected hours from 0 to 23: AM and PM are not read",
                             text::quoted(text::trim(*half))));
+  const auto zone = std::ranges::find_if(cells, [](std::string_view cell) { return behind_moment(cell).has_value(); });
+  if (zone != cells.end() && dates_readings(cells, static_cast<std::size_t>(zone - cells.begin()), delimiter))
+    return fail(fmt::format("found {} behind the time in {}, expected nothing, or a time zone such as Z or +01:00",
+                            text::quoted(*behind_moment(*zone)), text::quoted(*zone)));
   auto columns = time_columns(cells, heads, delimiter);
   if (!columns) return std::nullopt;
   const auto is_number = [&](std::size_t k) { return k < cells.size() && log_number(cells[k], delimiter).has_value(); };

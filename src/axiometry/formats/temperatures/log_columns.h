@@ -48,7 +48,8 @@ struct LogColumns {
 /// The line that a delimiter parts: a moment that blanks part is one cell.
 std::vector<std::string_view> log_cells(std::string_view line, char delimiter);
 
-/// A number with a point, or with a comma where that parts no cells.
+/// A temperature with a point, or with a comma where that parts no cells: between commas one in quotes, which thousands
+/// could have, but no temperature.
 std::optional<double> log_number(std::string_view cell, char delimiter);
 
 /// Whether a cell says that its sensor had no value: "", "-", "NaN", "err", …

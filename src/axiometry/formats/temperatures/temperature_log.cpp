@@ -10,6 +10,7 @@
 
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text.h"
+#include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/temperatures/log_columns.h"
 #include "axiometry/formats/temperatures/sensor_role.h"
 #include "axiometry/formats/text/decoded_text.h"
@@ -159,7 +160,7 @@ class LogReader {
         return *seconds + midnights_ * day_s;
       }
       case LogTime::number: {
-        const auto number = log_number(cell, columns_->delimiter);
+        const auto number = number_of(cell, columns_->delimiter);
         if (!number) return std::nullopt;
         const double seconds = *number * columns_->seconds_per_unit;
         if (times_.empty() && seconds >= unix_from) since_1970_ = seconds >= unix_ms_from ? 1e-3 : 1.0;

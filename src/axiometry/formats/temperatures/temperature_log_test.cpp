@@ -46,6 +46,33 @@ TEST(TemperatureLogs, HaveATimeAndSensorsWithRolesByTheirNames) {
                                        "name"));
 }
 
+TEST(TemperatureLogs, MayHaveDecimalCommasInQuotesBetweenCommas) {
+  const auto log = log_of(
+      "\"time\",\"Air, hall 2 [°C]\",\"Bed [°C]\"\n"
+      "\"2026-03-02T08:00:00\",\"20,5\",\"21,25\"\n"
+      "\"2026-03-02T08:10:00\",\"20,75\",21\n");
+  ASSERT_EQ(log.sensors.size(), 2u);
+  EXPECT_EQ(log.sensors[0].location, "Air, hall 2");
+  EXPECT_THAT(log.sensors[0].celsius, ElementsAre(20.5, 20.75));
+  EXPECT_THAT(log.sensors[1].celsius, ElementsAre(21.25, 21.0));
+  EXPECT_NE(refusal("time_s,Air [°C]\n\"1,200\",\"20,5\"\n\"1,800\",\"20,5\"\n"), "read")
+      << "1.2 s or 1200 s: nobody knows";
+}
+
+TEST(TemperatureLogs, SayWhichTimeZoneIsNotRead) {
+  using Case = std::pair<const char*, const char*>;
+  for (const auto& [moment, zone] :
+       {Case{"2026-03-02 09:00:00 CET", "CET"}, Case{"2026-03-02T09:00:00+25:00", "+25:00"},
+        Case{"2026-03-02T09:00:00+14:30", "+14:30"}, Case{"2026-03-02T09:00:00[Europe/Berlin]", "[Europe/Berlin]"},
+        Case{"02.03.2026 09:00 MEZ", "MEZ"}})
+    EXPECT_EQ(
+        refusal(fmt::format("time;Air [°C]\n{};20,5\n", moment)),
+        fmt::format("line 2:1: found \"{}\" behind the time in \"{}\", expected nothing, or a time zone such as Z or "
+                    "+01:00",
+                    zone, moment));
+  EXPECT_EQ(refusal("Exported 2026-03-02 09:00 CET\ntime;Air [°C]\n2026-03-02 09:00;20,5\n"), "read");
+}
+
 TEST(TemperatureLogs, MayHaveDecimalCommasSemicolonsGermanDatesAndAPreamble) {
   const auto log = log_of(
       "Datenlogger 4711\r\nIntervall: 10 min\r\n"

@@ -104,6 +104,8 @@ constexpr Phrase temperatures_rows[] = {
      "{0} als Ende der Prüfung; erwartet: ein Zeitpunkt wie 2026-03-02T09:00"},
     {"found {0=} as what a sensor is of, expected machine, equipment, air or none",
      "{0} als Ort eines Sensors; erwartet: machine, equipment, air oder none"},
+    {"found {0=} behind the time in {1=}, expected nothing, or a time zone such as Z or +01:00",
+     "{0} hinter der Zeit in {1}; erwartet: nichts oder eine Zeitzone wie Z oder +01:00"},
     {"found {0=} beside the time in a temperature log, expected a column that says that it is a temperature, by its "
      "name or by a unit such as [°C]",
      "{0} neben der Zeit in einer Temperaturaufzeichnung; erwartet: eine Spalte, die durch ihren Namen oder eine "

@@ -217,6 +217,8 @@ constexpr Phrase volume_report_rows[] = {
      "differ by stays beside what remains here",
      "nichts sagt, worin sich die Richtungen von {0} unterscheiden: Die Tabelle enthält auf dieser Linie den "
      "Mittelwert beider, und worin sie sich unterscheiden, bleibt neben dem, was hier bleibt"},
+    {"of many readings the central 95 % with their median, and the farthest",
+     "von vielen Messwerten die mittleren 95 % mit ihrem Median, und die äußersten"},
     {"of the errors measured singly, from which this was made: {0}",
      "von den einzeln gemessenen Abweichungen, aus denen dies gemacht ist: {0}"},
     {"one count of the control is taken for 1 µm (--resolution), and many controls in inches count in 0.0001 inch "

@@ -18,7 +18,6 @@ using tracking::MultilaterationFit;
 using tracking::ScaleModel;
 
 constexpr std::size_t most_points_listed = 20;
-constexpr std::size_t most_points_drawn = 300;
 
 std::string name_of(std::span<const std::string> names, std::size_t k) {
   return k < names.size() ? names[k] : fmt::format("{}", k + 1);
@@ -219,10 +218,9 @@ class Composition {
     layout.title = "Stations and points";
     layout.description = "A parallel projection of the stations and the points, with three views along the axes.";
     layout.stations_mm = fit_.stations_mm;
-    const std::size_t n = fit_.points_mm.size(), shown = std::min(n, most_points_drawn);
-    for (std::size_t k = 0; k < shown; ++k) {
-      layout.points_mm.push_back(fit_.points_mm[k * n / shown]);
-      layout.point_names.push_back(name_of(s_.options.point_names, k * n / shown));
+    for (std::size_t k = 0; k < fit_.points_mm.size(); ++k) {
+      layout.points_mm.push_back(fit_.points_mm[k]);
+      layout.point_names.push_back(name_of(s_.options.point_names, k));
     }
     for (std::size_t j = 0; j < fit_.stations_mm.size(); ++j)
       layout.station_names.push_back(name_of(s_.options.station_names, j));

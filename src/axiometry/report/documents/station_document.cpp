@@ -162,7 +162,6 @@ Layout station_layout(const StationSubject& subject) {
   Layout layout;
   layout.stations_mm = {subject.location.refined.station_mm};
   for (const LocationPoint& p : subject.points) {
-    if (layout.points_mm.size() == most_points_shown) break;
     layout.points_mm.push_back(p.at_mm);
     if (subject.points.size() <= most_beams_shown)
       layout.lines.push_back(

@@ -47,6 +47,26 @@ TEST(StationDocument, TellsFindingsBeforeThePictureAndCallsBeamsBeams) {
   EXPECT_THAT(figure_words(document), Not(Contains(HasSubstr("diagonal"))));
 }
 
+TEST(StationDocument, ShowsPointsOfTheWholeMeasurement) {
+  const Vector3 station{480, 310, -250};
+  std::vector<LocationPoint> points;
+  for (int k = 0; k < 900; ++k) {
+    const Vector3 p{k * 1.0, k * 331 % 600 * 1.0, k * 173 % 500 * 1.0};
+    points.push_back({p, distance(p, station)});
+  }
+  const tracking::StationOptions options;
+  const auto location = tracking::locate_station(points, options);
+  ASSERT_TRUE(location) << location.error().to_string();
+  std::ptrdiff_t discs = 0;
+  const Document document = compose(StationSubject{points, *location, options, "points.csv", ""}, {});
+  for (const Section& section : document.sections)
+    for (const Block& block : section.blocks)
+      if (const auto* figure = std::get_if<Figure>(&block))
+        discs +=
+            std::ranges::count_if(figure->operations, [](const Operation& o) { return holds_alternative<Disc>(o); });
+  EXPECT_GE(discs, 4 * 900);  // in each of four views
+}
+
 TEST(StationDocument, OfAPlanSaysForWhichSetUpThePointsWereChosen) {
   TrackingSetup setup;
   setup.travel = {{0, 0, 0}, {1000, 600, 500}};

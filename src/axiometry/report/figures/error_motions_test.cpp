@@ -56,7 +56,7 @@ TEST(VolumetricResidualFigure, NamesEveryStationWithEveryToolAndMarksWhatWasSetA
   EXPECT_THAT(all_words(figure), Contains(HasSubstr("set aside")));
 }
 
-TEST(VolumetricResidualFigure, OfManyReadingsKeepsTheExtremes) {
+TEST(VolumetricResidualFigure, OfManyReadingsShowsWhereMostOfThemAre) {
   const auto machine = known_machine();
   const auto lengths = known_lengths(machine, 600);
   const auto found = volumetric::identify(machine, lengths, {});
@@ -66,6 +66,12 @@ TEST(VolumetricResidualFigure, OfManyReadingsKeepsTheExtremes) {
   std::size_t dots = 0;
   for (const Operation& operation : figure.operations) dots += std::holds_alternative<Disc>(operation) ? 1 : 0;
   EXPECT_LT(dots, 4 * 1600U);
+  EXPECT_THAT(all_words(figure), Contains(HasSubstr("central 95 %")));
+  const auto is_band = [](const Operation& operation) {
+    const Path* path = std::get_if<Path>(&operation);
+    return path && path->closed && path->stroke.width == 0.0 && path->fill.b > path->fill.r && path->points.size() > 3;
+  };
+  EXPECT_GE(std::ranges::count_if(figure.operations, is_band), 4);  // in the order of measurement, over X, Y and Z
 }
 
 }  // namespace

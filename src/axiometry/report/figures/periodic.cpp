@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axiometry/report/figures/parts/chart.h"
+#include "axiometry/report/figures/parts/crowd.h"
 #include "axiometry/report/figures/parts/dimension_line.h"
 #include "axiometry/report/figures/parts/ink.h"
 #include "axiometry/report/figures/parts/legend.h"
@@ -30,7 +31,7 @@ namespace ink = plot::ink;
 
 constexpr double figure_height = 205.0;
 constexpr double legend_gap = 2.0;
-constexpr std::size_t most_dots = 20000;  // beyond, a line shows as much and makes no file of many MB
+constexpr std::size_t most_dots = 20000;  // beyond, a line or bands show as much and make no file of many MB
 
 const Stroke removed_line{.colour = ink::black, .width = 0.9, .dashes = {5.0, 2.2}};
 const Stroke curve_line = ink::solid(ink::black, 1.0);
@@ -70,8 +71,7 @@ class PeriodicDrawing {
     const auto curve = sampled_curve(x.low, x.high);
     for (const Point& p : curve) y.see(p.y);
     Figure figure = sheet();
-    const Chart chart =
-        begin(figure, {means_entry(false), curve_entry()}, position_axis(x), deviation_axis(y, "Deviation less line"));
+    const Chart chart = begin(figure, entries_of_dots(), position_axis(x), deviation_axis(y, "Deviation less line"));
     figure.operations.push_back(polyline(on_paper(chart, curve), thin_where_dense(chart)));
     draw_dots(figure.operations, false, [&](const PeriodicPoint& p) {
       return Point{chart.x(p.target.in_native()), chart.y(without_line(p))};
@@ -92,7 +92,7 @@ class PeriodicDrawing {
                 .high = period,
                 .unit = plot::position_axis_unit(kind_, period),
                 .title = word("Position within the period, from the first target")};
-    const Chart chart = begin(figure, {means_entry(false), curve_entry()}, x, deviation_axis(y, "Deviation less line"));
+    const Chart chart = begin(figure, entries_of_dots(), x, deviation_axis(y, "Deviation less line"));
     std::vector<Point> moved = curve;
     for (Point& p : moved) p.x -= first;
     draw_dots(figure.operations, false, [&](const PeriodicPoint& p) {
@@ -215,9 +215,14 @@ class PeriodicDrawing {
   void draw_dots(Operations& operations, bool joined_up, const Place& place) const {
     std::vector<Point> points;
     for (const PeriodicPoint& p : d_.points) points.push_back(place(p));
-    if (joined_up || points.size() > most_dots)
-      operations.push_back(polyline(points, ink::solid(ink::faint(ink::of(d_.direction), 0.5), 0.5)));
-    if (points.size() > most_dots) return;
+    const bool too_many = points.size() > most_dots;
+    if (too_many && !joined_up) {
+      plot::Crowd shown = plot::crowd(std::move(points));
+      plot::draw_stretches(operations, shown.stretches, crowd_band());
+      points = std::move(shown.dots);
+    }
+    if (joined_up) operations.push_back(polyline(points, ink::solid(ink::faint(ink::of(d_.direction), 0.5), 0.5)));
+    if (too_many && joined_up) return;
     Disc mark = dot(dot_radius());
     for (const Point& point : points) {
       mark.centre = point;
@@ -263,6 +268,16 @@ class PeriodicDrawing {
             .mark = dot(1.6),
             .text = {plot::italic("x"), plot::index_letter("i"),
                      plot::plain(fmt::format("{} {}", arrow(d_.direction), what))}};
+  }
+  Colour crowd_band() const { return ink::faint(ink::of(d_.direction), 0.32); }
+  std::vector<LegendEntry> entries_of_dots() const {
+    std::vector<LegendEntry> entries = {means_entry(false), curve_entry()};
+    if (d_.points.size() > most_dots)
+      entries.push_back({.line = plot::crowd_median(),
+                         .band = crowd_band(),
+                         .mark = std::nullopt,
+                         .text = {plot::plain(word(plot::crowd_words))}});
+    return entries;
   }
   LegendEntry line_entry() const {
     return {

@@ -112,6 +112,17 @@ TEST(PeriodicFigures, ShowDegreesAndArcsecondsOfARotaryAxis) {
   EXPECT_THAT(all_words(figures[3]), Contains("Period / °"));
 }
 
+TEST(PeriodicFigures, OfVeryManyTargetsShowBandsAndNoLinesAcrossThePeriod) {
+  const auto test = made({.name = "many", .count = 20'500, .step = 0.01});
+  const auto result = iso230_2::periodic_error(test, {.period = Position::native(10)}).value();
+  const auto figures = periodic_figures({test, result}, {});
+  for (const std::size_t k : {1u, 2u}) {
+    EXPECT_EQ(fault_of(figures[k]), "");
+    EXPECT_THAT(all_words(figures[k]), Contains(HasSubstr("central 95 %")));
+    EXPECT_LT(figures[k].operations.size(), 1000u);
+  }
+}
+
 TEST(PeriodicDocument, SaysWhatWasFoundAndWhatWasNot) {
   const auto test = made(shapes[0]);
   const auto result = iso230_2::periodic_error(test).value();

@@ -31,7 +31,7 @@ std::optional<int> told_version(const json::Value& detail) {
 
 }  // namespace
 
-void Attested::learn(const AuditEntry& entry) {
+void Attested::add(const AuditEntry& entry) {
   if (entry.action == "test.withdrawn" || entry.action == "test.reinstated")
     withdrawn_[entry.subject] = entry.action == "test.withdrawn";
   const auto detail = json::parse(entry.detail);

@@ -32,7 +32,7 @@ struct Origin {
 class Attested {
  public:
   /// An entry of the trail. One whose detail is no JSON, or whose version is no number of one, attests no hash.
-  void learn(const AuditEntry& entry);
+  void add(const AuditEntry& entry);
 
   /// Whether this version of "test 12" was kept with this hash; 0 for what has no versions.
   bool knows(const std::string& subject, int version, const std::string& sha256) const;

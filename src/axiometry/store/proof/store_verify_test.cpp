@@ -139,7 +139,7 @@ TEST(IdCount, CountsToTheLastNumberThatThereIs) {
 TEST(Attested, TakesNoHashOfAnEntryWhoseVersionIsNoNumberOfOne) {
   const auto knows = [](const std::string& version, int asked) {
     Attested attested;
-    attested.learn({.id = 1,
+    attested.add({.id = 1,
                     .change = {},
                     .action = "test.revised",
                     .subject = "test 1",

@@ -159,7 +159,7 @@ Result<void> Verifier::trail() {
   const std::size_t problems_before = found_.problems.size();
   std::string before;
   const auto visit = [&](const AuditEntry& entry) {
-    attested_.learn(entry);
+    attested_.add(entry);
     if (entry.change.at < before && found_.notes.size() < most_problems)
       found_.notes.push_back(
           fmt::format("audit trail: the clock went back between the entries {} and {}, from {} to {}", entry.id - 1,

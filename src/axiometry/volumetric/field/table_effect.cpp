@@ -39,10 +39,10 @@ std::optional<TableEffect> table_effect(const ErrorModel& model, Vector3 tool_mm
   AXIOMETRY_CONTRACT(nodes >= 2);
   // Eight in each span of up to 25 nodes, within which what straight lines leave is a parabola; of more it is little.
   const std::size_t searched = std::clamp<std::size_t>(8 * (nodes - 1), searched_least, searched_most) + 1;
-  const auto before = volume_statistics(model, tool_mm, places_between(nodes)).without_rigid_motion;
+  const auto before = sizes_without_rigid_motion(model, tool_mm, places_between(nodes));
   if (!before) return std::nullopt;
   const SearchedGrid grid{places_between(nodes), searched};
-  return TableEffect{*before, sizes_without(model, tool_mm, grid, compensated_um).without_rigid_motion};
+  return TableEffect{*before, remaining_without_rigid_motion(model, tool_mm, grid, compensated_um)};
 }
 
 std::optional<TableEffect> effect_of_all_errors(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {

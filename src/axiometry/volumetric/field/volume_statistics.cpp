@@ -181,6 +181,28 @@ FieldSizes searched_sizes_without_motion(const VolumeGrid& grid, const std::vect
                         [&](Vector3 q) { return grid.less(motion, field(q), q); });
 }
 
+/// Of what was found, with the uncertainty of the largest.
+FieldSizes found_without_motion(const VolumeGrid& grid, const std::vector<Vector3>& nodes, const ErrorModel& model,
+                                const FieldAt& found) {
+  FieldSizes sizes = searched_sizes_without_motion(grid, nodes, model.observed(), searched_places, found);
+  const Vector3 at = sizes.largest_at_mm, largest = grid.less(grid.rigid_motion(nodes), found(at), at);
+  sizes.largest = estimate_of(model, grid.row_without(at, direction_of(largest)));
+  return sizes;
+}
+
+/// What is left of the field when something is taken away, at the nodes of a grid and anywhere.
+struct RemainingField {
+  RemainingField(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes, const FieldAt& compensated_um)
+      : grid(model, tool_mm, nodes), left([&model, tool_mm, &compensated_um](Vector3 q) {
+          return field_um(model, model.parts().values, q, tool_mm) - compensated_um(q);
+        }) {
+    for (const Vector3& q : grid.places()) at_nodes.push_back(left(q));
+  }
+  VolumeGrid grid;
+  FieldAt left;
+  std::vector<Vector3> at_nodes;
+};
+
 }  // namespace
 
 FieldSizes sizes_of(std::span<const Vector3> field) {
@@ -211,14 +233,19 @@ VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std
   }
   if (grid.is_told(true)) {
     const VolumeGrid::RigidMotion motion = grid.rigid_motion(field);
-    FieldSizes sizes = searched_sizes_without_motion(grid, field, model.observed(), searched_places, found);
-    const Vector3 largest = grid.less(motion, found(sizes.largest_at_mm), sizes.largest_at_mm);
-    sizes.largest = estimate_of(model, grid.row_without(sizes.largest_at_mm, direction_of(largest)));
-    statistics.without_rigid_motion = sizes;
+    statistics.without_rigid_motion = found_without_motion(grid, field, model, found);
     statistics.translation_um = motion.translation;
     statistics.rotation_urad = motion.rotation;
   }
   return statistics;
+}
+
+std::optional<FieldSizes> sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
+  AXIOMETRY_CONTRACT(nodes >= 2 && nodes <= 101);
+  const VolumeGrid grid(model, tool_mm, nodes);
+  if (!grid.is_told(true)) return std::nullopt;
+  return found_without_motion(grid, grid.field_of(model.parts().values), model,
+                              [&](Vector3 q) { return field_um(model, model.parts().values, q, tool_mm); });
 }
 
 ToldField told_field(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes) {
@@ -229,12 +256,16 @@ ToldField told_field(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes
 RemainingSizes sizes_without(const ErrorModel& model, Vector3 tool_mm, SearchedGrid searched,
                              const FieldAt& compensated_um) {
   AXIOMETRY_CONTRACT(searched.nodes >= 2 && searched.searched >= 2);
-  const VolumeGrid grid(model, tool_mm, searched.nodes);
-  const FieldAt left = [&](Vector3 q) { return field_um(model, model.parts().values, q, tool_mm) - compensated_um(q); };
-  std::vector<Vector3> field;
-  for (const Vector3& q : grid.places()) field.push_back(left(q));
-  return {searched_sizes(grid, field, model.observed(), searched.searched, left),
-          searched_sizes_without_motion(grid, field, model.observed(), searched.searched, left)};
+  const RemainingField rest(model, tool_mm, searched.nodes, compensated_um);
+  return {searched_sizes(rest.grid, rest.at_nodes, model.observed(), searched.searched, rest.left),
+          searched_sizes_without_motion(rest.grid, rest.at_nodes, model.observed(), searched.searched, rest.left)};
+}
+
+FieldSizes remaining_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, SearchedGrid searched,
+                                          const FieldAt& compensated_um) {
+  AXIOMETRY_CONTRACT(searched.nodes >= 2 && searched.searched >= 2);
+  const RemainingField rest(model, tool_mm, searched.nodes, compensated_um);
+  return searched_sizes_without_motion(rest.grid, rest.at_nodes, model.observed(), searched.searched, rest.left);
 }
 
 FieldSlice field_slice(const ErrorModel& model, Vector3 tool_mm, std::size_t fixed_axis, double at_mm,

@@ -38,6 +38,9 @@ struct VolumeStatistics {
 /// Over the travel that was observed, `nodes` along each axis with both ends. Contract: 2 ≤ nodes ≤ 101.
 VolumeStatistics volume_statistics(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes);
 
+/// What volume_statistics() has without rigid motion, alone: half as much is searched.
+std::optional<FieldSizes> sizes_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, std::size_t nodes);
+
 /// What volume_statistics() has of the field.
 struct ToldField {
   bool as_found = false;
@@ -58,6 +61,9 @@ struct RemainingSizes {
 };
 RemainingSizes sizes_without(const ErrorModel& model, Vector3 tool_mm, SearchedGrid grid,
                              const std::function<Vector3(Vector3 axes_mm)>& compensated_um);
+/// The same without rigid motion, alone.
+FieldSizes remaining_without_rigid_motion(const ErrorModel& model, Vector3 tool_mm, SearchedGrid grid,
+                                          const std::function<Vector3(Vector3 axes_mm)>& compensated_um);
 
 /// δ on a plane where one axis stands still, nodes with the first of the other two axes fastest; those that the lengths
 /// do not tell are absent.

@@ -82,6 +82,12 @@ TEST(VolumeStatistics, CallLargestWhatIsLargestAnywhere) {
             sizes_without(model, tool, {.nodes = nodes}, [](Vector3) { return Vector3{}; });
         EXPECT_EQ(nothing_taken.as_found.largest_at_mm, told.as_found->largest_at_mm);
         EXPECT_EQ(nothing_taken.without_rigid_motion.largest_at_mm, told.without_rigid_motion->largest_at_mm);
+        const auto alone = sizes_without_rigid_motion(model, tool, nodes);
+        ASSERT_TRUE(alone);
+        EXPECT_EQ(alone->largest.u, told.without_rigid_motion->largest.u);
+        EXPECT_EQ(remaining_without_rigid_motion(model, tool, {.nodes = nodes}, [](Vector3) { return Vector3{}; })
+                      .largest.value,
+                  nothing_taken.without_rigid_motion.largest.value);
         const Vector3 middle = place_in(model.observed(), {0.5, 0.5, 0.5});
         double as_found = 0.0, without_motion = 0.0;
         constexpr int steps = 40;

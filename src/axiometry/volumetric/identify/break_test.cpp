@@ -198,7 +198,7 @@ TEST(Identify, LeavesOutAReadingOfWhichNothingTellsOnWhichSideOfABreakItWasMeasu
   EXPECT_EQ(result->breaks[0].latest_reading, broken);
   ASSERT_EQ(result->set_aside.size(), 1u);
   EXPECT_EQ(result->set_aside[0].reading, broken - 1);
-  EXPECT_EQ(result->set_aside[0].why, SetAside::Why::beside_break);
+  EXPECT_EQ(result->set_aside[0].reason, SetAside::Reason::beside_break);
   std::string told;
   for (const VolumetricFinding& finding : result->findings) {
     if (finding.id == "volumetric-beam-broken") told = finding.message;

@@ -59,7 +59,7 @@ TEST(Directions, OfTheFirstLengthsAreNotGuessed) {
   ASSERT_EQ(result->set_aside.size(), runs);
   for (std::size_t k = 0; k < runs; ++k) {
     EXPECT_EQ(result->set_aside[k].reading, k * points);
-    EXPECT_EQ(result->set_aside[k].why, SetAside::Why::unknown_direction);
+    EXPECT_EQ(result->set_aside[k].reason, SetAside::Reason::unknown_direction);
   }
   for (const IdentifiedStation& station : result->stations) EXPECT_EQ(station.readings, points - 1);
   EXPECT_EQ(result->degrees_of_freedom, runs * (points - 1) - result->rank.unknowns);

@@ -16,6 +16,7 @@
 #include "axiometry/volumetric/identify/residual_causes.h"
 #include "axiometry/volumetric/identify/reversal_causes.h"
 #include "axiometry/volumetric/machine/error_motion.h"
+#include "axiometry/volumetric/identify/tried_fit.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -82,7 +83,7 @@ void add_set_aside(const VolumetricLengths& lengths, const Identification& resul
                    std::vector<VolumetricFinding>& findings) {
   std::vector<SetAside> outliers;
   for (const SetAside& s : result.set_aside)
-    if (s.why == SetAside::Why::outlier) outliers.push_back(s);
+    if (s.reason == SetAside::Reason::outlier) outliers.push_back(s);
   if (outliers.empty()) return;
   const SetAside worst =
       *std::ranges::max_element(outliers, {}, [](const SetAside& s) { return std::abs(s.residual_um); });
@@ -318,9 +319,12 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_unseen(machine, lengths, result, findings);
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
-  add_residual_causes(done, machine, lengths, findings);
-  add_mixed_days(done, findings);
-  add_reversal_beyond_chance(done, lengths, findings);
+  const bool in_rows = is_in_rows(lengths.readings);
+  add_residual_causes(done, machine, lengths, in_rows, findings);
+  if (!in_rows) {
+    add_mixed_days(done, findings);
+    add_reversal_beyond_chance(done, lengths, findings);
+  }
   add_set_aside(lengths, result, findings);
   add_breaks(done, lengths, result, findings);
   add_drift(result, findings);

@@ -87,11 +87,11 @@ std::vector<FoundBreak> breaks_of(const Identifier& done) {
   return breaks;
 }
 
-std::optional<SetAside::Why> why_set_aside(const Identifier& done, std::size_t reading) {
-  if (done.set_aside()[reading]) return SetAside::Why::outlier;
+std::optional<SetAside::Reason> why_set_aside(const Identifier& done, std::size_t reading) {
+  if (done.set_aside()[reading]) return SetAside::Reason::outlier;
   if (done.is_copy(reading)) return std::nullopt;
-  if (done.in_doubt(reading)) return SetAside::Why::beside_break;
-  if (done.is_of_unknown_direction(reading)) return SetAside::Why::unknown_direction;
+  if (done.in_doubt(reading)) return SetAside::Reason::beside_break;
+  if (done.is_of_unknown_direction(reading)) return SetAside::Reason::unknown_direction;
   return std::nullopt;
 }
 

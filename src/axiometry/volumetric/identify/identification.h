@@ -81,7 +81,7 @@ struct FoundBreak {
 };
 
 struct SetAside {
-  enum class Why {
+  enum class Reason {
     outlier,
     beside_break,       ///< it may fit: but nothing tells on which side of a break it was measured
     unknown_direction,  ///< nor in which direction axes had come to rest, where that matters
@@ -89,7 +89,7 @@ struct SetAside {
   std::size_t reading = 0;
   double residual_um = 0.0;  ///< measured less what the others predict
   double normalised = 0.0;   ///< residual over its standard uncertainty
-  Why why = Why::outlier;
+  Reason reason = Reason::outlier;
 };
 
 struct VolumetricRank {

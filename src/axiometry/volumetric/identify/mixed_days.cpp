@@ -106,7 +106,6 @@ void add_part(const Problem& problem, const Fit& fit, const SegmentPart& part, V
 void add_mixed_days(const Identifier& done, std::vector<VolumetricFinding>& findings) {
   if (is_stated_wrongly(findings)) return;
   const Problem problem = done.problem();
-  if (is_in_rows(problem.readings)) return;
   const std::vector<std::size_t> kept = readings_to_try(done);
   const std::vector<SegmentPart> parts = parts_of(problem, kept);
   if (parts.empty()) return;

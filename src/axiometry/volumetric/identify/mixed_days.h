@@ -11,7 +11,7 @@ namespace axiometry::volumetric::detail {
 /// Axes that are longer, shorter or less square in the later lengths of each station, tool and segment than in the
 /// earlier ones, beyond any place and dead path of their own of both parts. They are parted where they are taken up
 /// again after those of others, or else in their middle. Nothing is told of lengths of two days in any order: these
-/// scatter.
+/// scatter. For readings that are not in rows.
 void add_mixed_days(const Identifier& done, std::vector<VolumetricFinding>& findings);
 
 }  // namespace axiometry::volumetric::detail

@@ -158,7 +158,7 @@ std::optional<VolumetricFinding> changed_axes(const Identifier& done, const Volu
 }  // namespace
 
 void add_residual_causes(const Identifier& done, const MachineModel& machine, const VolumetricLengths& lengths,
-                         std::vector<VolumetricFinding>& findings) {
+                         bool in_rows, std::vector<VolumetricFinding>& findings) {
   if (std::ranges::find(findings, "volumetric-scatter", &VolumetricFinding::id) == findings.end()) return;
   if (is_told_otherwise(findings)) return;
   const std::vector<std::size_t> kept = readings_to_try(done);
@@ -167,7 +167,7 @@ void add_residual_causes(const Identifier& done, const MachineModel& machine, co
   const auto own = fitted_to(some, done.fit().state);
   if (!own || own->quality.excess() < gain_least) return;
   auto cause = other_order(done, machine, kept, own->quality);
-  if (!cause) cause = reversal_that_explains(done, lengths, kept);
+  if (!cause && !in_rows) cause = reversal_that_explains(done, lengths, kept);
   if (!cause) cause = changed_axes(done, lengths, some, *own);
   if (cause) findings.push_back(*std::move(cause));
 }

@@ -299,7 +299,7 @@ std::optional<VolumetricFinding> varying_reversal(const Identifier& done, const 
 
 std::optional<VolumetricFinding> reversal_that_explains(const Identifier& done, const VolumetricLengths& lengths,
                                                         std::span<const std::size_t> kept) {
-  if (done.coefficients().reversal() != Reversal::none || is_in_rows(lengths.readings)) return std::nullopt;
+  if (done.coefficients().reversal() != Reversal::none) return std::nullopt;
   const std::vector<std::size_t> told = of_told_directions(kept, directions_of_rest(lengths.readings));
   if (told.empty()) return std::nullopt;
   const auto own = own_quality(done, told);
@@ -320,8 +320,6 @@ void add_reversal_beyond_chance(const Identifier& done, const VolumetricLengths&
                                 std::vector<VolumetricFinding>& findings) {
   const Reversal asked = done.coefficients().reversal();
   if (asked == Reversal::curves || is_told_otherwise(findings)) return;
-  // What is no noise tells no chance.
-  if (is_in_rows(lengths.readings)) return;
   const auto is_told = [&](const char* id) {
     return std::ranges::find(findings, id, &VolumetricFinding::id) != findings.end();
   };

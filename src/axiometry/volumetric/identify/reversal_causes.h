@@ -7,8 +7,8 @@
 
 #include "axiometry/volumetric/identify/tried_fit.h"
 
-/// What directions in which axes came to rest make of residuals, where less or none was asked for. Internal to
-/// identify().
+/// What directions in which axes came to rest make of residuals, where less or none was asked for. For readings that
+/// are not in rows: what is no noise tells no chance. Internal to identify().
 namespace axiometry::volumetric::detail {
 
 /// Of no reversal where constants of both directions take most of what χ² has too much.

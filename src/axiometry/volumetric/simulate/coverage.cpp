@@ -77,7 +77,7 @@ void try_faults(const Identification& found, const SimulatedLengths& simulated, 
     ++(right ? trial.breaks_found : trial.breaks_wrong);
   }
   for (const SetAside& s : found.set_aside) {
-    if (s.why != SetAside::Why::outlier) continue;  // only an outlier is said to be wrong
+    if (s.reason != SetAside::Reason::outlier) continue;  // only an outlier is said to be wrong
     const bool right =
         std::ranges::find(simulated.outliers, s.reading, &SimulatedOutlier::reading) != simulated.outliers.end();
     ++(right ? trial.outliers_found : trial.set_aside_wrong);

@@ -60,7 +60,7 @@ Value event_value(const capture::CaptureEvent& event, const Reader& reader) {
   return value;
 }
 
-Value now_value(const capture::StandstillDetector::Now& now) {
+Value now_value(const capture::StandstillDetector::Whereabouts& now) {
   Value value = Value::object();
   value.add("position", now.position.in_native());
   value.add("at_rest", now.at_rest);

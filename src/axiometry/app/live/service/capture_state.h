@@ -69,7 +69,7 @@ struct CaptureState {
   std::vector<Position> targets;
   std::size_t approaches = 0;  ///< approaches of the plan
   std::optional<Approach> due;
-  std::optional<capture::StandstillDetector::Now> now;
+  std::optional<capture::StandstillDetector::Whereabouts> now;
   std::size_t taken = 0;                 ///< readings so far
   std::vector<StampedReading> readings;  ///< those that were asked for
   bool anew = false;                     ///< they are all there are: earlier ones hold no longer

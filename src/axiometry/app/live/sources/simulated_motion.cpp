@@ -42,7 +42,7 @@ bool tells_beside(StopSign sign) { return sign == StopSign::trigger || sign == S
 struct AxisAndCapture {
   bool waits = false;    // whether it waits at each stop until the stop is done
   std::size_t done = 0;  // approaches that have a reading or are left without one
-  std::optional<capture::StandstillDetector::Now> now{};
+  std::optional<capture::StandstillDetector::Whereabouts> now{};
 
   /// At the stop that was due before it does not stand any more, as far as anybody is concerned.
   void go_on(std::size_t now_done) {

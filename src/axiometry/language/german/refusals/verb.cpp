@@ -81,6 +81,8 @@ constexpr Phrase verb_refusals_rows[] = {
      "Korrekturen für die Luft nach zwei Gleichungen; erwartet: eine von air=ciddor und air=edlen"},
     {"found counts of a wavelength for a rotary axis, expected a .csv, .txt or .npy recording",
      "Zählschritte einer Wellenlänge für eine Drehachse; erwartet: eine .csv-, .txt- oder .npy-Aufzeichnung"},
+    {"found from={0=} after to={1=}, expected a day no later",
+     "from={0} nach to={1}; erwartet: ein Tag, der nicht später ist"},
     {"found it with a fixed scale, expected --scale common or free",
      "bei festem Maßstab; erwartet: --scale common oder free"},
     {"found it with several files, expected one file, or # error: EAX in each",
@@ -152,6 +154,9 @@ constexpr Phrase verb_refusals_rows[] = {
      "not even",
      "Abtastwert {0} bei {1} s; erwartet: bei {2} s, gleichabständig mit allen anderen: die Uhr der Aufzeichnung läuft "
      "nicht gleichmäßig"},
+    {"found sha256={0=}, expected 64 hexadecimal digits", "sha256={0}; erwartet: 64 hexadezimale Ziffern"},
+    {"found subject={0=}, expected one of {1=}, with its number, as in \"test 12\"",
+     "subject={0}; erwartet: eines von {1} mit seiner Nummer, wie in \"test 12\""},
     {"found tests that take more than {0#} MiB of memory up to test {1#} of the file, expected several files, or less "
      "above the table that is the same for all",
      "Prüfungen, die bis zur Prüfung {1} der Datei mehr als {0} MiB Speicher belegen; erwartet: mehrere Dateien, oder "
@@ -313,6 +318,9 @@ constexpr Phrase verb_refusals_rows[] = {
     {"found {0=}, expected two numbers before each …", "{0}; erwartet: zwei Zahlen vor jedem …"},
     {"found {0=}: {1}, expected a formula of the inputs", "{0}: {1}; erwartet: eine Formel der Eingangsgrößen"},
     {"found {0=}={1=}, expected a date such as 2026-01-31", "{0}={1}; erwartet: ein Datum wie 2026-01-31"},
+    {"found {0=}={1=}, expected a whole number from 1 to {2#}",
+     "{0}={1}; erwartet: eine ganze Zahl von 1 bis {2}"},
+    {"found {0=}={1=}, expected one of {2=}", "{0}={1}; erwartet: eines von {2}"},
     {"lines: found {0#} of them, expected at most {1#}", "lines: {0} Stück; erwartet: höchstens {1}"},
     {"machine_sigma_um: found {0#}, expected 0 to 1000000", "machine_sigma_um: {0}; erwartet: 0 bis 1000000"},
     {"obstacles: found {0#} of them, expected at most {1#}", "obstacles: {0} Stück; erwartet: höchstens {1}"},

@@ -139,11 +139,17 @@ class Scene {
   }
 
   std::size_t stride() const { return 1 + (layout_.points_mm.size() - 1) / most_points_drawn; }
+  /// Of so many points from here on, another one each time: every tenth of a raster could be one of its planes alone.
+  std::size_t one_of(std::size_t begin, std::size_t count) const {
+    const double turn = std::fmod(std::numbers::phi * static_cast<double>(begin / stride()), 1.0);
+    return begin + std::min(static_cast<std::size_t>(turn * static_cast<double>(count)), count - 1);
+  }
   double point_radius() const { return layout_.points_mm.size() > 200 ? 0.7 : 0.4 * style_.ball; }
 
   void draw_points() {
-    for (std::size_t k = 0; k < layout_.points_mm.size(); k += stride())
-      operations_.push_back(Disc{.centre = view_(layout_.points_mm[k]),
+    const std::size_t points = layout_.points_mm.size();
+    for (std::size_t begin = 0; begin < points; begin += stride())
+      operations_.push_back(Disc{.centre = view_(layout_.points_mm[one_of(begin, std::min(stride(), points - begin))]),
                                  .radius = point_radius(),
                                  .fill = ink::black,
                                  .stroke = {.width = 0.0}});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <ranges>
 
 #include "axiometry/report/figures/figure_rules_test_support.h"
@@ -137,6 +138,15 @@ TEST(LayoutFigure, DrawsNoMoreThanSomeOfManyPoints) {
   const Figure figure = layout_figure(layout, {});
   EXPECT_LT(figure.operations.size(), 9000u);
   EXPECT_THAT(all_words(figure), Contains("some of 100000 points"));
+}
+
+TEST(LayoutFigure, ShowsOfARasterMoreThanOneOfItsPlanes) {
+  Layout layout;
+  for (int k = 0; k < 20'000; ++k) layout.points_mm.push_back({k / 10 * 0.5, k % 601 * 1.0, k % 10 * 50.0});
+  std::map<long, int> at_a_height;
+  for (const Operation& operation : layout_figure(layout, {}).operations)
+    if (const Disc* disc = std::get_if<Disc>(&operation)) ++at_a_height[std::lround(1e3 * disc->centre.y)];
+  for (const auto& [height, count] : at_a_height) EXPECT_LT(count, 600) << height;  // of 4 × 2000, about 2 × 200
 }
 
 }  // namespace

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "axiometry/report/figures/parts/axis_measures.h"
+#include "axiometry/report/figures/parts/crowd.h"
 #include "axiometry/report/figures/parts/ink.h"
 #include "axiometry/report/figures/parts/label.h"
 #include "axiometry/report/figures/parts/legend.h"
 #include "axiometry/report/figures/parts/pane.h"
 #include "axiometry/report/figures/parts/plate.h"
+#include "axiometry/report/figures/parts/thinned.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::report {
@@ -28,29 +30,9 @@ namespace ink = plot::ink;
 constexpr double residual_height = 88.0;
 constexpr double between_panes = 15.0;
 constexpr double dot_radius = 0.85;
-constexpr std::size_t dots_most = 1500;
+constexpr double aside_radius = 1.6;
 constexpr std::size_t stations_shown_most = 24;
-
-struct ResidualDot {
-  double across = 0.0;
-  double um = 0.0;
-};
-
-/// Of neighbours the least and the largest, so that no extreme is lost.
-std::vector<ResidualDot> thinned(std::vector<ResidualDot> dots) {
-  if (dots.size() <= dots_most) return dots;
-  std::ranges::sort(dots, {}, &ResidualDot::across);
-  const std::size_t together = 2 * dots.size() / dots_most + 1;
-  std::vector<ResidualDot> kept;
-  for (std::size_t k = 0; k < dots.size(); k += together) {
-    const auto begin = dots.begin() + static_cast<std::ptrdiff_t>(k);
-    const auto end = dots.begin() + static_cast<std::ptrdiff_t>(std::min(k + together, dots.size()));
-    const auto [least, largest] = std::ranges::minmax_element(begin, end, {}, &ResidualDot::um);
-    kept.push_back(*least);
-    kept.push_back(*largest);
-  }
-  return kept;
-}
+constexpr Colour crowd_band = ink::faint(ink::blue, 0.32);
 
 class ResidualDrawing {
  public:
@@ -89,6 +71,11 @@ class ResidualDrawing {
                        .band = std::nullopt,
                        .mark = Disc{.centre = {}, .radius = 1.4, .fill = ink::blue},
                        .text = {plot::plain(say("readings"))}});
+    if (aside_.size() - found_.set_aside.size() > plot::most_points_shown)
+      entries.push_back({.line = plot::crowd_median(),
+                         .band = crowd_band,
+                         .mark = std::nullopt,
+                         .text = {plot::plain(say(plot::crowd_words))}});
     if (!found_.set_aside.empty())
       entries.push_back({.line = std::nullopt,
                          .band = std::nullopt,
@@ -101,22 +88,23 @@ class ResidualDrawing {
     return entries;
   }
 
-  void draw_dots(const Pane& pane, const std::vector<ResidualDot>& used, const std::vector<ResidualDot>& aside) {
-    for (const ResidualDot& d : thinned(used))
-      figure_.operations.push_back(Disc{
-          .centre = pane.at(d.across, d.um), .radius = dot_radius, .fill = ink::faint(ink::blue, ink::reading_alpha)});
-    for (const ResidualDot& d : thinned(aside))
-      figure_.operations.push_back(Disc{.centre = pane.at(d.across, std::clamp(d.um, 0.97 * up_.low, 0.97 * up_.high)),
-                                        .radius = 1.6,
-                                        .fill = ink::vermilion});
-  }
-
   template <typename Place>
   void draw_all(const Pane& pane, const Place& place) {
-    std::vector<ResidualDot> used, aside;
-    for (std::size_t i = 0; i < aside_.size(); ++i)
-      (aside_[i] ? aside : used).push_back({place(i), found_.residuals_um[i]});
-    draw_dots(pane, used, aside);
+    std::vector<Point> used, aside;
+    for (std::size_t i = 0; i < aside_.size(); ++i) {
+      const double um = found_.residuals_um[i];
+      if (aside_[i])
+        aside.push_back(pane.at(place(i), std::clamp(um, 0.97 * up_.low, 0.97 * up_.high)));
+      else
+        used.push_back(pane.at(place(i), um));
+    }
+    const plot::Crowd shown = plot::crowd(std::move(used));
+    plot::draw_stretches(figure_.operations, shown.stretches, crowd_band);
+    for (const Point& at : shown.dots)
+      figure_.operations.push_back(
+          Disc{.centre = at, .radius = dot_radius, .fill = ink::faint(ink::blue, ink::reading_alpha)});
+    for (const Point& at : plot::apart(aside, aside_radius))
+      figure_.operations.push_back(Disc{.centre = at, .radius = aside_radius, .fill = ink::vermilion});
   }
 
   void draw_titles(const Pane& pane, const std::string& below) {
