@@ -14,6 +14,7 @@
 #include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/tracking/coordinates_request.h"
 #include "axiometry/base/text.h"
+#include "axiometry/language/language.h"
 #include "server/http/multipart.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"
@@ -103,6 +104,9 @@ Result<std::unique_ptr<app::PolarResult>> adjusted(const Request& request) {
 Result<Response> polar(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const auto found, adjusted(request));
+  // With the names of their files they are no phrases any more.
+  for (app::PolarRemark& remark : found->remarks)
+    remark.text = language::translated(remark.text, reader.language, reader.numbers);
   return json_response(app::localised_result(app::present(*found, {}).json, app::ResultKind::coordinates, reader));
 }
 

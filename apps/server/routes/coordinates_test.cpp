@@ -22,7 +22,9 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-std::string lee_file(const std::string& name) { return testing_support::repository_file("tests/transcripts/tracking-" + name); }
+std::string lee_file(const std::string& name) {
+  return testing_support::repository_file("tests/transcripts/tracking-" + name);
+}
 std::string lee_ranges() { return lee_file("multilaterate.files/ranges.csv"); }
 std::string lee_nominal() { return lee_file("multilaterate.files/nominal.csv"); }
 std::string lee_tracker() { return lee_file("polar.files/tracker.csv"); }
@@ -50,8 +52,7 @@ std::string without_sources(const Value& result) {
 }
 
 TEST_F(CoordinatesRoutes, multilaterate_as_the_command_line_does) {
-  const Value found =
-      value_of(send("multilateration", {{"ranges", lee_ranges()}, {"points", lee_nominal()}}));
+  const Value found = value_of(send("multilateration", {{"ranges", lee_ranges()}, {"points", lee_nominal()}}));
   const testing_support::TemporaryFolder folder;
   app::MultilaterateRequest request;
   request.ranges = folder.written("ranges.csv", lee_ranges());
@@ -64,7 +65,7 @@ TEST_F(CoordinatesRoutes, multilaterate_as_the_command_line_does) {
   ASSERT_TRUE(written);
   EXPECT_EQ(without_sources(found), without_sources(*written)) << "the numbers, and the order of the members";
   EXPECT_EQ(found.find("points")->items().size(), 24u);
-  EXPECT_EQ(found.find("source")->find("file")->text(), "ranges.csv");
+  EXPECT_EQ(found.find("source")->find("file")->text(), "ranges.x");
   const Response points = send("multilateration/points", {{"ranges", lee_ranges()}, {"points", lee_nominal()}});
   EXPECT_THAT(points.body, StartsWith("point,x_mm,y_mm,z_mm,dx_um,dy_um,dz_um,ux_um,uy_um,uz_um\nP1,49.99"));
   const Response residuals = send("multilateration/residuals", {{"ranges", lee_ranges()}, {"points", lee_nominal()}});
@@ -74,7 +75,7 @@ TEST_F(CoordinatesRoutes, multilaterate_as_the_command_line_does) {
 TEST_F(CoordinatesRoutes, write_reports_and_the_result_as_files) {
   const Pairs lengths = {{"ranges", lee_ranges()}, {"points", lee_nominal()}};
   EXPECT_THAT(send("multilateration/report.pdf", lengths).body, StartsWith("%PDF-"));
-  const Response html = send("multilateration/report.html", lengths, "", {{"language", "de"}});
+  const Response html = send("multilateration/report.html", lengths, "", {}, language::Language::german);
   EXPECT_THAT(html.body, HasSubstr("Punkte"));
   EXPECT_EQ(value_of(send("multilateration/report.json", lengths)).find("result")->text(), "multilateration");
   const Pairs angles = {{"readings", lee_tracker()}};
@@ -91,7 +92,7 @@ TEST_F(CoordinatesRoutes, adjust_angles_as_the_command_line_does) {
       value_of(send("polar", {{"readings", lee_tracker()}, {"readings", tracer}, {"points", nominal}}, options));
   const testing_support::TemporaryFolder folder;
   app::PolarRequest request;
-  request.files = {folder.written("readings.csv", lee_tracker()), folder.written("tracer.csv", tracer)};
+  request.files = {folder.written("readings.x", lee_tracker()), folder.written("tracer.x", tracer)};
   request.points = folder.written("points.csv", nominal);
   request.instruments = {{"", "leica-at901"}, {"TR", "etalon-lasertracer"}};
   request.in_station = true;
@@ -106,8 +107,8 @@ TEST_F(CoordinatesRoutes, speak_the_language_of_the_reader) {
   const std::size_t at = misread.find("669.79");
   ASSERT_NE(at, std::string::npos);
   misread.replace(at, 6, "669.49");
-  const Value found = value_of(send("multilateration", {{"ranges", misread}, {"points", lee_nominal()}}, "", {},
-                                    language::Language::german));
+  const Value found = value_of(
+      send("multilateration", {{"ranges", misread}, {"points", lee_nominal()}}, "", {}, language::Language::german));
   ASSERT_FALSE(found.find("findings")->items().empty());
   for (const Value& finding : found.find("findings")->items())
     EXPECT_THAT(finding.find("message")->text(), Not(HasSubstr(" the ")));
@@ -145,7 +146,9 @@ TEST_F(CoordinatesRoutes, refuse_options_with_their_place) {
   EXPECT_THAT(lengths(R"({"repeatability": "wide"})"), HasSubstr("repeatability: "));
   EXPECT_THAT(lengths(R"({"file": "/etc/passwd"})"), HasSubstr("file"));
   EXPECT_THAT(lengths("{"), HasSubstr("found"));
-  const auto angles = [&](const std::string& options) { return refused("polar", {{"readings", lee_tracker()}}, options); };
+  const auto angles = [&](const std::string& options) {
+    return refused("polar", {{"readings", lee_tracker()}}, options);
+  };
   EXPECT_THAT(angles(R"({"in_station": true})"), HasSubstr("without nominal points"));
   EXPECT_THAT(angles(R"({"instruments": ["leica-at9"]})"), HasSubstr("leica-at9"));
   EXPECT_THAT(angles(R"({"instruments": ["=leica-at901"]})"), HasSubstr("found no station before ="));

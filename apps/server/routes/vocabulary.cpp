@@ -12,8 +12,8 @@
 #include "axiometry/nc/dialect.h"
 #include "axiometry/report/writer.h"
 #include "axiometry/standards/iso230_2/parameters.h"
-#include "axiometry/uncertainty/conformity.h"
 #include "axiometry/tracking/instruments/tracker_kinds.h"
+#include "axiometry/uncertainty/conformity.h"
 #include "axiometry/volumetric/field/line_prediction.h"
 
 namespace axiometry::server {

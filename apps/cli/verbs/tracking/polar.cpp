@@ -70,16 +70,12 @@ void add_tracking_polar(const Verb& tracking, int& exit_code) {
   add_read(*verb,
            {"--instrument", "[STATION=]NAME",
             "Kind whose uncertainty counts where the rows state none, of all stations or of one; repeated"},
-           [&request](const std::string& text) -> Result<void> {
-             return app::put_tracker(text, request);
-           })
+           [&request](const std::string& text) -> Result<void> { return app::put_tracker(text, request); })
       ->take_all()
       ->trigger_on_parse()
       ->group("Uncertainty");
   add_read(*verb, {"--ranging", "U", "Expanded uncertainty (k = 2) of lengths, U = a + b L: 20um+1um/m"},
-           [&request](const std::string& text) -> Result<void> {
-             return app::put_polar_lengths(text, request);
-           })
+           [&request](const std::string& text) -> Result<void> { return app::put_polar_lengths(text, request); })
       ->group("Uncertainty");
   add_read(*verb, {"--angles", "U", "The same of angles: 2arcsec, or across the beam over the distance: 30um+12um/m"},
            [&request](const std::string& text) -> Result<void> {

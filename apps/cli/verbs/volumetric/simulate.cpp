@@ -7,9 +7,9 @@
 
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/tracking/tracking_text.h"
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/simulate_calibration.h"
-#include "axiometry/app/tracking/tracking_text.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/number_text.h"

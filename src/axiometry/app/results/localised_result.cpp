@@ -76,8 +76,7 @@ constexpr std::string_view in_lines[] = {"findings.[].message", "squareness.note
 constexpr std::string_view in_motions[] = {"angles.[].remarks.[]", "lines.[].remarks.[]", "remarks.[]",
                                            "straightness.remarks.[]"};
 
-constexpr std::string_view in_volumetric[] = {"findings.[].message", "gauge.means", "gauge.straightness",
-                                              "remarks.[]"};
+constexpr std::string_view in_volumetric[] = {"findings.[].message", "gauge.means", "gauge.straightness", "remarks.[]"};
 
 constexpr std::string_view in_coordinates[] = {"findings.[].message", "remarks.[]"};
 

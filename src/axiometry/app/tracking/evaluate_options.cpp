@@ -48,8 +48,8 @@ Result<void> take_break_threshold(JsonMembers& members, const Value& value, Trac
 }
 
 Result<void> take_verdict(JsonMembers& members, TrackingEvaluateOptions& options) {
-  AXIOMETRY_TRY_VOID(
-      take_texts(members, "tolerances", most_items, [&](const std::string& text) { return add_tolerance(text, options); }));
+  AXIOMETRY_TRY_VOID(take_texts(members, "tolerances", most_items,
+                                [&](const std::string& text) { return add_tolerance(text, options); }));
   AXIOMETRY_TRY_VOID(members.take("tolerance_table", options.tolerance.table_name));
   const Value* rule = members.optional("rule");
   if (rule == nullptr) return {};
@@ -95,7 +95,8 @@ Result<TrackingEvaluateOptions> evaluate_options_from(const Value& value) {
   AXIOMETRY_TRY_VOID(take_switch(members, "reversed", options.reversed));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", options.find_breaks));
   AXIOMETRY_TRY_VOID(take_break_threshold(members, value, options));
-  AXIOMETRY_TRY_VOID(take_texts(members, "set", most_items, [&](const std::string& text) { return set_item(text, options); }));
+  AXIOMETRY_TRY_VOID(
+      take_texts(members, "set", most_items, [&](const std::string& text) { return set_item(text, options); }));
   AXIOMETRY_TRY_VOID(take_verdict(members, options));
   AXIOMETRY_TRY_VOID(take_uncertainty(members, options.uncertainty));
   AXIOMETRY_TRY_VOID(take_choice<TypeA>(members, "type_a", type_a_words, options.uncertainty.trials.type_a));

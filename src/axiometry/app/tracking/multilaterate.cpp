@@ -50,7 +50,8 @@ Result<void> read_inputs(Multilaterated& result, const MultilaterateRequest& req
   AXIOMETRY_TRY(const std::string bytes, ranges_content(request.ranges, request.ranges_bytes));
   result.sha256 = sha256(bytes);
   AXIOMETRY_TRY(result.ranges, in_file(formats::read_ranges(bytes), request.ranges));
-  if (const std::size_t found = result.ranges.stations.size(); request.stations_most > 0 && found > request.stations_most)
+  if (const std::size_t found = result.ranges.stations.size();
+      request.stations_most > 0 && found > request.stations_most)
     return in_file(
         Result<void>(fail(fmt::format("found {} stations, expected at most {}", found, request.stations_most))),
         request.ranges);

@@ -158,10 +158,9 @@ std::string point_row(const Multilaterated& r, std::size_t i) {
 
 std::string residual_row(const Multilaterated& r, std::size_t k) {
   const RangeReading& reading = r.ranges.readings[k];
-  std::string row =
-      fmt::format("{},{},{},{},{:.4f}", text::csv_cell(text::no_formula(r.ranges.points[reading.point])),
-                  text::csv_cell(text::no_formula(r.ranges.stations[reading.station])), r.fit.segments[k] + 1,
-                  format_exact(reading.length_mm), 1000.0 * r.fit.residuals_mm[k]);
+  std::string row = fmt::format("{},{},{},{},{:.4f}", text::csv_cell(text::no_formula(r.ranges.points[reading.point])),
+                                text::csv_cell(text::no_formula(r.ranges.stations[reading.station])),
+                                r.fit.segments[k] + 1, format_exact(reading.length_mm), 1000.0 * r.fit.residuals_mm[k]);
   if (!r.fit.normalised_residuals.empty()) row += fmt::format(",{:.3f}", r.fit.normalised_residuals[k]);
   return row + "\n";
 }

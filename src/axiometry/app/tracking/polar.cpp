@@ -49,8 +49,8 @@ class PolarGathering {
 
   Result<void> add_file(std::size_t f) {
     const std::string& name = request_.files[f];
-    AXIOMETRY_TRY(const std::string bytes, content(name, request_.bytes.empty() ? std::nullopt
-                                                                                : std::optional(request_.bytes[f])));
+    AXIOMETRY_TRY(const std::string bytes,
+                  content(name, request_.bytes.empty() ? std::nullopt : std::optional(request_.bytes[f])));
     result_.sources.push_back({name, sha256(bytes)});
     AXIOMETRY_TRY(formats::PolarFile file, in_file(formats::read_polar(bytes), name));
     const std::size_t stations_before = result_.stations.size();

@@ -35,8 +35,10 @@ Value errors_value(const volumetric::ErrorModel& model) {
         item.add("down", estimate_value(node.down));
       }
     }
-  for (std::size_t k = 0; k < volumetric::squareness_names.size(); ++k)
-    errors.add(volumetric::squareness_names[k], estimate_value(model.squareness(static_cast<volumetric::Squareness>(k))));
+  for (std::size_t k = 0; k < volumetric::squareness_names.size(); ++k) {
+    const auto which = static_cast<volumetric::Squareness>(k);
+    errors.add(volumetric::squareness_names[k], estimate_value(model.squareness(which)));
+  }
   return errors;
 }
 

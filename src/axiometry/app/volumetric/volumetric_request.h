@@ -39,9 +39,9 @@ inline constexpr std::size_t files_of_lengths_most = 500;  ///< more than any pl
 /// 1000 segments or 16 tools, and on a plan as given_calibration() does, before anything is computed.
 Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const IdentifyChoices& choices);
 
-/// What an assembly takes: files of errors, which its options name, and the machine.
+/// What an assembly takes.
 struct AssembleFiles {
-  std::vector<GivenFile> errors;
+  std::vector<GivenFile> errors;  ///< files that its options name
   GivenFile machine;
 };
 
@@ -72,8 +72,8 @@ Result<PredictRequest> line_request_from(const json::Value& body);
 Result<ExportRequest> table_request_from(const json::Value& body);
 
 /// A result file that somebody gives, {"result": …}, in the reader's language: as it is but for its findings, and that
-/// the curves of one of single measurements are made anew out of its model. Fails, with line and column, where a page could not show it: on members that are missing or of another kind, and as
-/// given_model() does.
+/// the curves of one of single measurements are made anew out of its model. Fails, with line and column, where a page
+/// could not show it: on members that are missing or of another kind, and as given_model() does.
 Result<json::Value> given_result(const json::Value& body, const Reader& reader);
 
 }  // namespace axiometry::app

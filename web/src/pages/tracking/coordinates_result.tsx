@@ -21,7 +21,7 @@ const u_um = (covariance: readonly (readonly number[])[], c: number): number => 
 interface Props { sent: SentReadings; result: Coordinates; try_lengths: (() => void) | null }
 
 export function CoordinatesResult({ sent, result, try_lengths }: Props) {
-  const remarks = result.remarks.map((message): TrackingFinding => ({ id: 'remark', severity: 'note', message }));
+  const remarks = result.remarks.map((message): TrackingFinding => ({ id: '', severity: 'note', message }));
   const share = is_polar(result) && result.unknowns > 0 ? (100 * result.told_by_angles) / result.unknowns : 0;
   return (
     <div class="stack results coordinates">
@@ -138,7 +138,8 @@ function Taken({ sent }: { sent: SentReadings }) {
     set_busy(true);
     set_error(null);
     try {
-      offer(await (await made_of_files(`/api/tracking/${sent.way}/${path}`, readings_form(sent))).blob(), name);
+      const answer = await made_of_files(`/api/tracking/${sent.way}/${path}`, readings_form(sent));
+      offer(new Blob([await answer.arrayBuffer()]), name);
     } catch (thrown) {
       set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
     }

@@ -78,7 +78,7 @@ function Taken({ sent }: { sent: SentSingles }) {
     set_error(null);
     try {
       const answer = await made_of_files(`/api/volumetric/assembly/report.${extension}${query({ language: language.value, decimal: decimal.value })}`, singles_form_data(sent));
-      offer(await answer.blob(), name);
+      offer(new Blob([await answer.arrayBuffer()]), name);
     } catch (thrown) {
       set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
     }

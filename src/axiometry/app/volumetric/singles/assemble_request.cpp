@@ -48,13 +48,13 @@ Result<AssembleRequest> assemble_request_from(const json::Value& options, const 
   AssembleRequest request;
   request.machine = files.machine.name;
   request.machine_bytes = files.machine.bytes;
-  AXIOMETRY_TRY_VOID(take_texts(members, "errors", most,
-                                [&](const std::string& text) { return put_item(text, files, request); }));
+  AXIOMETRY_TRY_VOID(
+      take_texts(members, "errors", most, [&](const std::string& text) { return put_item(text, files, request); }));
   if (request.items.empty()) return fail("found no errors, expected one or more", options.at());
   AXIOMETRY_TRY_VOID(take_texts(members, "at", request.stands.size(),
                                 [&](const std::string& text) { return put_stand(text, request); }));
-  AXIOMETRY_TRY_VOID(take_texts(members, "instruments", most,
-                                [&](const std::string& text) { return put_instrument(text, request); }));
+  AXIOMETRY_TRY_VOID(
+      take_texts(members, "instruments", most, [&](const std::string& text) { return put_instrument(text, request); }));
   AXIOMETRY_TRY_VOID(take_text(members, "reversal", [&](const std::string& word) -> Result<void> {
     AXIOMETRY_TRY(request.reversal, parse_single_reversal(word));
     return {};

@@ -67,8 +67,8 @@ Result<SingleItem> parse_single(std::string_view text);
 /// direction of that axis itself.
 Result<std::pair<std::size_t, SingleStand>> parse_stand(std::string_view text);
 
-/// "X=0,300,-200@T1" and "EYX=0.4,0.5" (U = A + B·L, k = 2, of an error that is given), put where they belong. Each fails
-/// on anything else and on a second one of the same axis or error.
+/// "X=0,300,-200@T1" and "EYX=0.4,0.5" (U = A + B·L, k = 2, of an error that is given), put where they belong. Each
+/// fails on anything else and on a second one of the same axis or error.
 Result<void> put_stand(std::string_view text, AssembleRequest& request);
 Result<void> put_instrument(std::string_view text, AssembleRequest& request);
 
