@@ -88,6 +88,10 @@ class JsonSchemas {
         found.fault(place, fmt::format("found {}, expected {}", shown(value), shown(said)));
       if (!is_known(keyword)) throw std::logic_error("the keyword " + keyword + " is not known to the tests");
     }
+    if (const Value* content = schema.find("contentSchema"); content && value.is(Kind::text)) {
+      const auto inner = json::parse(value.text());
+      found.add(inner ? check(*content, *inner, place) : check(Value(false), value, place));
+    }
     found.add(of_plain(schema, value, place));
     if (value.is(Kind::array)) found.add(of_items(schema, value.items(), place));
     if (value.is(Kind::object)) found.add(of_members(schema, value, place));
@@ -100,7 +104,7 @@ class JsonSchemas {
         " $ref allOf anyOf oneOf type enum const minimum maximum exclusiveMinimum exclusiveMaximum minLength pattern "
         "items prefixItems "
         "minItems maxItems uniqueItems properties required propertyNames additionalProperties unevaluatedProperties "
-        "format "
+        "format contentMediaType contentSchema "
         "description default examples ";
     return known.find(fmt::format(" {} ", keyword)) != std::string_view::npos;
   }

@@ -26,6 +26,7 @@ import { record } from './record.mjs';
 import { rules } from './rules.mjs';
 import { scene_tests } from './scene.mjs';
 import { sign_out } from './sign_out.mjs';
+import { stations } from './stations.mjs';
 import { story } from './story.mjs';
 import { surroundings } from './surroundings.mjs';
 import { table_choices } from './table_choices.mjs';
@@ -43,7 +44,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...word_tests, ...tracking, ...volume, ...calibrations, ...motions, ...tables, ...table_choices, ...capture, ...lengths, ...motion_captures, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...surroundings, ...rules, ...claims, ...description, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...word_tests, ...tracking, ...stations, ...volume, ...calibrations, ...motions, ...tables, ...table_choices, ...capture, ...lengths, ...motion_captures, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...surroundings, ...rules, ...claims, ...description, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/flags/ranging_flag.h"
 
-#include <fmt/format.h>
-
-#include "axiometry/app/files/amount_text.h"
 #include "axiometry/app/tracking/tracking_text.h"
-#include "axiometry/base/text.h"
 #include "cli/flags/option_text.h"
 
 namespace axiometry::cli {
@@ -19,12 +15,6 @@ Flag add_ranging(const Verb& verb, std::function<void(const RangingUncertainty&)
                     put(ranging);
                     return {};
                   });
-}
-
-Result<Length> sigma_of(const std::string& text) {
-  AXIOMETRY_TRY(const Deviation x, app::parse_deviation(text, AxisKind::linear));
-  if (!(x.in_native() >= 0.0)) return fail(fmt::format("found {}, expected 0 or more", text::quoted(text)));
-  return Length::um(x.in_native());
 }
 
 }  // namespace axiometry::cli

@@ -14,7 +14,4 @@ namespace axiometry::cli {
 /// --ranging: U = a + b·L of the instrument.
 Flag add_ranging(const Verb& verb, std::function<void(const RangingUncertainty&)> put);
 
-/// A standard uncertainty with its unit, "0.5um"; 0 or more.
-Result<Length> sigma_of(const std::string& text);
-
 }  // namespace axiometry::cli

@@ -54,6 +54,7 @@ std::vector<Router::Route> served() {
   add_plan_routes(router, context);
   add_capture_routes(router, context);
   add_tracking_routes(router);
+  add_coordinates_routes(router);
   add_calibration_routes(router, context);
   add_compensation_routes(router, context);
   add_volumetric_routes(router);
@@ -101,9 +102,8 @@ TEST(OpenApi, says_as_page_and_guide_how_long_the_last_reading_can_be_taken_back
 TEST(OpenApi, bounds_what_was_agreed_on_temperatures_as_the_program_does) {
   const json::Value* limits =
       api_description().find("components")->find("schemas")->find("KeptTemperatures")->find("properties");
-  for (const auto& [name, least] :
-       {std::pair{"lowest_C", coldest_hall_C}, std::pair{"highest_C", coldest_hall_C},
-        std::pair{"rate_C_per_h", 0.0}, std::pair{"gradient_C", 0.0}}) {
+  for (const auto& [name, least] : {std::pair{"lowest_C", coldest_hall_C}, std::pair{"highest_C", coldest_hall_C},
+                                    std::pair{"rate_C_per_h", 0.0}, std::pair{"gradient_C", 0.0}}) {
     EXPECT_EQ(limits->find(name)->find("minimum")->number(), least) << name;
     EXPECT_EQ(limits->find(name)->find("maximum")->number(), hottest_hall_C) << name;
   }

@@ -12,6 +12,7 @@
 #include "axiometry/nc/dialect.h"
 #include "axiometry/report/writer.h"
 #include "axiometry/standards/iso230_2/parameters.h"
+#include "axiometry/tracking/instruments/tracker_kinds.h"
 #include "axiometry/uncertainty/conformity.h"
 #include "axiometry/volumetric/field/line_prediction.h"
 
@@ -162,6 +163,13 @@ Value vocabulary(language::Language language) {
               return row;
             }));
   value.add("diagonals", list_of(volumetric::diagonal_names(), [](const std::string& name) { return Value(name); }));
+  value.add("trackers", list_of(tracking::tracker_kinds(), [](const tracking::TrackerKind& kind) {
+              Value row = Value::object();
+              row.add("id", kind.id);
+              row.add("title", kind.title);
+              row.add("has_angles", kind.across.has_value());
+              return row;
+            }));
   value.add("corrections", list_of(corrections, [&](const Named& row) { return writer.named(row.id, row.title); }));
   value.add("cycles",
             list_of(cycles, [&](const auto& row) { return writer.named(cycle_name(row.first), row.second); }));

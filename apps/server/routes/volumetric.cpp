@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "axiometry/app/files/file_name_part.h"
 #include "axiometry/app/files/given_text.h"
@@ -134,6 +135,58 @@ Result<Response> residuals(const Request& request) {
   return download(app::residuals_csv(found), "text/csv; charset=utf-8", "residuals.csv");
 }
 
+/// What a form with errors that were measured one by one holds.
+struct AssemblyForm {
+  std::vector<app::GivenFile> errors;
+  std::optional<app::GivenFile> machine;
+  std::optional<Value> options;
+};
+
+Result<void> take_assembly_part(AssemblyForm& form, const FormPart& part) {
+  if (part.name == "options" && !part.is_file) {
+    if (form.options) return fail("found options twice, expected them once");
+    AXIOMETRY_TRY(form.options, parsed_options(part.bytes));
+    return {};
+  }
+  const bool is_error = part.name == "errors";
+  if (!part.is_file || (!is_error && part.name != "machine"))
+    return fail(fmt::format("found the part {} in the form, expected the files errors and machine, and options",
+                            text::quoted(part.name)));
+  AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
+  if (is_error) {
+    form.errors.push_back({std::move(name), part.bytes});
+    return {};
+  }
+  if (form.machine) return fail("found two files machine, expected one");
+  form.machine = app::GivenFile{std::move(name), part.bytes};
+  return {};
+}
+
+Result<app::Assembled> assembled(const Request& request) {
+  const std::string_view type = request.header("content-type").value_or("");
+  if (!is_form(type)) return fail("found no form, expected one with the file machine, files errors and options");
+  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
+  AssemblyForm form;
+  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_assembly_part(form, part));
+  if (!form.machine) return fail("found no file machine, expected one");
+  if (!form.options) return fail("found no options, expected them: they say which errors are given");
+  return app::assemble_presentable({std::move(form.errors), *form.machine}, *form.options);
+}
+
+Result<Response> assembly(const Request& request) {
+  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
+  AXIOMETRY_TRY(const app::Assembled made, assembled(request));
+  return json_response(app::localised_result(app::present(made, {}).json, app::ResultKind::volumetric, reader));
+}
+
+Result<Response> assembly_report(const Request& request) {
+  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const app::Assembled made, assembled(request));
+  const app::Experiment experiment = app::present(made, options);
+  if (wants_json(request)) return json_file(experiment.json, "volume");
+  return document_response(experiment.document, request, options, "volume");
+}
+
 Result<Response> shown_result(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
@@ -201,6 +254,8 @@ void add_volumetric_routes(Router& router) {
   add("/api/volumetric/identification/report.{extension}", identification_report, volume_lengths_bytes_max,
       Sent::files);
   add("/api/volumetric/identification/residuals", residuals, volume_lengths_bytes_max, Sent::files);
+  add("/api/volumetric/assembly", assembly, volume_lengths_bytes_max, Sent::files);
+  add("/api/volumetric/assembly/report.{extension}", assembly_report, volume_lengths_bytes_max, Sent::files);
   add("/api/volumetric/result", shown_result, volume_model_bytes_max);
   add("/api/volumetric/field", field, volume_model_bytes_max);
   add("/api/volumetric/difference", difference, volume_models_bytes_max);

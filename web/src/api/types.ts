@@ -3329,6 +3329,12 @@ export interface components {
                 has_loops: boolean;
                 manual: string;
             }[];
+            /** @description Kinds of tracking instruments, whose uncertainty their names stand for. */
+            trackers: {
+                id: string;
+                title: string;
+                has_angles: boolean;
+            }[];
             corrections: components["schemas"]["Named"][];
             cycles: components["schemas"]["Named"][];
             /** @description Of decisions about limits. */
@@ -3359,8 +3365,10 @@ export interface components {
         VolumetricDifferenceRequest: {
             before: components["schemas"]["VolumetricModel"];
             findings_before?: components["schemas"]["FindingsOfResult"];
+            remarks_before?: components["schemas"]["RemarksOfResult"];
             after: components["schemas"]["VolumetricModel"];
             findings_after?: components["schemas"]["FindingsOfResult"];
+            remarks_after?: components["schemas"]["RemarksOfResult"];
             nodes?: number;
         };
         VolumetricDraft: {
@@ -3485,6 +3493,7 @@ export interface components {
         VolumetricLineRequest: {
             model: components["schemas"]["VolumetricModel"];
             findings?: components["schemas"]["FindingsOfResult"];
+            remarks?: components["schemas"]["RemarksOfResult"];
             /** @enum {unknown} */
             axis?: "X" | "Y" | "Z";
             /** @description Where the other axes stand; the axis' own does not count. */
@@ -3527,6 +3536,7 @@ export interface components {
         VolumetricModelGiven: {
             model: components["schemas"]["VolumetricModel"];
             findings?: components["schemas"]["FindingsOfResult"];
+            remarks?: components["schemas"]["RemarksOfResult"];
             /** @description Along each axis, 11 when not given. */
             nodes?: number;
         };
@@ -3791,7 +3801,7 @@ export interface components {
             model: components["schemas"]["VolumetricModel"];
         };
         VolumetricResultGiven: {
-            result: components["schemas"]["VolumetricResult"];
+            result: components["schemas"]["VolumetricResult"] | components["schemas"]["VolumetricAssembly"];
         };
         /** @description µrad; null where the lengths do not tell it. */
         VolumetricSquareness: {
@@ -3805,6 +3815,7 @@ export interface components {
         VolumetricTableRequest: {
             model: components["schemas"]["VolumetricModel"];
             findings?: components["schemas"]["FindingsOfResult"];
+            remarks?: components["schemas"]["RemarksOfResult"];
             /** @description One of Vocabulary.compensations. */
             table: string;
             tool?: string;
@@ -3813,6 +3824,7 @@ export interface components {
         VolumetricCompensationRequest: {
             model: components["schemas"]["VolumetricModel"];
             findings?: components["schemas"]["FindingsOfResult"];
+            remarks?: components["schemas"]["RemarksOfResult"];
             /**
              * @description The axis at whose positions the table stands.
              * @enum {unknown}
@@ -3865,6 +3877,262 @@ export interface components {
                 findings: components["schemas"]["VolumetricFinding"][];
             };
         };
+        MultilaterationForm: {
+            /**
+             * Format: binary
+             * @description A table with the columns point, station, length_mm, perhaps segment, and x_mm, y_mm, z_mm of the nominal points here or in `points`.
+             */
+            ranges: string;
+            /**
+             * Format: binary
+             * @description Nominal points: point, x_mm, y_mm, z_mm.
+             */
+            points?: string;
+            /** @description JSON. */
+            options?: string;
+        };
+        MultilaterationOptions: {
+            /**
+             * @description Of the lengths: known, one unknown, one unknown of each station.
+             * @default fixed
+             * @enum {string}
+             */
+            scale: "fixed" | "common" | "free";
+            /** @description Standard uncertainty of an unknown scale about 1, in 10⁻⁶. */
+            scale_prior_ppm?: number;
+            /** @description `0.2um+0.3um/m`: U = a + b·L of the instrument (k = 2), or the name of a kind of instrument. */
+            ranging?: string;
+            /** @description `0.5um`: standard uncertainty of the machine between stations along a beam. */
+            repeatability?: string;
+            /**
+             * @description Whether breaks of the beam are looked for that the file does not state.
+             * @default true
+             */
+            find_breaks: boolean;
+            /**
+             * @description Of the points, with the search for readings that do not fit.
+             * @default true
+             */
+            covariances: boolean;
+        };
+        /** @description Of a station's lengths, for each segment of its beam. */
+        DeadPath: {
+            /** @description null where a break begins it that the file does not state. */
+            segment: string | null;
+            dead_path_mm: number;
+            u_mm?: number;
+        };
+        /** @description A point; its deviation is that from the nominal one. */
+        FoundPoint: {
+            name: string;
+            position_mm: components["schemas"]["Place"];
+            deviation_um?: components["schemas"]["Place"];
+            covariance_mm2?: components["schemas"]["Matrix"];
+        };
+        /** @description As `axiometry tracking multilaterate --json` writes it; docs/results.md explains it. Texts in the language of the request. */
+        Multilateration: {
+            /** @constant */
+            result: "multilateration";
+            /** @enum {unknown} */
+            scale: "fixed" | "common" | "free";
+            scale_prior: number | null;
+            converged: boolean;
+            iterations: number;
+            chi_squared: number;
+            degrees_of_freedom: number;
+            variance_factor: number;
+            rank: {
+                unknowns: number;
+                equations: number;
+                gauge: number;
+                null_directions: number;
+                condition: number;
+                weakest_mm: number;
+                points_least: number;
+                stations_coplanar: boolean;
+                stations_off_plane_mm: number;
+            };
+            stations: {
+                name: string;
+                position_mm: components["schemas"]["Place"];
+                covariance_mm2: components["schemas"]["Matrix"];
+                dead_paths: components["schemas"]["DeadPath"][];
+                scale: number;
+                scale_u: number;
+            }[];
+            /** @description Of a beam, that the file does not state. */
+            breaks: {
+                station: string;
+                reading: number;
+                line: number;
+                point: string;
+                jump_mm: number;
+            }[];
+            findings: components["schemas"]["TrackingFinding"][];
+            remarks: string[];
+            source: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+                format: string;
+            };
+            points_source?: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+                format: string;
+            };
+            program: components["schemas"]["Program"];
+            points: components["schemas"]["FoundPoint"][];
+            /** @description Of the lengths, in the order of the file. */
+            residuals_um: number[];
+        };
+        PolarForm: {
+            /**
+             * Format: binary
+             * @description A table with the columns point, station, length_mm, azimuth_deg, elevation_deg or zenith_deg, and perhaps their uncertainties; may stand in the form several times.
+             */
+            readings: string;
+            /**
+             * Format: binary
+             * @description Nominal points: point, x_mm, y_mm, z_mm; coordinates are in theirs.
+             */
+            points?: string;
+            /** @description JSON. */
+            options?: string;
+        };
+        PolarChoices: {
+            /** @description `leica-at901`, or `TR=etalon-lasertracer` of one station: whose uncertainty counts where the rows state none. */
+            instruments?: string[];
+            /** @description `20um+1um/m`: U of lengths (k = 2). */
+            ranging?: string;
+            /** @description `2arcsec`, or `30um+12um/m` across the beam: U of angles (k = 2). */
+            angles?: string;
+            /** @description With nominal points too, coordinates are those of the first station with angles. */
+            in_station?: boolean;
+        };
+        /** @description As `axiometry tracking polar --json` writes it; docs/results.md explains it. Texts in the language of the request. */
+        PolarResult: {
+            /** @constant */
+            result: "polar";
+            /** @enum {unknown} */
+            coordinates: "nominal" | "station";
+            equations: number;
+            unknowns: number;
+            /** @description How many of the unknowns the lengths tell. */
+            told_by_lengths: number;
+            told_by_angles: number;
+            chi_squared: number;
+            degrees_of_freedom: number;
+            variance_factor: number;
+            stations: {
+                name: string;
+                position_mm: components["schemas"]["Place"];
+                covariance_mm2: components["schemas"]["Matrix"];
+                has_angles: boolean;
+                turn: components["schemas"]["Matrix"] | null;
+                dead_paths: components["schemas"]["DeadPath"][];
+            }[];
+            points: components["schemas"]["FoundPoint"][];
+            residuals: {
+                point: string;
+                station: string;
+                length_um: number;
+                length_normalised: number;
+                sideways_um?: number;
+                sideways_normalised?: number;
+                upwards_um?: number;
+                upwards_normalised?: number;
+            }[];
+            findings: components["schemas"]["TrackingFinding"][];
+            remarks: string[];
+            sources: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+                format: string;
+            }[];
+            points_source?: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+                format: string;
+            };
+            program: components["schemas"]["Program"];
+        };
+        AssemblyForm: {
+            /**
+             * Format: binary
+             * @description What an error was read from: a test of positions in any format, a table of straightness or rotations, or the JSON of a result of these or of squareness; may stand in the form several times.
+             */
+            errors?: string;
+            /**
+             * Format: binary
+             * @description machine.json.
+             */
+            machine: string;
+            /** @description JSON. */
+            options: string;
+        };
+        AssemblyOptions: {
+            /** @description `EYX=straightness.csv`, by the name of a file of the form, or of squareness in µrad with its U (k = 2) `C0Y=-12.5,1.2`. */
+            errors: string[];
+            /** @description `X=0,300:up,-200:down@T1`: where the axes stood while X was measured, in which direction the others came to rest there, and with which tool. */
+            at?: string[];
+            /** @description `EYX=0.4,0.5`: U = A + B per metre of the readings of one error (k = 2), µm or µrad. */
+            instruments?: string[];
+            /**
+             * @description Curves of both directions where they were read, or their mean.
+             * @default curves
+             * @enum {string}
+             */
+            reversal: "curves" | "none";
+        };
+        /** @description As `axiometry volumetric assemble --out` writes it; docs/results.md explains it. Texts in the language of the request. */
+        VolumetricAssembly: {
+            /** @constant */
+            result: "volumetric-assembled";
+            errors: {
+                name: string;
+                file: string | null;
+                sha256: string | null;
+                runs: number | null;
+                /** @description Of its readings (k = 1), µm or µrad. */
+                u_largest: number;
+                /** @enum {unknown} */
+                directions: "both" | "up" | "down" | null;
+                reversal_largest: number | null;
+                instrument: {
+                    U_constant: number;
+                    U_per_m: number;
+                } | null;
+                equipment: string | null;
+            }[];
+            at: {
+                X?: components["schemas"]["AssemblyStand"];
+                Y?: components["schemas"]["AssemblyStand"];
+                Z?: components["schemas"]["AssemblyStand"];
+            };
+            findings: components["schemas"]["VolumetricFinding"][];
+            remarks: string[];
+            machine_source: {
+                file: string;
+                sha256: components["schemas"]["Sha256"];
+            };
+            curves: components["schemas"]["VolumetricErrors"];
+            model: components["schemas"]["VolumetricModel"];
+            program: components["schemas"]["Program"];
+        };
+        AssemblyStand: {
+            axes_mm: components["schemas"]["Place"];
+            tool: string | null;
+            approaches: {
+                /** @enum {unknown} */
+                X?: "up" | "down";
+                /** @enum {unknown} */
+                Y?: "up" | "down";
+                /** @enum {unknown} */
+                Z?: "up" | "down";
+            };
+        };
+        /** @description Those of a VolumetricAssembly, which what is made of it does not hold either. */
+        RemarksOfResult: string[];
     };
     responses: never;
     parameters: never;
@@ -4110,3 +4378,16 @@ export type VolumetricTableRequest = components['schemas']['VolumetricTableReque
 export type VolumetricCompensationRequest = components['schemas']['VolumetricCompensationRequest'];
 export type VolumetricTableSizes = components['schemas']['VolumetricTableSizes'];
 export type VolumetricCompensation = components['schemas']['VolumetricCompensation'];
+export type MultilaterationForm = components['schemas']['MultilaterationForm'];
+export type MultilaterationOptions = components['schemas']['MultilaterationOptions'];
+export type DeadPath = components['schemas']['DeadPath'];
+export type FoundPoint = components['schemas']['FoundPoint'];
+export type Multilateration = components['schemas']['Multilateration'];
+export type PolarForm = components['schemas']['PolarForm'];
+export type PolarChoices = components['schemas']['PolarChoices'];
+export type PolarResult = components['schemas']['PolarResult'];
+export type AssemblyForm = components['schemas']['AssemblyForm'];
+export type AssemblyOptions = components['schemas']['AssemblyOptions'];
+export type VolumetricAssembly = components['schemas']['VolumetricAssembly'];
+export type AssemblyStand = components['schemas']['AssemblyStand'];
+export type RemarksOfResult = components['schemas']['RemarksOfResult'];

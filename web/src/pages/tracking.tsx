@@ -13,6 +13,7 @@ import { LengthPartsPanel } from './capture/length_parts';
 import { ProgramPanel } from './plan/program';
 import './plan.css';
 import './tracking.css';
+import { CoordinatesPanel } from './tracking/coordinates';
 import { is_aligned, new_form, request_of, type LocatedStation, type TrackingForm } from './tracking/form';
 import { tracking_kept } from './tracking/kept';
 import { LengthsPanel } from './tracking/lengths';
@@ -72,6 +73,7 @@ export function TrackingPage() {
           {vocabulary.data && <ProgramPanel path="/api/tracking/lines/program" subject={settled && { request: settled }} of_lines stops={is_aligned(form)} name={name} vocabulary={vocabulary.data} step="4" />}
           <LengthPartsPanel subject={captured} step="5" />
           <LengthsPanel plan={plan} located={is_aligned(form) ? null : located} />
+          <CoordinatesPanel vocabulary={vocabulary.data} />
         </div>
       </div>
     </>

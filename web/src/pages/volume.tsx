@@ -18,6 +18,7 @@ import { volume_kept } from './volume/kept';
 import { LengthsPanel } from './volume/lengths';
 import { MachinePanel } from './volume/machine';
 import { PlanPanel, RunChoice } from './volume/plan';
+import { SinglesPanel } from './volume/singles';
 import { t } from './volume/texts';
 import './volume/volume.css';
 import { volume_words } from './volume/words';
@@ -73,6 +74,7 @@ export function VolumePage() {
           )}
           <LengthPartsPanel subject={captured} step="4" />
           <LengthsPanel machine={measured} />
+          <SinglesPanel machine={machine} />
         </div>
       </div>
     </>

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/tracking/tracking_locate.h"
+#include "axiometry/app/tracking/tracking_text.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/translated.h"
@@ -58,7 +59,7 @@ void add_request(const Verb& verb, app::LocateRequest& request) {
   })->group(weights);
   add_read(verb, {"--machine-sigma", "LENGTH", "Standard uncertainty of the machine's points, per axis (0um)"},
            [&request](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(const Length sigma, sigma_of(text));
+             AXIOMETRY_TRY(const Length sigma, app::parse_length_sigma(text));
              request.options.machine_sigma_mm = sigma.in_mm();
              return {};
            })

@@ -8,7 +8,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/tracking/multilaterate.h"
-#include "axiometry/base/text.h"
+#include "axiometry/app/tracking/tracking_text.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
@@ -38,17 +38,10 @@ struct TrackingMultilaterateArguments {
 
 using tracking::ScaleModel;
 
-Result<ScaleModel> scale_of(const std::string& word) {
-  if (word == "fixed") return ScaleModel::fixed;
-  if (word == "common") return ScaleModel::common;
-  if (word == "free") return ScaleModel::free;
-  return fail(fmt::format("found {}, expected fixed, common or free", text::quoted(word)));
-}
-
 void add_model(const Verb& verb, tracking::MultilaterationOptions& options) {
   add_read(verb, {"--scale", "MODEL", "Scale of the lengths: fixed, common (one unknown) or free (one each) (fixed)"},
            [&options](const std::string& word) -> Result<void> {
-             AXIOMETRY_TRY(options.scale, scale_of(word));
+             AXIOMETRY_TRY(options.scale, app::parse_scale_model(word));
              return {};
            })
       ->group("Model");
@@ -63,7 +56,7 @@ void add_model(const Verb& verb, tracking::MultilaterationOptions& options) {
   add_read(verb,
            {"--repeatability", "LENGTH", "Standard uncertainty of the machine between stations along a beam (0um)"},
            [&options](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(const Length sigma, sigma_of(text));
+             AXIOMETRY_TRY(const Length sigma, app::parse_length_sigma(text));
              options.repeatability_sigma_mm = sigma.in_mm();
              return {};
            })

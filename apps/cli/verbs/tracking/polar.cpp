@@ -8,8 +8,6 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/tracking/polar.h"
-#include "axiometry/app/tracking/tracking_text.h"
-#include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
@@ -35,14 +33,6 @@ struct PolarArguments {
   std::string out;
   ExperimentArguments outputs;
 };
-
-/// "NAME" or "STATION=NAME".
-std::pair<std::string, std::string> named_instrument(const std::string& text) {
-  const std::size_t mark = text.rfind('=');
-  if (mark == std::string::npos) return {"", text};
-  if (mark == 0) throw UsageError("--instrument", "found no station before =, expected STATION=NAME");
-  return {text.substr(0, mark), text.substr(mark + 1)};
-}
 
 int run_polar(PolarArguments& arguments) {
   std::vector<app::InputFile> inputs;
@@ -80,21 +70,12 @@ void add_tracking_polar(const Verb& tracking, int& exit_code) {
   add_read(*verb,
            {"--instrument", "[STATION=]NAME",
             "Kind whose uncertainty counts where the rows state none, of all stations or of one; repeated"},
-           [&request](const std::string& text) -> Result<void> {
-             request.instruments.push_back(named_instrument(text));
-             return {};
-           })
+           [&request](const std::string& text) -> Result<void> { return app::put_tracker(text, request); })
       ->take_all()
       ->trigger_on_parse()
       ->group("Uncertainty");
   add_read(*verb, {"--ranging", "U", "Expanded uncertainty (k = 2) of lengths, U = a + b L: 20um+1um/m"},
-           [&request](const std::string& text) -> Result<void> {
-             // A name would have to say whether it means distances or their changes: --instrument knows by the station.
-             AXIOMETRY_TRY(const auto kind, tracking::find_tracker(text, tracking::LengthMode::absolute));
-             if (kind) return fail("found an instrument, expected A+B such as 20um+1um/m; names go to --instrument");
-             AXIOMETRY_TRY(request.stated.length, app::parse_ranging(text));
-             return {};
-           })
+           [&request](const std::string& text) -> Result<void> { return app::put_polar_lengths(text, request); })
       ->group("Uncertainty");
   add_read(*verb, {"--angles", "U", "The same of angles: 2arcsec, or across the beam over the distance: 30um+12um/m"},
            [&request](const std::string& text) -> Result<void> {

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/files/output.h"
-#include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/singles/assemble_singles.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
@@ -42,32 +35,6 @@ struct AssembleArguments {
   ExperimentArguments outputs;
 };
 
-Result<void> put_stand(const std::string& text, app::AssembleRequest& request) {
-  AXIOMETRY_TRY(auto parsed, app::parse_stand(text));
-  auto& stand = request.stands[parsed.first];
-  if (stand) return fail(fmt::format("found {} twice, expected each axis once", text[0]));
-  stand = std::move(parsed.second);
-  return {};
-}
-
-/// "EYX=0.4,0.5".
-Result<void> put_instrument(const std::string& text, app::AssembleRequest& request) {
-  const std::size_t mark = std::min(text.find('='), text.size());
-  const auto item = std::ranges::find(request.items, text.substr(0, mark), &app::SingleItem::name);
-  if (item == request.items.end() || item->file.empty() || item->name[0] != 'E' || item->instrument)
-    return fail(fmt::format("found an instrument of {}, expected one of an error that is given, and once",
-                            text::quoted(text.substr(0, mark))));
-  const std::string amount = text.substr(std::min(mark + 1, text.size()));
-  const std::size_t comma = std::min(amount.find(','), amount.size());
-  const auto a = parse_number(amount.substr(0, comma));
-  const auto b = comma == amount.size() ? std::optional(0.0) : parse_number(amount.substr(comma + 1));
-  if (!a || !b || !(*a >= 0.0 && *b >= 0.0 && *a + *b > 0.0 && *a <= 1e6 && *b <= 1e6))
-    return fail(
-        fmt::format("found {}, expected ERROR=A or ERROR=A,B: U = A + B·L, k = 2, above 0", text::quoted(text)));
-  item->instrument = error_motions::InstrumentUncertainty{*a, *b};
-  return {};
-}
-
 void complete(AssembleArguments& arguments) {
   for (const std::string& text : arguments.items) {
     const auto item = app::parse_single(text);
@@ -75,7 +42,7 @@ void complete(AssembleArguments& arguments) {
     arguments.request.items.push_back(*item);
   }
   for (const std::string& text : arguments.instruments)
-    if (const auto put = put_instrument(text, arguments.request); !put)
+    if (const auto put = app::put_instrument(text, arguments.request); !put)
       throw UsageError("--instrument", put.error().message);
 }
 
@@ -109,7 +76,7 @@ void add_volumetric_assemble(const Verb& volumetric, int& exit_code) {
       ->type_name("FILE")
       ->required();
   add_read(*verb, {"--at", "AXIS=X,Y,Z@TOOL", "Where the axes stood while AXIS was measured, mm; once for each axis"},
-           [arguments](const std::string& text) { return put_stand(text, arguments->request); })
+           [arguments](const std::string& text) { return app::put_stand(text, arguments->request); })
       ->take_all()
       ->trigger_on_parse();
   verb->add_option("--instrument", arguments->instruments,
@@ -120,9 +87,8 @@ void add_volumetric_assemble(const Verb& volumetric, int& exit_code) {
       *verb,
       {"--reversal", "MODEL", "Curves of both directions where they were read: curves, or none: their mean (curves)"},
       [arguments](const std::string& word) -> Result<void> {
-        AXIOMETRY_TRY(arguments->request.reversal, app::parse_reversal(word));
-        if (arguments->request.reversal != volumetric::Reversal::constant) return {};
-        return fail("found constant, expected curves or none: readings have a difference at every position");
+        AXIOMETRY_TRY(arguments->request.reversal, app::parse_single_reversal(word));
+        return {};
       });
   verb->add_option("--out", arguments->out, "The model, for volumetric field, predict, compensate and export, to FILE")
       ->check(fault_of_name)

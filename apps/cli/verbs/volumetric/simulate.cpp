@@ -7,6 +7,7 @@
 
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/tracking/tracking_text.h"
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/simulate_calibration.h"
 #include "axiometry/base/counted.h"
@@ -91,7 +92,7 @@ void add_faults(const Verb& verb, volumetric::SimulatedFaults& faults) {
       ->group(group);
   add_read(verb, {"--drift", "LENGTH", "Standard deviation of what a dead path drifts over a station and tool (0)"},
            [&faults](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(const Length drift, sigma_of(text));
+             AXIOMETRY_TRY(const Length drift, app::parse_length_sigma(text));
              faults.drift_um = drift.in_um();
              return {};
            })
@@ -174,7 +175,7 @@ void add_volumetric_simulate(const Verb& volumetric, int& exit_code) {
       ->group("Outputs");
   add_read(*verb, {"--sample-noise", "LENGTH", "Standard deviation of the noise of each sample of --recording (0.1um)"},
            [arguments](const std::string& text) -> Result<void> {
-             AXIOMETRY_TRY(arguments->request.recording.sigma, sigma_of(text));
+             AXIOMETRY_TRY(arguments->request.recording.sigma, app::parse_length_sigma(text));
              return {};
            })
       ->group("Outputs");

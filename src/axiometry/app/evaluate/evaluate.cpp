@@ -324,6 +324,11 @@ Result<Test> read_test(const std::string& file, const std::string& format, const
   return in_file(read_source(source, {format, profile}), file);
 }
 
+Result<Test> read_test(const GivenFile& file) {
+  Source source = Source::of_bytes(file.name, file.bytes);
+  return in_file(read_source(source, {"", ""}), file.name);
+}
+
 Result<void> read_tests(Source& source, const TestSink& sink) {
   AXIOMETRY_TRY(const formats::Format* format, format_of(source, {"", ""}));
   AXIOMETRY_TRY(const std::string_view head, source.head());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axiometry/app/evaluate/requirements.h"
+#include "axiometry/app/files/given_file.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/app/temperatures/evaluated_temperatures.h"
@@ -94,6 +95,8 @@ Result<Evaluated> evaluate_test(Test test, const EvaluateOptions& options,
 /// The only test of a file ("-" is the standard input), as it was measured; read after an import profile when there is
 /// one. Fails on a file of many, and on a format beside a profile unless it is the generic one.
 Result<Test> read_test(const std::string& file, const std::string& format = "", const std::string& profile = "");
+/// The same of a file that is at hand.
+Result<Test> read_test(const GivenFile& file);
 
 /// Puts metadata over what the file says. Fails as set_field_text() does, and where axis.kind would change.
 Result<void> set_metadata(Metadata& metadata, std::span<const std::pair<std::string, std::string>> items);

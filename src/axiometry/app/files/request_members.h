@@ -22,6 +22,33 @@ Result<void> take_switch(formats::JsonMembers& members, std::string_view name, b
 /// Likewise. Fails on what is no number.
 Result<void> take_number(formats::JsonMembers& members, std::string_view name, std::optional<double>& target);
 
+/// Hands over each text of a list that may be left out; what `take` refuses gets the place of its item. Fails on more
+/// than `most` of them.
+template <typename Take>
+Result<void> take_texts(formats::JsonMembers& members, std::string_view name, std::size_t most, const Take& take) {
+  const json::Value* list = members.optional(name);
+  if (list == nullptr) return {};
+  AXIOMETRY_TRY(const auto* items, formats::items_in(*list, name));
+  if (items->size() > most)
+    return fail(fmt::format("{}: found {} of them, expected at most {}", name, items->size(), most), list->at());
+  for (const json::Value& item : *items) {
+    AXIOMETRY_TRY(const std::string text, formats::text_in(item, name));
+    if (const Result<void> taken = take(text); !taken) return fail(taken.error().message, item.at());
+  }
+  return {};
+}
+
+/// Hands over a text that may be left out; what `take` refuses gets its name and place.
+template <typename Take>
+Result<void> take_text(formats::JsonMembers& members, std::string_view name, const Take& take) {
+  const json::Value* value = members.optional(name);
+  if (value == nullptr) return {};
+  AXIOMETRY_TRY(const std::string text, formats::text_in(*value, name));
+  if (const Result<void> taken = take(text); !taken)
+    return fail(fmt::format("{}: {}", name, taken.error().message), value->at());
+  return {};
+}
+
 struct WholeNumbers {
   double least;
   double most;

@@ -76,8 +76,9 @@ constexpr std::string_view in_lines[] = {"findings.[].message", "squareness.note
 constexpr std::string_view in_motions[] = {"angles.[].remarks.[]", "lines.[].remarks.[]", "remarks.[]",
                                            "straightness.remarks.[]"};
 
-constexpr std::string_view in_volumetric[] = {"findings.[].message", "gauge.means", "gauge.straightness",
-                                              "remarks.[]"};
+constexpr std::string_view in_volumetric[] = {"findings.[].message", "gauge.means", "gauge.straightness", "remarks.[]"};
+
+constexpr std::string_view in_coordinates[] = {"findings.[].message", "remarks.[]"};
 
 constexpr std::string_view in_volumetric_plan[] = {"findings.[].message", "reasons.[]"};
 
@@ -123,6 +124,7 @@ const SentencePlaces& places_of(ResultKind kind) {
       {ResultKind::lines, places_in_lines()},
       {ResultKind::motions, places_in(in_motions)},
       {ResultKind::volumetric, places_in(in_volumetric)},
+      {ResultKind::coordinates, places_in(in_coordinates)},
       {ResultKind::volumetric_plan, places_in(in_volumetric_plan)},
       {ResultKind::field_difference, places_in(in_field_difference)},
       {ResultKind::compensation, places_in(in_compensation)},

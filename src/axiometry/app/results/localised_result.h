@@ -15,6 +15,7 @@ enum class ResultKind {
   lines,                ///< a plan's lines
   motions,              ///< straightness, angles, squareness
   volumetric,           ///< the 21 errors of a machine, from lengths or measured singly
+  coordinates,          ///< points from lengths, or from lengths with angles
   volumetric_plan,      ///< what a set-up is expected to tell
   field_difference,     ///< two fields, before and after
   compensation,         ///< a table of a control, from a test or from the 21 errors

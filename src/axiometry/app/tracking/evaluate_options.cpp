@@ -27,21 +27,6 @@ constexpr std::size_t most_items = 200;
 constexpr std::pair<std::string_view, TypeA> type_a_words[] = {
     {"pooled", TypeA::pooled}, {"t-scaled", TypeA::t_scaled}, {"resampled", TypeA::resampled}};
 
-/// Hands over each text of a list that may be left out; what `take` refuses gets the place of its item.
-template <typename Take>
-Result<void> take_texts(JsonMembers& members, std::string_view name, const Take& take) {
-  const Value* list = members.optional(name);
-  if (list == nullptr) return {};
-  AXIOMETRY_TRY(const auto* items, formats::items_in(*list, name));
-  if (items->size() > most_items)
-    return fail(fmt::format("{}: found {} of them, expected at most {}", name, items->size(), most_items), list->at());
-  for (const Value& item : *items) {
-    AXIOMETRY_TRY(const std::string text, formats::text_in(item, name));
-    if (const Result<void> taken = take(text); !taken) return fail(taken.error().message, item.at());
-  }
-  return {};
-}
-
 /// "machine.name=Mill 5", as --set has it.
 Result<void> set_item(const std::string& text, TrackingEvaluateOptions& options) {
   const std::size_t equals = text.find('=');
@@ -63,8 +48,8 @@ Result<void> take_break_threshold(JsonMembers& members, const Value& value, Trac
 }
 
 Result<void> take_verdict(JsonMembers& members, TrackingEvaluateOptions& options) {
-  AXIOMETRY_TRY_VOID(
-      take_texts(members, "tolerances", [&](const std::string& text) { return add_tolerance(text, options); }));
+  AXIOMETRY_TRY_VOID(take_texts(members, "tolerances", most_items,
+                                [&](const std::string& text) { return add_tolerance(text, options); }));
   AXIOMETRY_TRY_VOID(members.take("tolerance_table", options.tolerance.table_name));
   const Value* rule = members.optional("rule");
   if (rule == nullptr) return {};
@@ -110,7 +95,8 @@ Result<TrackingEvaluateOptions> evaluate_options_from(const Value& value) {
   AXIOMETRY_TRY_VOID(take_switch(members, "reversed", options.reversed));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", options.find_breaks));
   AXIOMETRY_TRY_VOID(take_break_threshold(members, value, options));
-  AXIOMETRY_TRY_VOID(take_texts(members, "set", [&](const std::string& text) { return set_item(text, options); }));
+  AXIOMETRY_TRY_VOID(
+      take_texts(members, "set", most_items, [&](const std::string& text) { return set_item(text, options); }));
   AXIOMETRY_TRY_VOID(take_verdict(members, options));
   AXIOMETRY_TRY_VOID(take_uncertainty(members, options.uncertainty));
   AXIOMETRY_TRY_VOID(take_choice<TypeA>(members, "type_a", type_a_words, options.uncertainty.trials.type_a));

@@ -19,6 +19,11 @@ namespace {
 
 constexpr std::size_t limit_bytes = std::size_t{4} << 30;
 
+Result<std::string> ranges_content(const std::string& file, std::optional<std::string_view> at_hand) {
+  if (at_hand) return std::string(*at_hand);
+  return file_bytes(file, limit_bytes);
+}
+
 /// The nominal points of another file in the order in which the lengths name them.
 Result<void> take_points(Multilaterated& result, formats::NamedPoints points, const std::string& file) {
   formats::RangesFile& ranges = result.ranges;
@@ -42,16 +47,21 @@ Result<void> take_points(Multilaterated& result, formats::NamedPoints points, co
 }
 
 Result<void> read_inputs(Multilaterated& result, const MultilaterateRequest& request) {
-  AXIOMETRY_TRY(const std::string bytes, file_bytes(request.ranges, limit_bytes));
+  AXIOMETRY_TRY(const std::string bytes, ranges_content(request.ranges, request.ranges_bytes));
   result.sha256 = sha256(bytes);
   AXIOMETRY_TRY(result.ranges, in_file(formats::read_ranges(bytes), request.ranges));
+  if (const std::size_t found = result.ranges.stations.size();
+      request.stations_most > 0 && found > request.stations_most)
+    return in_file(
+        Result<void>(fail(fmt::format("found {} stations, expected at most {}", found, request.stations_most))),
+        request.ranges);
   if (request.points.empty()) {
     if (!result.ranges.nominal_mm.empty()) return {};
     return in_file(Result<void>(fail("found no columns x_mm, y_mm, z_mm, expected the nominal points there or in a "
                                      "file of their own (--points)")),
                    request.ranges);
   }
-  AXIOMETRY_TRY(const std::string points, file_bytes(request.points, limit_bytes));
+  AXIOMETRY_TRY(const std::string points, ranges_content(request.points, request.points_bytes));
   result.points_sha256 = sha256(points);
   result.points_file = request.points;
   AXIOMETRY_TRY(formats::NamedPoints named, in_file(formats::read_named_points(points), request.points));
@@ -72,6 +82,14 @@ Result<std::unique_ptr<Multilaterated>> multilaterate_files(const MultilaterateR
                                                              result->options),
                                      request.ranges));
   return result;
+}
+
+Result<tracking::ScaleModel> parse_scale_model(std::string_view word) {
+  using tracking::ScaleModel;
+  if (word == "fixed") return ScaleModel::fixed;
+  if (word == "common") return ScaleModel::common;
+  if (word == "free") return ScaleModel::free;
+  return fail(fmt::format("found {}, expected fixed, common or free", text::quoted(word)));
 }
 
 report::Document compose(const Multilaterated& result, const report::Options& options) {

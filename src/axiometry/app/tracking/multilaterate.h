@@ -2,10 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/app/results/outputs.h"
+#include "axiometry/base/json.h"
 #include "axiometry/formats/tracking/ranges_csv.h"
 #include "axiometry/report/report.h"
 #include "axiometry/tracking/ranges/multilateration.h"
@@ -17,6 +20,9 @@ struct MultilaterateRequest {
   std::string ranges;  ///< file; "-" is the standard input
   std::string points;  ///< file of nominal points; empty when they stand beside the lengths
   tracking::MultilaterationOptions options = {};
+  /// Those of `ranges` and `points` where they are at hand; they must outlive the call. No file is looked for then.
+  std::optional<std::string_view> ranges_bytes{}, points_bytes{};
+  std::size_t stations_most = 0;  ///< 0: any number
 };
 
 /// A result with the names it speaks of.
@@ -33,10 +39,20 @@ struct Multilaterated {
 };
 
 /// Reads and solves. Fails, with file and line where there is one, as read_ranges(), read_named_points() and
-/// tracking::multilaterate() do, on a point without nominal place, and on nominal places in two files.
+/// tracking::multilaterate() do, on a point without nominal place, on nominal places in two files and on more stations
+/// than asked for.
 Result<std::unique_ptr<Multilaterated>> multilaterate_files(const MultilaterateRequest& request);
 
 report::Document compose(const Multilaterated& result, const report::Options& options);
+
+/// Everything: docs/results.md.
+json::Value to_json(const Multilaterated& result);
+/// CSV of the points found, and of the readings with their residuals.
+std::string points_csv(const Multilaterated& result);
+std::string residuals_csv(const Multilaterated& result);
+
+/// Fails on anything but "fixed", "common" and "free".
+Result<tracking::ScaleModel> parse_scale_model(std::string_view word);
 
 struct MultilateratedNames {
   OutputNames outputs;

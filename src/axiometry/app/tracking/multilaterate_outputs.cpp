@@ -143,41 +143,85 @@ Result<void> write_json(const Multilaterated& r, const std::string& file) {
   return output.commit();
 }
 
+constexpr std::string_view points_head = "point,x_mm,y_mm,z_mm,dx_um,dy_um,dz_um";
+
+std::string point_row(const Multilaterated& r, std::size_t i) {
+  const Vector3 p = r.fit.points_mm[i], d = 1000.0 * (p - r.ranges.nominal_mm[i]);
+  std::string row = text::csv_cell(text::no_formula(r.ranges.points[i]));
+  for (double x : {p.x, p.y, p.z}) row += fmt::format(",{:.7f}", x);
+  for (double x : {d.x, d.y, d.z}) row += fmt::format(",{:.4f}", x);
+  if (!r.fit.point_covariances_mm2.empty())
+    for (std::size_t c = 0; c < 3; ++c)
+      row += fmt::format(",{:.4f}", 1000.0 * std::sqrt(r.fit.point_covariances_mm2[i][c][c]));
+  return row + "\n";
+}
+
+std::string residual_row(const Multilaterated& r, std::size_t k) {
+  const RangeReading& reading = r.ranges.readings[k];
+  std::string row = fmt::format("{},{},{},{},{:.4f}", text::csv_cell(text::no_formula(r.ranges.points[reading.point])),
+                                text::csv_cell(text::no_formula(r.ranges.stations[reading.station])),
+                                r.fit.segments[k] + 1, format_exact(reading.length_mm), 1000.0 * r.fit.residuals_mm[k]);
+  if (!r.fit.normalised_residuals.empty()) row += fmt::format(",{:.3f}", r.fit.normalised_residuals[k]);
+  return row + "\n";
+}
+
+/// A table, its rows handed over as they come.
+template <typename Put>
+Result<void> put_points(const Multilaterated& r, const Put& put) {
+  AXIOMETRY_TRY_VOID(
+      put(fmt::format("{}{}\n", points_head, r.fit.point_covariances_mm2.empty() ? "" : ",ux_um,uy_um,uz_um")));
+  for (std::size_t i = 0; i < r.fit.points_mm.size(); ++i) AXIOMETRY_TRY_VOID(put(point_row(r, i)));
+  return {};
+}
+
+template <typename Put>
+Result<void> put_residuals(const Multilaterated& r, const Put& put) {
+  AXIOMETRY_TRY_VOID(put(fmt::format("point,station,segment,length_mm,residual_um{}\n",
+                                     r.fit.normalised_residuals.empty() ? "" : ",normalised")));
+  for (std::size_t k = 0; k < r.ranges.readings.size(); ++k) AXIOMETRY_TRY_VOID(put(residual_row(r, k)));
+  return {};
+}
+
 Result<void> write_points(const Multilaterated& r, const std::string& file) {
   AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
-  const bool with_u = !r.fit.point_covariances_mm2.empty();
-  AXIOMETRY_TRY_VOID(
-      output.write(fmt::format("point,x_mm,y_mm,z_mm,dx_um,dy_um,dz_um{}\n", with_u ? ",ux_um,uy_um,uz_um" : "")));
-  for (std::size_t i = 0; i < r.fit.points_mm.size(); ++i) {
-    const Vector3 p = r.fit.points_mm[i], d = 1000.0 * (p - r.ranges.nominal_mm[i]);
-    std::string row = text::csv_cell(text::no_formula(r.ranges.points[i]));
-    for (double x : {p.x, p.y, p.z}) row += fmt::format(",{:.7f}", x);
-    for (double x : {d.x, d.y, d.z}) row += fmt::format(",{:.4f}", x);
-    for (std::size_t c = 0; with_u && c < 3; ++c)
-      row += fmt::format(",{:.4f}", 1000.0 * std::sqrt(r.fit.point_covariances_mm2[i][c][c]));
-    AXIOMETRY_TRY_VOID(output.write(row + "\n"));
-  }
+  AXIOMETRY_TRY_VOID(put_points(r, [&](const std::string& row) { return output.write(row); }));
   return output.commit();
 }
 
 Result<void> write_residuals(const Multilaterated& r, const std::string& file) {
   AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
-  const bool normalised = !r.fit.normalised_residuals.empty();
-  AXIOMETRY_TRY_VOID(
-      output.write(fmt::format("point,station,segment,length_mm,residual_um{}\n", normalised ? ",normalised" : "")));
-  for (std::size_t k = 0; k < r.ranges.readings.size(); ++k) {
-    const RangeReading& reading = r.ranges.readings[k];
-    std::string row =
-        fmt::format("{},{},{},{},{:.4f}", text::csv_cell(text::no_formula(r.ranges.points[reading.point])),
-                    text::csv_cell(text::no_formula(r.ranges.stations[reading.station])), r.fit.segments[k] + 1,
-                    format_exact(reading.length_mm), 1000.0 * r.fit.residuals_mm[k]);
-    if (normalised) row += fmt::format(",{:.3f}", r.fit.normalised_residuals[k]);
-    AXIOMETRY_TRY_VOID(output.write(row + "\n"));
-  }
+  AXIOMETRY_TRY_VOID(put_residuals(r, [&](const std::string& row) { return output.write(row); }));
   return output.commit();
 }
 
 }  // namespace
+
+Value to_json(const Multilaterated& r) {
+  Value object = head_value(r);
+  Value& points = object.add("points", Value::array());
+  for (std::size_t i = 0; i < r.fit.points_mm.size(); ++i) points.push(point_value(r, i));
+  Value& residuals = object.add("residuals_um", Value::array());
+  for (const double residual : r.fit.residuals_mm) residuals.push(1000.0 * residual);
+  return object;
+}
+
+std::string points_csv(const Multilaterated& r) {
+  std::string table;
+  static_cast<void>(put_points(r, [&](const std::string& row) -> Result<void> {
+    table += row;
+    return {};
+  }));
+  return table;
+}
+
+std::string residuals_csv(const Multilaterated& r) {
+  std::string table;
+  static_cast<void>(put_residuals(r, [&](const std::string& row) -> Result<void> {
+    table += row;
+    return {};
+  }));
+  return table;
+}
 
 Result<void> write_outputs(const Multilaterated& result, const report::Document& document,
                            const MultilateratedNames& names, const report::Options& options) {

@@ -42,9 +42,15 @@ class PolarGathering {
   }
 
  private:
+  static Result<std::string> content(const std::string& name, std::optional<std::string_view> at_hand) {
+    if (at_hand) return std::string(*at_hand);
+    return file_bytes(name);
+  }
+
   Result<void> add_file(std::size_t f) {
     const std::string& name = request_.files[f];
-    AXIOMETRY_TRY(const std::string bytes, file_bytes(name));
+    AXIOMETRY_TRY(const std::string bytes,
+                  content(name, request_.bytes.empty() ? std::nullopt : std::optional(request_.bytes[f])));
     result_.sources.push_back({name, sha256(bytes)});
     AXIOMETRY_TRY(formats::PolarFile file, in_file(formats::read_polar(bytes), name));
     const std::size_t stations_before = result_.stations.size();
@@ -72,7 +78,7 @@ class PolarGathering {
   }
 
   Result<void> add_nominal() {
-    AXIOMETRY_TRY(const std::string bytes, file_bytes(request_.points));
+    AXIOMETRY_TRY(const std::string bytes, content(request_.points, request_.points_bytes));
     result_.points_source = PolarSource{request_.points, sha256(bytes)};
     AXIOMETRY_TRY(const formats::NamedPoints named, in_file(formats::read_named_points(bytes), request_.points));
     std::unordered_map<std::string_view, std::size_t> numbers;
@@ -215,6 +221,24 @@ Result<RangingUncertainty> parse_across(std::string_view text) {
                            "the expanded uncertainty of angles such as 2arcsec, or across the beam such as "
                            "30um+12um/m");
   return RangingUncertainty{Length::um(0.0), RelativeLength::um_per_m(1e6 * rad_per_arcsec * angle->in_native())};
+}
+
+Result<void> put_tracker(std::string_view text, PolarRequest& request) {
+  const std::size_t mark = text.rfind('=');
+  if (mark == 0) return fail("found no station before =, expected STATION=NAME");
+  if (mark == std::string_view::npos)
+    request.instruments.emplace_back("", text);
+  else
+    request.instruments.emplace_back(text.substr(0, mark), text.substr(mark + 1));
+  return {};
+}
+
+Result<void> put_polar_lengths(std::string_view text, PolarRequest& request) {
+  // A name would have to say whether it means distances or their changes: --instrument knows by the station.
+  AXIOMETRY_TRY(const auto kind, tracking::find_tracker(text, tracking::LengthMode::absolute));
+  if (kind) return fail("found an instrument, expected A+B such as 20um+1um/m; names go to --instrument");
+  AXIOMETRY_TRY(request.stated.length, parse_ranging(text));
+  return {};
 }
 
 Result<std::unique_ptr<PolarResult>> adjust_polar_files(const PolarRequest& request) {

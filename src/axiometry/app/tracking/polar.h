@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct PolarRequest {
   /// all stations. Instruments are kinds of tracker_kinds().
   std::vector<std::pair<std::string, std::string>> instruments;  ///< station (empty: all) and name
   PolarUncertainty stated;
+  /// Those of each of `files`, and of `points`, where they are at hand; they must outlive the call. No file is looked
+  /// for then.
+  std::vector<std::string_view> bytes{};
+  std::optional<std::string_view> points_bytes{};
   bool in_station = false;  ///< whether coordinates are those of the first station with angles, with nominal points too
 };
 
@@ -70,7 +75,13 @@ Result<std::unique_ptr<PolarResult>> adjust_polar_files(const PolarRequest& requ
 /// Document and JSON.
 Experiment present(const PolarResult& result, const report::Options& options);
 
+/// "NAME" or "STATION=NAME" of an instrument, put where it belongs. Fails without a station before "=".
+Result<void> put_tracker(std::string_view text, PolarRequest& request);
+/// U = a + b·L of lengths, likewise. Fails as parse_ranging() does and on the name of an instrument.
+Result<void> put_polar_lengths(std::string_view text, PolarRequest& request);
+
 /// CSV of the points found, with their covariances.
+std::string polar_points_csv(const PolarResult& result);
 Result<void> write_polar_points(const PolarResult& result, const std::string& file);
 
 }  // namespace axiometry::app

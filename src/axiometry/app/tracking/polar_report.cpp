@@ -281,19 +281,22 @@ Experiment present(const PolarResult& r, const report::Options& options) {
   return experiment;
 }
 
-Result<void> write_polar_points(const PolarResult& r, const std::string& file) {
-  AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
-  AXIOMETRY_TRY_VOID(output.write("point,x_mm,y_mm,z_mm,ux_um,uy_um,uz_um,cxy_um2,cxz_um2,cyz_um2\n"));
+std::string polar_points_csv(const PolarResult& r) {
+  std::string table = "point,x_mm,y_mm,z_mm,ux_um,uy_um,uz_um,cxy_um2,cxz_um2,cyz_um2\n";
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     const Vector3 p = r.fit.points_mm[i];
     const Matrix3& c = r.fit.covariances_mm2[i];
-    std::string row = text::csv_cell(text::no_formula(r.points[i]));
-    for (const double x : {p.x, p.y, p.z}) row += fmt::format(",{:.7f}", x);
-    for (std::size_t k = 0; k < 3; ++k) row += fmt::format(",{:.4f}", sigma_um(c[k][k]));
-    for (const double x : {c[0][1], c[0][2], c[1][2]}) row += fmt::format(",{:.6g}", 1e6 * x);
-    AXIOMETRY_TRY_VOID(output.write(row + "\n"));
+    table += text::csv_cell(text::no_formula(r.points[i]));
+    for (const double x : {p.x, p.y, p.z}) table += fmt::format(",{:.7f}", x);
+    for (std::size_t k = 0; k < 3; ++k) table += fmt::format(",{:.4f}", sigma_um(c[k][k]));
+    for (const double x : {c[0][1], c[0][2], c[1][2]}) table += fmt::format(",{:.6g}", 1e6 * x);
+    table += '\n';
   }
-  return output.commit();
+  return table;
+}
+
+Result<void> write_polar_points(const PolarResult& r, const std::string& file) {
+  return write_file(file, polar_points_csv(r));
 }
 
 }  // namespace axiometry::app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/tracking/tracking_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -168,6 +170,12 @@ Result<RangingUncertainty> parse_ranging(std::string_view text) {
   ranging.constant = Length::um(constant->in_native());
   ranging.per_length = *slope;
   return ranging;
+}
+
+Result<Length> parse_length_sigma(std::string_view text) {
+  AXIOMETRY_TRY(const Deviation x, parse_deviation(text, AxisKind::linear));
+  if (!(x.in_native() >= 0.0)) return fail(fmt::format("found {}, expected 0 or more", text::quoted(text)));
+  return Length::um(x.in_native());
 }
 
 }  // namespace axiometry::app

@@ -38,4 +38,7 @@ Result<Obstacle> parse_obstacle(std::string_view text);
 /// name, "leica-at901": what it states of changes of length, ":adm" behind it of absolute ones.
 Result<RangingUncertainty> parse_ranging(std::string_view text);
 
+/// A standard uncertainty with its unit, "0.5um"; 0 or more.
+Result<Length> parse_length_sigma(std::string_view text);
+
 }  // namespace axiometry::app

@@ -6,12 +6,12 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/volumetric/errors_json.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
 #include "axiometry/app/volumetric/rank_json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
-#include "axiometry/volumetric/field/curve_nodes.h"
 
 namespace axiometry::app {
 namespace {
@@ -21,17 +21,12 @@ using formats::vector_value;
 using json::Value;
 using volumetric::axis_count;
 using volumetric::CurveBasis;
-using volumetric::CurveNode;
 using volumetric::ErrorModel;
-using volumetric::Estimate;
 using volumetric::FoundBreak;
 using volumetric::Identification;
 using volumetric::IdentifiedStation;
 using volumetric::IdentifiedStretch;
-using volumetric::motion_count;
-using volumetric::Reversal;
 using volumetric::SetAside;
-using volumetric::Squareness;
 using volumetric::VolumetricRank;
 using volumetric::VolumetricReading;
 
@@ -42,35 +37,6 @@ const char* reason_name(SetAside::Reason reason) {
     case SetAside::Reason::unknown_direction: return "unknown direction";
   }
   return "";
-}
-
-Value estimate_value(const std::optional<Estimate>& estimate) {
-  Value value = Value::object();
-  value.add("value", estimate ? Value(estimate->value) : Value());
-  value.add("u", estimate ? Value(estimate->u) : Value());
-  return value;
-}
-
-/// Of an error that the lengths do not tell there is no node, of squareness no value.
-Value errors_value(const ErrorModel& model) {
-  Value errors = Value::object();
-  const bool has_directions = model.coefficients().reversal() != Reversal::none;
-  for (std::size_t a = 0; a < axis_count; ++a)
-    for (std::size_t m = 0; m < motion_count; ++m) {
-      Value& nodes = errors.add(volumetric::error_name({a, m}), Value::array());
-      for (const CurveNode& node : volumetric::curve_nodes(model, {a, m})) {
-        Value& item = nodes.push(Value::object());
-        item.add("position", node.position_mm);
-        item.add("value", node.mean.value);
-        item.add("u", node.mean.u);
-        if (!has_directions) continue;
-        item.add("up", estimate_value(node.up));
-        item.add("down", estimate_value(node.down));
-      }
-    }
-  for (std::size_t k = 0; k < volumetric::squareness_names.size(); ++k)
-    errors.add(volumetric::squareness_names[k], estimate_value(model.squareness(static_cast<Squareness>(k))));
-  return errors;
 }
 
 Value gauge_value(const ErrorModel& model) {

@@ -30,15 +30,23 @@ Result<KeptModel> kept_model(const std::string& file) {
   return kept;
 }
 
+bool is_of_singles(const json::Value& result) {
+  const json::Value* name = result.is(json::Kind::object) ? result.find("result") : nullptr;
+  return name != nullptr && name->is(json::Kind::text) && name->text() == "volumetric-assembled";
+}
+
 std::vector<NamedFinding> remarks_of_singles(const json::Value& result) {
+  const json::Value* remarks = is_of_singles(result) ? result.find("remarks") : nullptr;
+  return remarks != nullptr && remarks->is(json::Kind::array) ? notes_of_remarks(*remarks)
+                                                              : std::vector<NamedFinding>();
+}
+
+std::vector<NamedFinding> notes_of_remarks(const json::Value& remarks) {
   const auto text_of = [](const json::Value* value) {
     return value != nullptr && value->is(json::Kind::text) ? value->text() : std::string();
   };
-  if (!result.is(json::Kind::object) || text_of(result.find("result")) != "volumetric-assembled") return {};
-  const json::Value* remarks = result.find("remarks");
-  if (remarks == nullptr || !remarks->is(json::Kind::array)) return {};
   std::vector<std::pair<std::string, std::string>> told;  // names and what is said of them
-  for (const json::Value& remark : remarks->items()) {
+  for (const json::Value& remark : remarks.items()) {
     const std::string text = text_of(&remark);
     const std::size_t colon = text.find(": ");
     const bool is_named = colon == 3 && is_error_name(text.substr(0, colon));

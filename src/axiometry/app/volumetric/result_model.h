@@ -30,6 +30,9 @@ std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_resul
 /// made of them holds. Names of errors with the same remark stand together. Nothing of other results.
 std::vector<NamedFinding> remarks_of_singles(const json::Value& result);
 
+bool is_of_singles(const json::Value& result);  ///< whether a result is one of that verb
+std::vector<NamedFinding> notes_of_remarks(const json::Value& remarks);
+
 /// For the head of a file that goes to a control: one sentence in ASCII that names what speaks seriously against the
 /// result, by the findings' names. Empty where nothing does.
 std::string warning_of(std::span<const NamedFinding> against);

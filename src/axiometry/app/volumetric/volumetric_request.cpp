@@ -169,6 +169,15 @@ Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const
   });
 }
 
+Result<Assembled> assemble_presentable(const AssembleFiles& files, const Value& options) {
+  const GivenFile& own = files.machine;
+  AXIOMETRY_TRY(const formats::MachineFile machine, in_file(formats::read_machine(own.bytes), own.name));
+  AXIOMETRY_TRY_VOID(in_file(check_names(machine.machine), own.name));
+  AXIOMETRY_TRY_VOID(in_file(check_count("tools", machine.machine.tools.size(), most_tools_found), own.name));
+  AXIOMETRY_TRY(const AssembleRequest request, assemble_request_from(options, files));
+  return assemble_singles(request);
+}
+
 Result<ErrorModel> given_model(const Value& body, std::string_view name) {
   const Value* given = body.is(Kind::object) ? body.find(name) : nullptr;
   if (given == nullptr) return fail(fmt::format("found no {}, expected that of a result", name), body.at());
@@ -179,7 +188,8 @@ Result<ErrorModel> given_model(const Value& body, std::string_view name) {
 
 Result<std::size_t> given_nodes(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
-  for (const std::string_view known : {"model", "findings", "before", "findings_before", "after", "findings_after"})
+  for (const std::string_view known : {"model", "findings", "remarks", "before", "findings_before", "remarks_before",
+                                       "after", "findings_after", "remarks_after"})
     members.pass_over(known);
   AXIOMETRY_TRY(const auto nodes, whole_member(members, "nodes", {2, most_nodes}));
   AXIOMETRY_TRY_VOID(members.finish());
@@ -189,7 +199,7 @@ Result<std::size_t> given_nodes(const Value& body) {
 Result<PredictRequest> line_request_from(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
   PredictRequest request;
-  for (const std::string_view known : {"model", "findings"}) members.pass_over(known);
+  for (const std::string_view known : {"model", "findings", "remarks"}) members.pass_over(known);
   AXIOMETRY_TRY_VOID(members.take("axis", request.axis));
   AXIOMETRY_TRY_VOID(members.take("diagonal", request.diagonal));
   AXIOMETRY_TRY_VOID(members.take("tool", request.tool));
@@ -206,7 +216,7 @@ Result<PredictRequest> line_request_from(const Value& body) {
 Result<ExportRequest> table_request_from(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
   ExportRequest request;
-  for (const std::string_view known : {"model", "findings"}) members.pass_over(known);
+  for (const std::string_view known : {"model", "findings", "remarks"}) members.pass_over(known);
   AXIOMETRY_TRY_VOID(members.take("table", request.table));
   AXIOMETRY_TRY_VOID(members.take("tool", request.tool));
   AXIOMETRY_TRY(const auto nodes, whole_member(members, "nodes", {2, most_table_nodes}));

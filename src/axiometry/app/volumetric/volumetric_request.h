@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "axiometry/app/files/given_file.h"
 #include "axiometry/app/files/reader.h"
@@ -10,6 +11,7 @@
 #include "axiometry/app/volumetric/plan_volume.h"
 #include "axiometry/app/volumetric/predict_line.h"
 #include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/app/volumetric/singles/assemble_singles.h"
 #include "axiometry/app/volumetric/tables/export_tables.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"
@@ -37,11 +39,26 @@ inline constexpr std::size_t files_of_lengths_most = 500;  ///< more than any pl
 /// 1000 segments or 16 tools, and on a plan as given_calibration() does, before anything is computed.
 Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const IdentifyChoices& choices);
 
+/// What an assembly takes.
+struct AssembleFiles {
+  std::vector<GivenFile> errors;  ///< files that its options name
+  GivenFile machine;
+};
+
+/// Options: {"errors": ["EXX=x.csv", "C0Y=-12.5,1.2"], "at": ["X=0,300:up,-200:down@T1"], "instruments":
+/// ["EYX=0.4,0.5"], "reversal": "curves" or "none"}, as `axiometry volumetric assemble` has them, but that a file is
+/// one of those that are given. Fails, with line and column, on members that are unknown or of another kind, without
+/// errors, on a file that is not given, on one given twice or named by no error, on more than 16 tools, and as
+/// parse_single(), put_stand(), put_instrument(), parse_single_reversal() and assemble_singles() do.
+Result<AssembleRequest> assemble_request_from(const json::Value& options, const AssembleFiles& files);
+Result<Assembled> assemble_presentable(const AssembleFiles& files, const json::Value& options);
+
 /// The member `name`, as the member "model" of a result file. Fails on more than 1500 coefficients or 16 tools too.
 Result<volumetric::ErrorModel> given_model(const json::Value& body, std::string_view name = "model");
 
-/// The same with what the member `findings`, as that of a result file, says against it. Fails on findings that are of
-/// another kind too; where there are none nothing is said.
+/// The same with what the member `findings`, as that of a result file, says against it, and with what its remarks
+/// beside them do, which results of single measurements have ("remarks", "remarks_before", …). Fails on findings and
+/// remarks that are of another kind too; where there are none nothing is said.
 Result<KeptModel> given_kept_model(const json::Value& body, std::string_view name = "model",
                                    std::string_view findings = "findings");
 
@@ -54,9 +71,9 @@ Result<PredictRequest> line_request_from(const json::Value& body);
 /// VolumetricTableRequest but for its model; 2 to 401 nodes. Fails likewise.
 Result<ExportRequest> table_request_from(const json::Value& body);
 
-/// A result file that somebody gives, {"result": …}, in the reader's language: as it is but for its findings. Fails,
-/// with line and column, where a page could not show it: on members that are missing or of another kind, and as
-/// given_model() does.
+/// A result file that somebody gives, {"result": …}, in the reader's language: as it is but for its findings, and that
+/// the curves of one of single measurements are made anew out of its model. Fails, with line and column, where a page
+/// could not show it: on members that are missing or of another kind, and as given_model() does.
 Result<json::Value> given_result(const json::Value& body, const Reader& reader);
 
 }  // namespace axiometry::app

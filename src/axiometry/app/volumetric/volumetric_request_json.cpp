@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "axiometry/app/results/localised_result.h"
+#include "axiometry/app/volumetric/errors_json.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
@@ -52,6 +55,12 @@ Result<void> check_findings(const Value& result, std::string_view name) {
   return check_rows(result, name, {{"id", Kind::text}, {"severity", Kind::text}, {"message", Kind::text}});
 }
 
+Result<void> check_texts(const Value& result, std::string_view name) {
+  AXIOMETRY_TRY_VOID(check_rows(result, name, {}));
+  for (const Value& text : result.find(name)->items()) AXIOMETRY_TRY_VOID(formats::text_in(text, name));
+  return {};
+}
+
 Result<void> check_errors(const Value& result) {
   AXIOMETRY_TRY_VOID(check_member(result, {"errors", Kind::object}, false));
   const Value& errors = *result.find("errors");
@@ -68,6 +77,22 @@ Result<void> check_errors(const Value& result) {
         check_rows(errors, name, {{"position", Kind::number}, {"value", Kind::number}, {"u", Kind::number}}));
   }
   return {};
+}
+
+/// As `axiometry volumetric assemble` writes it; its curves are those of its model.
+Result<Value> given_singles(const Value& result, const Reader& reader) {
+  AXIOMETRY_TRY_VOID(check_rows(result, "errors", {{"name", Kind::text}, {"u_largest", Kind::number}}));
+  for (const Value& error : result.find("errors")->items())
+    for (const std::string_view name : {"file", "directions", "equipment"})
+      AXIOMETRY_TRY_VOID(check_member(error, {name, Kind::text}, true));
+  AXIOMETRY_TRY_VOID(check_findings(result, "findings"));
+  AXIOMETRY_TRY_VOID(check_texts(result, "remarks"));
+  AXIOMETRY_TRY(const volumetric::ErrorModel model, given_model(result));
+  Value shown = Value::object();
+  for (const auto& [name, member] : result.members())
+    if (name != "curves") shown.add(name, member);
+  shown.add("curves", errors_value(model));
+  return localised_result(shown, ResultKind::volumetric, reader);
 }
 
 }  // namespace
@@ -87,6 +112,7 @@ Value draft_value(const volumetric::PlannedCalibration& planned, const Reader& r
 Result<Value> given_result(const Value& body, const Reader& reader) {
   const Value* result = body.is(Kind::object) ? body.find("result") : nullptr;
   if (result == nullptr) return fail("found no result, expected one", body.at());
+  if (is_of_singles(*result)) return given_singles(*result, reader);
   AXIOMETRY_TRY_VOID(check_errors(*result));
   AXIOMETRY_TRY_VOID(check_member(*result, {"rank", Kind::object}, false));
   for (const std::string_view name : {"rank", "unknowns", "null_directions", "condition"})
@@ -94,8 +120,7 @@ Result<Value> given_result(const Value& body, const Reader& reader) {
   AXIOMETRY_TRY_VOID(check_member(*result, {"chi2_per_dof", Kind::number}, true));
   for (const std::string_view name : {"degrees_of_freedom", "readings"})
     AXIOMETRY_TRY_VOID(check_member(*result, {name, Kind::number}, false));
-  AXIOMETRY_TRY_VOID(check_rows(*result, "unseen", {}));
-  for (const Value& name : result->find("unseen")->items()) AXIOMETRY_TRY_VOID(formats::text_in(name, "unseen"));
+  AXIOMETRY_TRY_VOID(check_texts(*result, "unseen"));
   AXIOMETRY_TRY_VOID(check_rows(*result, "stations",
                                 {{"station", Kind::text},
                                  {"tool", Kind::text},
@@ -114,9 +139,17 @@ Result<Value> given_result(const Value& body, const Reader& reader) {
 
 Result<KeptModel> given_kept_model(const Value& body, std::string_view name, std::string_view findings) {
   AXIOMETRY_TRY(volumetric::ErrorModel model, given_model(body, name));
-  if (body.find(findings) == nullptr) return KeptModel{std::move(model), {}};
-  AXIOMETRY_TRY_VOID(check_findings(body, findings));
-  return KeptModel{std::move(model), findings_against(kept_findings(body, findings))};
+  KeptModel kept{std::move(model), {}};
+  if (body.find(findings) != nullptr) {
+    AXIOMETRY_TRY_VOID(check_findings(body, findings));
+    kept.against = findings_against(kept_findings(body, findings));
+  }
+  const std::string remarks = "remarks" + std::string(findings.substr(std::min(findings.size(), findings.find('_'))));
+  if (const Value* told = body.find(remarks); told != nullptr && !told->is(Kind::null)) {
+    AXIOMETRY_TRY_VOID(check_texts(body, remarks));
+    std::ranges::move(notes_of_remarks(*told), std::back_inserter(kept.against));
+  }
+  return kept;
 }
 
 }  // namespace axiometry::app

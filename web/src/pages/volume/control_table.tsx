@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { query } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
-import type { CompensatedControl, VolumetricCompensation, VolumetricResult } from '../../api/types';
+import type { CompensatedControl, VolumetricCompensation } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
@@ -22,11 +22,11 @@ import { takes } from '../compensations/uses';
 import { in_page_words } from '../compensations/words';
 import { axes, type Axis } from './error_names';
 import { VolumeFindings } from './findings';
-import { machine_of } from './model_parts';
+import { given_model, machine_of, type Modelled } from './model_parts';
 import { t } from './result_texts';
 
-export function ControlTablePanel({ result }: { result: VolumetricResult }) {
-  const { model, findings } = result;
+export function ControlTablePanel({ result }: { result: Modelled }) {
+  const { model } = result;
   const controls = use_get<CompensatedControl[]>('/api/controls');
   const { tools } = useMemo(() => machine_of(model), [model]);
   const [along, set_along] = useState<Axis>('X');
@@ -43,7 +43,7 @@ export function ControlTablePanel({ result }: { result: VolumetricResult }) {
   const chosen_tool = tools.includes(tool) ? tool : (tools[0] ?? '');
   const { options, faults } = useMemo(() => (control ? read_form(control, 'linear', form) : { options: null, faults: {} }), [control, form]);
   const body = useMemo(() => options && {
-    model, findings, along, ...(is_cross ? { component: moved } : {}), tool: chosen_tool, options,
+    ...given_model(result), along, ...(is_cross ? { component: moved } : {}), tool: chosen_tool, options,
     ...(is_cross && output.trim() !== '' ? { output_axis: output.trim() } : {}),
   }, [result, along, moved, is_cross, chosen_tool, options, output]);
   const made = use_posted<VolumetricCompensation>(`/api/volumetric/compensation${query({ decimal: decimal.value })}`, body, as_json);

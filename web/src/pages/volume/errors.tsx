@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The 21 errors: 18 curves with their bands, three angles, and all of them as a table.
 import { useMemo } from 'preact/hooks';
-import type { VolumetricErrors, VolumetricNode, VolumetricResult, VolumetricSquareness } from '../../api/types';
+import type { VolumetricErrors, VolumetricNode, VolumetricSquareness } from '../../api/types';
 import { Chart, type ChartModel } from '../../components/chart';
 import { DataTable } from '../../components/table';
 import { absent, decimals_for, fixed } from '../../numbers';
@@ -90,7 +90,7 @@ function row_of(motion: Motion, nodes: readonly VolumetricNode[]): Row {
   };
 }
 
-export function ErrorTable({ result: { errors } }: { result: VolumetricResult }) {
+export function ErrorTable({ errors }: { errors: VolumetricErrors }) {
   const rows: Row[] = [
     ...motions.map((motion) => row_of(motion, nodes_of(errors, motion.name))),
     ...squarenesses.map(([name, a, b]): Row => {

@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { ApiError, query, send } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
-import type { VolumetricDifference, VolumetricField, VolumetricResult } from '../../api/types';
+import type { VolumetricAssembly, VolumetricDifference, VolumetricField, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
@@ -13,20 +13,22 @@ import { decimal, language } from '../../settings';
 import { axes } from './error_names';
 import { field_scene, grid_of, largest_of, place_of, slice_range, usual_enlargement, type FieldLook, type Grid, type ToolField } from './field_model';
 import { VolumeFindings } from './findings';
+import { given_model, type Modelled } from './model_parts';
 import { t } from './result_texts';
 
 const most_bytes = 30_000_000;  // as the server takes
 const nodes = 11;
 
-interface Named { name: string; result: VolumetricResult }
+interface Named { name: string; result: Modelled }
 
 /** One field, or with an earlier result both of them over the same part of the volume. */
-export function FieldPanel({ result }: { result: VolumetricResult }) {
+export function FieldPanel({ result }: { result: Modelled }) {
   const [before, set_before] = useState<Named | null>(null);
   const look = query({ decimal: decimal.value });
-  const own = useMemo(() => ({ model: result.model, findings: result.findings, nodes }), [result]);
+  const own = useMemo(() => ({ ...given_model(result), nodes }), [result]);
   const both = useMemo(() => before && {
-    before: before.result.model, findings_before: before.result.findings, after: result.model, findings_after: result.findings, nodes,
+    before: before.result.model, findings_before: before.result.findings, remarks_before: before.result.remarks,
+    after: result.model, findings_after: result.findings, remarks_after: result.remarks, nodes,
   }, [before, result]);
   const field = use_posted<VolumetricField>(`/api/volumetric/field${look}`, both ? null : own, as_json);
   const difference = use_posted<VolumetricDifference>(`/api/volumetric/difference${look}`, both, as_json);
@@ -72,7 +74,7 @@ function Earlier({ before, take }: { before: string | null; take: (before: Named
 }
 
 /** A result of a file, its texts in the reader's language. */
-export async function read_result(file: File): Promise<VolumetricResult> {
+export async function read_result(file: File): Promise<VolumetricResult | VolumetricAssembly> {
   if (file.size > most_bytes) throw new ApiError('refused', t('too_large', { n: fixed(file.size / 1e6, 1), most: most_bytes / 1e6 }), 0);
   let result: unknown;
   try {
@@ -80,7 +82,7 @@ export async function read_result(file: File): Promise<VolumetricResult> {
   } catch {
     throw new ApiError('refused', t('not_result'), 0);
   }
-  return send<VolumetricResult>('POST', `/api/volumetric/result${query({ decimal: decimal.value })}`, { result });
+  return send<VolumetricResult | VolumetricAssembly>('POST', `/api/volumetric/result${query({ decimal: decimal.value })}`, { result });
 }
 
 interface Shown { after: VolumetricField; before?: VolumetricField; difference?: VolumetricDifference }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { ApiError, made_of_files, offer, query } from '../../api/client';
-import type { VolumetricMachine, VolumetricPlanFile, VolumetricResult } from '../../api/types';
+import type { VolumetricAssembly, VolumetricMachine, VolumetricPlanFile, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { OptionsFields, form_of, options_of } from '../../components/evaluation_options';
 import { FileDrop } from '../../components/file_drop';
@@ -12,7 +12,9 @@ import { set_query } from '../../router';
 import { decimal, language } from '../../settings';
 import { t as t_lengths } from '../capture/length_texts';
 import { use_taken_lengths } from '../capture/taken_lengths';
+import { AssemblyResult } from './assembly';
 import { read_result } from './field';
+import { is_assembly } from './model_parts';
 import { ResidualChart } from './residuals';
 import { VolumeResult } from './result';
 import { t } from './texts';
@@ -59,7 +61,7 @@ export function LengthsPanel({ machine: of_form }: { machine: VolumetricMachine 
   const options = options_of('volumetric', form);
   const asked = use_settled(options && JSON.stringify(options));
   const [found, set_found] = useState<Found | null>(null);
-  const [opened, set_opened] = useState<{ file: File; result: VolumetricResult } | null>(null);
+  const [opened, set_opened] = useState<{ file: File; result: VolumetricResult | VolumetricAssembly } | null>(null);
   const [error, set_error] = useState<ApiError | null>(null);
   const [busy, set_busy] = useState(false);
   const taken = dropped === null ? captured.taken : null;
@@ -110,7 +112,8 @@ export function LengthsPanel({ machine: of_form }: { machine: VolumetricMachine 
         {busy && <p class="quiet" role="status">{t('finding')}</p>}
         {error && <FailureNotice error={error} />}
       </section>
-      {shown && <VolumeResult result={shown} taken={found && <Taken found={found} />} more={found && <ResidualChart csv={found.residuals} />} />}
+      {shown && is_assembly(shown) && <AssemblyResult result={shown} />}
+      {shown && !is_assembly(shown) && <VolumeResult result={shown} taken={found && <Taken found={found} />} more={found && <ResidualChart csv={found.residuals} />} />}
     </>
   );
 }

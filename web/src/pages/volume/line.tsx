@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { query } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
-import type { PredictedLine, Vocabulary, VolumetricPrediction, VolumetricResult } from '../../api/types';
+import type { PredictedLine, Vocabulary, VolumetricPrediction } from '../../api/types';
 import { use_get } from '../../api/use';
 import { Chart, type ChartModel } from '../../components/chart';
 import { FailureNotice } from '../../components/failure';
@@ -12,13 +12,13 @@ import { fixed, parsed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { axes } from './error_names';
 import { VolumeFindings } from './findings';
-import { machine_of } from './model_parts';
+import { given_model, machine_of, type Modelled } from './model_parts';
 import { t } from './result_texts';
 
 const is_axis = (line: string): boolean => (axes as readonly string[]).includes(line);
 
-export function LinePanel({ result }: { result: VolumetricResult }) {
-  const { model, findings } = result;
+export function LinePanel({ result }: { result: Modelled }) {
+  const { model } = result;
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
   const machine = useMemo(() => machine_of(model), [model]);
   const [line, set_line] = useState('X');
@@ -29,8 +29,8 @@ export function LinePanel({ result }: { result: VolumetricResult }) {
   const at = faults.every((fault) => fault === null) ? places.map((place) => place ?? 0) : null;
   const chosen_tool = machine.tools.includes(tool) ? tool : (machine.tools[0] ?? '');
   const body = useMemo(() => {
-    if (!is_axis(line)) return { model, findings, diagonal: line, tool: chosen_tool };
-    return at === null ? null : { model, findings, axis: line, at_mm: at, tool: chosen_tool };
+    if (!is_axis(line)) return { ...given_model(result), diagonal: line, tool: chosen_tool };
+    return at === null ? null : { ...given_model(result), axis: line, at_mm: at, tool: chosen_tool };
   }, [result, line, chosen_tool, JSON.stringify(at)]);
   const answer = use_posted<VolumetricPrediction>(`/api/volumetric/prediction${query({ decimal: decimal.value })}`, body, as_json);
   const is_this = answer.is_current;

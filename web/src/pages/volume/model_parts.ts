@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What forms need of the member "model" of a result: the server has looked at the rest.
-import type { VolumetricModel } from '../../api/types';
+import type { VolumetricAssembly, VolumetricModel, VolumetricResult } from '../../api/types';
+
+/** A model with what speaks against it: of lengths, or of errors that were measured one by one, whose remarks belong to it. */
+export type Modelled = Pick<VolumetricResult, 'model' | 'findings'> & Partial<Pick<VolumetricAssembly, 'remarks'>>;
+
+export const is_assembly = (result: VolumetricResult | VolumetricAssembly): result is VolumetricAssembly => 'curves' in result;
+
+/** As bodies of requests have it. */
+export const given_model = ({ model, findings, remarks }: Modelled) => ({ model, findings, ...(remarks ? { remarks } : {}) });
 
 interface ModelParts {
   machine?: { tools_mm?: Record<string, unknown> };

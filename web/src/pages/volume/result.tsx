@@ -34,7 +34,7 @@ export function VolumeResult({ result, taken, more }: { result: VolumetricResult
         <h3>{t('squareness')}</h3>
         <SquarenessFigures errors={result.errors} />
         <ErrorCurves errors={result.errors} />
-        <ErrorTable result={result} />
+        <ErrorTable errors={result.errors} />
       </section>
       <FieldPanel result={result} />
       <LinePanel result={result} />

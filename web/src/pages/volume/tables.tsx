@@ -3,16 +3,16 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { offer } from '../../api/client';
 import { as_text, use_posted } from '../../api/posted';
-import type { Vocabulary, VolumetricResult } from '../../api/types';
+import type { Vocabulary } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { Markdown } from '../../components/markdown';
-import { machine_of } from './model_parts';
+import { given_model, machine_of, type Modelled } from './model_parts';
 import { t } from './result_texts';
 
-export function TablePanel({ result }: { result: VolumetricResult }) {
-  const { model, findings } = result;
+export function TablePanel({ result }: { result: Modelled }) {
+  const { model } = result;
   const vocabulary = use_get<Vocabulary>('/api/vocabulary');
   const all = vocabulary.data?.compensations ?? [];
   const { tools } = useMemo(() => machine_of(model), [model]);
@@ -24,8 +24,8 @@ export function TablePanel({ result }: { result: VolumetricResult }) {
   const chosen_tool = tools.includes(tool) ? tool : (tools[0] ?? '');
   const n = /^\d+$/.test(nodes.trim()) ? Number(nodes) : 0;
   const fault = n >= 2 && n <= 401 ? null : t('wanted_whole', { text: nodes.trim() });
-  const body = useMemo(() => (chosen && fault === null ? { model, findings, table: chosen.id, nodes: n, ...(chosen.of_one_tool ? { tool: chosen_tool } : {}) } : null),
-    [model, findings, chosen, n, fault, chosen_tool]);
+  const body = useMemo(() => (chosen && fault === null ? { ...given_model(result), table: chosen.id, nodes: n, ...(chosen.of_one_tool ? { tool: chosen_tool } : {}) } : null),
+    [result, chosen, n, fault, chosen_tool]);
   const made = use_posted('/api/volumetric/table', body, as_text);
   const text = made.is_current ? made.data : null;
   const head = (text ?? '').split('\n').filter((line) => /^([#(;]|\/\/)/.test(line)).join('\n');

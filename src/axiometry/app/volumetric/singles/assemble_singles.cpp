@@ -10,6 +10,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
+#include "axiometry/app/volumetric/errors_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/app/volumetric/singles/single_reading.h"
 #include "axiometry/base/number_text.h"
@@ -68,6 +69,7 @@ Value singles_to_json(const Assembled& a) {
   Value& machine = object.add("machine_source", Value::object());
   machine.add("file", a.request.machine);
   machine.add("sha256", a.machine_sha256);
+  object.add("curves", errors_value(a.made.model));
   object.add("model", formats::error_model_value(a.made.model));
   object.add("program", program_to_json());
   return object;
@@ -158,66 +160,13 @@ report::Section curves_section(const Assembled& a, const report::Options& option
 
 }  // namespace
 
-Result<SingleItem> parse_single(std::string_view text) {
-  const std::size_t mark = text.find('=');
-  const auto unknown = [&] {
-    return fail(
-        fmt::format("found {}, expected NAME=FILE such as EYX=straightness.csv, or squareness in µrad such as "
-                    "C0Y=-12.5,1.2",
-                    text::quoted(text)));
-  };
-  if (mark == std::string_view::npos || mark + 1 == text.size()) return unknown();
-  SingleItem item;
-  item.name = std::string(text.substr(0, mark));
-  const std::string_view rest = text.substr(mark + 1);
-  if (squareness_named(item.name)) {
-    const std::size_t comma = rest.find(',');
-    if (!parse_number(rest.substr(0, comma))) {
-      item.file = std::string(rest);
-      return item;
-    }
-    if (comma == std::string_view::npos) return unknown();
-    const auto value = parse_number(rest.substr(0, comma)), U = parse_number(rest.substr(comma + 1));
-    if (!value || !U || !(*U > 0.0) || !(std::abs(*value) <= 1e5) || !(*U <= 1e5)) return unknown();
-    item.urad = *value;
-    item.U_urad = *U;
-    return item;
-  }
-  if (!volumetric::error_motion_named(item.name)) return unknown();
-  item.file = std::string(rest);
-  return item;
-}
-
-Result<std::pair<std::size_t, SingleStand>> parse_stand(std::string_view text) {
-  const Error unknown{
-      fmt::format("found {}, expected AXIS=X,Y,Z@TOOL such as X=0,300,-200@T1, and behind the others, where it is "
-                  "known, in which direction they came to rest: X=0,300:up,-200:down@T1",
-                  text::quoted(text)),
-      {},
-      {}};
-  const std::size_t mark = text.find('@');
-  const std::string_view axes = text.substr(0, mark);
-  if (axes.size() <= 2 || axes[0] < 'X' || axes[0] > 'Z' || axes[1] != '=') return std::unexpected(unknown);
-  const auto measured = static_cast<std::size_t>(axes[0] - 'X');
-  SingleStand stand;
-  if (mark != std::string_view::npos) stand.tool = std::string(text.substr(mark + 1));
-  const auto parts = text::split(axes.substr(2), ',');
-  if (parts.size() != stand.approaches.size()) return std::unexpected(unknown);
-  for (std::size_t a = 0; a < parts.size(); ++a) {
-    const std::size_t colon = parts[a].find(':');
-    const auto at = parse_number(text::trim(parts[a].substr(0, colon)));
-    if (!at) return std::unexpected(unknown);
-    stand.axes_mm[a] = *at;
-    if (colon == std::string_view::npos) continue;
-    const std::string_view direction = text::trim(parts[a].substr(colon + 1));
-    if (a == measured || (direction != "up" && direction != "down")) return std::unexpected(unknown);
-    stand.approaches[a] = direction == "up" ? 1.0 : -1.0;
-  }
-  return std::pair(measured, std::move(stand));
-}
-
 Result<Assembled> assemble_singles(const AssembleRequest& request) {
-  AXIOMETRY_TRY(const std::string bytes, whole_file(request.machine));
+  std::string bytes;
+  if (request.machine_bytes) {
+    bytes = *request.machine_bytes;
+  } else {
+    AXIOMETRY_TRY(bytes, whole_file(request.machine));
+  }
   AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(bytes), request.machine));
   AXIOMETRY_TRY(ReadSingles read, read_singles(request.items, request.reversal));
   volumetric::SingleErrors& errors = read.errors;

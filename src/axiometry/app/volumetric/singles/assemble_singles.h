@@ -21,6 +21,7 @@ struct SingleItem {
   std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< uncertainty of the instrument, in µm or µrad
   double urad = 0.0;                                                 ///< squareness that is a number
   double U_urad = 0.0;                                               ///< k = 2
+  std::optional<std::string_view> bytes{};  ///< those of `file` where they are at hand; they must outlive the call
 };
 
 /// Where the axes stood while one of them was measured, and with which of the machine's tools.
@@ -35,6 +36,7 @@ struct AssembleRequest {
   std::vector<SingleItem> items;
   std::array<std::optional<SingleStand>, 3> stands{};            ///< places of X, Y, Z
   volumetric::Reversal reversal = volumetric::Reversal::curves;  ///< how directions are modelled; none: means of both
+  std::optional<std::string_view> machine_bytes{};               ///< likewise, those of `machine`
 };
 
 struct AssembledItem {
@@ -64,6 +66,14 @@ Result<SingleItem> parse_single(std::string_view text);
 /// "X=0,300:up,-200:down@T1", "X=0,300,-200": the axis that was measured, and how. Fails on anything else, as on a
 /// direction of that axis itself.
 Result<std::pair<std::size_t, SingleStand>> parse_stand(std::string_view text);
+
+/// "X=0,300,-200@T1" and "EYX=0.4,0.5" (U = A + B·L, k = 2, of an error that is given), put where they belong. Each
+/// fails on anything else and on a second one of the same axis or error.
+Result<void> put_stand(std::string_view text, AssembleRequest& request);
+Result<void> put_instrument(std::string_view text, AssembleRequest& request);
+
+/// How directions may be modelled: "curves", "none". Fails on anything else.
+Result<volumetric::Reversal> parse_single_reversal(std::string_view word);
 
 /// Positioning (EXX, EYY, EZZ) from a test of the axis in any format, the others as read_motion_csv() has them or as
 /// read_motion_result() reads what `axiometry straightness`, `angles` and `squareness` wrote; squareness from the last

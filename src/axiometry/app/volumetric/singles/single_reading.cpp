@@ -35,6 +35,11 @@ struct LostReversal {
   std::string of;
 };
 
+Result<std::string> bytes_of(const SingleItem& item) {
+  if (item.bytes) return std::string(*item.bytes);
+  return file_bytes(item.file);
+}
+
 /// "Acme LI-1 1234; Acme optics", as far as named.
 std::string equipment_text(const std::vector<Equipment>& equipment) {
   std::string all;
@@ -81,7 +86,7 @@ Result<AxisPlace> place_of_test(const Axis& axis, std::size_t wanted) {
 }
 
 Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
-  AXIOMETRY_TRY(Test test, read_test(item.file));
+  AXIOMETRY_TRY(Test test, item.bytes ? read_test(GivenFile{item.file, *item.bytes}) : read_test(item.file));
   AXIOMETRY_TRY(const AxisPlace place, in_file(place_of_test(test.metadata.axis, error.axis), item.file));
   ReadSingle read{{error, {}, {}, {}, {}}, {item.name, item.file, test.provenance.sha256, test.series.run_count()}, {}};
   read.item.instrument = item.instrument;
@@ -179,7 +184,7 @@ Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error) {
   MotionRequest request;
   request.file = item.file;
   AXIOMETRY_TRY(request.error, motion_name(item.name));
-  AXIOMETRY_TRY(const std::string bytes, file_bytes(item.file));
+  AXIOMETRY_TRY(const std::string bytes, bytes_of(item));
   if (formats::looks_like_motion_result(bytes)) {
     AXIOMETRY_TRY(const MotionResult result, in_file(result_of(bytes, item, *request.error), item.file));
     return in_file(read_motion(item, error, result, sha256(bytes)), item.file);
@@ -254,7 +259,7 @@ Result<ReadSingle> read_single(const SingleItem& item, ErrorMotion error) {
 }
 
 Result<ReadSquare> read_square(const SingleItem& item, volumetric::Squareness which) {
-  AXIOMETRY_TRY(const std::string bytes, file_bytes(item.file));
+  AXIOMETRY_TRY(const std::string bytes, bytes_of(item));
   return in_file(square_of(bytes, item, which), item.file);
 }
 

@@ -25,7 +25,7 @@ constexpr std::pair<std::string_view, std::optional<std::size_t>> machine_axes[]
 
 Result<VolumeCompensationRequest> volume_compensation_request_from(const Value& body) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
-  for (const std::string_view known : {"model", "findings"}) members.pass_over(known);
+  for (const std::string_view known : {"model", "findings", "remarks"}) members.pass_over(known);
   VolumeCompensationRequest request;
   AXIOMETRY_TRY(const Value* options, members.required("options"));
   AXIOMETRY_TRY(request.how, compensate_request_from(*options));
