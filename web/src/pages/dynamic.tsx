@@ -104,7 +104,7 @@ function Downloads({ file, options }: { file: File; options: string }) {
     set_making(path);
     const told = path.startsWith('report') ? { decimal: decimal.value, download: 1 } : {};
     made_of_files(`/api/dynamic/${path}${query({ options, language: language.value, ...told })}`, file)
-      .then(async (answer) => offer(await answer.blob(), `${stem}-${path}`), (failure: unknown) => set_error(as_error(failure)))
+      .then(async (answer) => offer(new Blob([await answer.arrayBuffer()]), `${stem}-${path.replace('report', 'motion')}`), (failure: unknown) => set_error(as_error(failure)))
       .finally(() => set_making(null));
   };
   return (
