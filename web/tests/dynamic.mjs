@@ -43,6 +43,19 @@ export const dynamic = {
     assert.equal((await world.api('GET', '/api/tests')).total, 0);
   },
 
+  async 'dynamic: a recording among tests is recognised in every language'(world) {
+    for (const [locale, words] of [['de-DE', ['fortlaufende Aufzeichnung einer bewegten Achse', 'Bewegung ansehen', 'Bewegung ohne Stillstände']], ['fr-FR', ['enregistrement continu d’un axe', 'Regarder son mouvement', 'Mouvement sans arrêts']]]) {
+      const page = await world.page({ locale });
+      await page.goto('/');
+      await settle(page);
+      await page.setInputFiles('input[type=file]', [given('run.csv', Buffer.from(table()))]);
+      await shows(page.locator('main'), words[0]);
+      await page.getByRole('button', { name: words[1] }).click();
+      await shows(page.locator('h1'), words[2]);
+      await page.locator('main canvas').first().waitFor();
+    }
+  },
+
   async 'dynamic: report, result, samples and amplitudes are saved as the command line writes them'(world) {
     const page = await world.page();
     await page.goto('/captures');

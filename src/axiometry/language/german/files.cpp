@@ -64,12 +64,14 @@ constexpr Phrase files_rows[] = {
      "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after, and how the axis moved is told "
      "by 'axiometry dynamic FILE'",
      "fortlaufende Aufzeichnung (Text mit Zeit und Position); erwartet: eine gemessene Prüfung; ihre Messwerte "
-     "entnimmt ihr „axiometry evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist"},
+     "entnimmt ihr „axiometry evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist, und wie sie sich "
+     "bewegt hat, sagt „axiometry dynamic FILE“"},
     {"found a continuous recording ({0=}), expected a measured test; its readings are taken out of it by 'axiometry "
      "evaluate --plan PLAN FILE' with the plan the axis moved after, and how the axis moved is told by 'axiometry "
      "dynamic FILE'",
      "fortlaufende Aufzeichnung ({0}); erwartet: eine gemessene Prüfung; ihre Messwerte entnimmt ihr „axiometry "
-     "evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist"},
+     "evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist, und wie sie sich bewegt hat, sagt "
+     "„axiometry dynamic FILE“"},
     {"found a log of temperatures, or another recording ({0=}), expected a measured test; 'axiometry temperatures' "
      "and --temperatures take a log, --plan a recording of positions",
      "Temperaturprotokoll oder andere Aufzeichnung ({0}); erwartet: eine gemessene Prüfung; „axiometry temperatures“ "

@@ -2,7 +2,7 @@
 // What the charts of a motion show.
 import type { DynamicCurve, DynamicResult } from '../../api/types';
 import type { ChartModel, ChartSeries } from '../../components/chart';
-import { decimals_for, fixed, shortest, unit_sign } from '../../numbers';
+import { decimals_for, fixed, unit_sign } from '../../numbers';
 import { t } from './texts';
 
 type Curves = NonNullable<DynamicResult['curves']>;
@@ -45,7 +45,7 @@ export function spectrum_model(result: DynamicResult, curves: Curves): ChartMode
   return {
     x, x_label: t('frequency_axis'), y_label: t('amplitude_axis', { unit }), y_decimals: decimals_of_span(values), y_zero: true,
     series: [{ key: 'amplitude', label: t('amplitude_name'), values, colour: '--series-up', width: 1, shape: null }],
-    marks: highest.map((peak) => ({ x: peak.frequency_hz, label: `${shortest(peak.frequency_hz, decimals_for(result.spectrum.resolution_hz, 2))} Hz`, colour: '--series-down' })),
+    marks: highest.map((peak) => ({ x: peak.frequency_hz, label: `${fixed(peak.frequency_hz, decimals_for(result.spectrum.resolution_hz, 2))} Hz`, colour: '--series-down' })),
     lines: [{ value: result.spectrum.threshold, colour: '--ink-quiet', label: fixed(result.spectrum.threshold, decimals_for(result.spectrum.threshold, 2)), dash: [4, 3] }],
   };
 }
