@@ -100,6 +100,7 @@ void add_api_routes(Router& router, const Context& context) {
   add_capture_routes(router, context);
   add_tracking_routes(router);
   add_coordinates_routes(router);
+  add_dynamic_routes(router);
   add_calibration_routes(router, context);
   add_compensation_routes(router, context);
   add_volumetric_routes(router);

@@ -13,7 +13,7 @@ const sections = [
   ['/machines', 'machines', ['/machines', '/axes']],
   ['/instruments', 'instruments', ['/instruments']],
   ['/plans', 'plans', ['/plans']],
-  ['/captures', 'capture', ['/captures']],
+  ['/captures', 'capture', ['/captures', '/dynamic']],
   ['/tracking', 'tracking', ['/tracking']],
   ['/volume', 'volume', ['/volume']],
   ['/calibrations', 'calibrations', ['/calibrations']],

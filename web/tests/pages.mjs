@@ -68,7 +68,7 @@ export async function visited(world) {
     '/', `/tests/${first}`, `/tests/${second}`, `/tests/${first}/report`, `/compare?tests=${first},${second},${third}`,
     '/machines', ...(machine ? [`/machines/${machine.id}`] : []), ...(axis ? [`/axes/${axis.id}`] : []),
     '/instruments', `/instruments/${instruments[0].id}`, '/plans', '/plans/new', `/plans/${plan}`,
-    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, `/calibrations/${square}`, '/motions', '/compensations', `/compensations/${table}`, `/tests/${third}/table`, `/tests/${first}/rules`, '/tables', '/captures', '/captures/new', `/captures/${capture.id}`, `/captures/${lengths.id}`, '/settings', '/audit', '/no/such/page',
+    '/tracking', '/volume', '/calibrations', `/calibrations/${lines}`, `/calibrations/${volume}`, `/calibrations/${square}`, '/motions', '/dynamic', '/compensations', `/compensations/${table}`, `/tests/${third}/table`, `/tests/${first}/rules`, '/tables', '/captures', '/captures/new', `/captures/${capture.id}`, `/captures/${lengths.id}`, '/settings', '/audit', '/no/such/page',
   ];
 }
 

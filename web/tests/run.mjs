@@ -11,6 +11,7 @@ import { capture } from './capture.mjs';
 import { claims } from './claims.mjs';
 import { conflict } from './conflict.mjs';
 import { description } from './description.mjs';
+import { dynamic } from './dynamic.mjs';
 import { editor } from './editor.mjs';
 import { figures } from './figures.mjs';
 import { keyboard } from './keyboard.mjs';
@@ -44,7 +45,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...word_tests, ...tracking, ...stations, ...volume, ...calibrations, ...motions, ...tables, ...table_choices, ...capture, ...lengths, ...motion_captures, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...surroundings, ...rules, ...claims, ...description, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...word_tests, ...tracking, ...stations, ...volume, ...calibrations, ...motions, ...dynamic, ...tables, ...table_choices, ...capture, ...lengths, ...motion_captures, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...surroundings, ...rules, ...claims, ...description, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

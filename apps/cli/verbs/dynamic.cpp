@@ -59,7 +59,7 @@ void add_dynamic(const Verb& program, int& exit_code) {
   Verb verb = program.add_subcommand("dynamic", "Velocity, acceleration, vibrations and even motion of a recording");
   auto a = std::make_shared<DynamicArguments>();
   app::DynamicOptions& o = a->options;
-  constexpr double most = 1e9;
+  constexpr double most = app::largest_dynamic_number;
   verb->add_option("FILE", a->file, "A continuous recording (.rtx, .npy, .csv, …), or - for the standard input")
       ->required();
   verb->add_flag_callback(
@@ -71,7 +71,7 @@ void add_dynamic(const Verb& program, int& exit_code) {
              [&o](double x) { o.units_per_count = x; });
   add_read(*verb, {"--stream-axis", "N", "Which axis or column of a stream of several (1)"},
            [&o](const std::string& word) -> Result<void> {
-             constexpr unsigned long long streams_most = 1'000'000;
+             constexpr std::size_t streams_most = app::largest_stream_axis;
              const auto number = parse_count(word);
              if (!number || *number < 1 || *number > streams_most)
                return fail(
@@ -88,7 +88,7 @@ void add_dynamic(const Verb& program, int& exit_code) {
   add_number(*verb, {"--window", "S", "Time over which velocity and acceleration are taken (0.01)"},
              [&o](double x) { o.window_s = checked_positive("--window", x, most); });
   add_number(*verb, {"--even", "PERCENT", "How far the velocity of even motion may be from its median (5)"},
-             [&o](double x) { o.uniform_share = checked_positive("--even", x, 50.0) / 100.0; });
+             [&o](double x) { o.uniform_share = checked_positive("--even", x, app::largest_even_percent) / 100.0; });
   add_number(*verb, {"--from", "S", "Only from this time of the recording on"}, [&o](double x) { o.from_s = x; });
   add_number(*verb, {"--to", "S", "Only up to this time"}, [&o](double x) { o.to_s = x; });
   verb->add_option("--series", a->series, "Time, position, velocity and acceleration of every sample as CSV to FILE")

@@ -55,6 +55,7 @@ std::vector<Router::Route> served() {
   add_capture_routes(router, context);
   add_tracking_routes(router);
   add_coordinates_routes(router);
+  add_dynamic_routes(router);
   add_calibration_routes(router, context);
   add_compensation_routes(router, context);
   add_volumetric_routes(router);

@@ -2137,6 +2137,135 @@ export interface components {
             degrees_of_freedom?: number | null;
             u_instrument?: number | null;
         };
+        /** @description Of all samples those that a screen can show, the highest and the lowest among them. */
+        DynamicCurve: {
+            time_s: number[];
+            value: number[];
+        };
+        DynamicExtreme: {
+            value: number;
+            time_s: number;
+            position: number;
+        };
+        DynamicExtremes: {
+            highest: components["schemas"]["DynamicExtreme"];
+            lowest: components["schemas"]["DynamicExtreme"];
+        };
+        /** @description Members of the query `options`; what is left out is as `axiometry dynamic` has it. */
+        DynamicOptions: {
+            /** @enum {string} */
+            kind?: "linear" | "rotary";
+            /** @description Layout of the recording instead of recognising it. */
+            stream?: string;
+            /** @description Samples per second, for layouts that do not tell it. */
+            rate_hz?: number;
+            /** @description mm or ° per count, for layouts of counts. */
+            units_per_count?: number;
+            /** @description Which axis or column of a recording of several. */
+            stream_axis?: number;
+            /** @description Leaves out what is no sample; always so of a file whose name ends in `.raw`. */
+            skip_damaged?: boolean;
+            /** @description The instrument counts up when the axis moves down. */
+            reverse?: boolean;
+            /** @description Feed that was asked for, mm or ° per minute. */
+            feed_per_min?: number;
+            /** @description Time over which velocity and acceleration are taken. */
+            window_s?: number;
+            /** @description How far the velocity of even motion may be from its median. */
+            even_percent?: number;
+            /** @description Only from this time of the recording on. */
+            from_s?: number;
+            /** @description Only up to this time. */
+            to_s?: number;
+        };
+        /** @description As `axiometry dynamic` writes it with `--json`; docs/results.md explains it. Texts in the language of the request. */
+        DynamicResult: {
+            /** @constant */
+            result: "dynamic";
+            /** @enum {string} */
+            unit: "mm" | "°";
+            /** @enum {string} */
+            deviation_unit: "um" | "arcsec";
+            samples: number;
+            rate_hz: number;
+            begin_s: number;
+            window_s: number;
+            noise: {
+                position: number;
+                velocity_per_s: number;
+                acceleration_per_s2: number;
+            };
+            velocity_per_s: components["schemas"]["DynamicExtremes"];
+            acceleration_per_s2: components["schemas"]["DynamicExtremes"];
+            feed_per_min: number | null;
+            uniform_share: number;
+            uniform: components["schemas"]["DynamicStretch"][];
+            spectrum: components["schemas"]["DynamicSpectrum"];
+            remarks: string[];
+            source: {
+                file: string;
+                sha256: string;
+                format: string;
+            };
+            program: components["schemas"]["Program"];
+            /** @description For a screen; not in the report as JSON. */
+            curves?: {
+                position: components["schemas"]["DynamicCurve"];
+                velocity_per_s: components["schemas"]["DynamicCurve"];
+                acceleration_per_s2: components["schemas"]["DynamicCurve"];
+                /** @description Of the longest stretches of even motion, eight at most, in order of time: what strays from their lines over the position. */
+                straying: {
+                    begin_s: number;
+                    position: number[];
+                    value: number[];
+                }[];
+                spectrum: {
+                    frequency_hz: number[];
+                    value: number[];
+                };
+            };
+        };
+        DynamicSpectrum: {
+            /** @enum {string} */
+            of: "longest_stretch" | "recording";
+            begin_s: number;
+            end_s: number;
+            /** @constant */
+            window: "hann";
+            step_hz: number;
+            /** @description Nearer frequencies cannot be told apart. */
+            resolution_hz: number;
+            floor: number;
+            threshold: number;
+            /** @description Lower ones than those listed. */
+            peaks_more: number;
+            /** @description What a drift or higher ones may have left beside themselves. */
+            peaks_beside: number;
+            peaks: {
+                frequency_hz: number;
+                amplitude: number;
+                /** @description Along the axis; null where it did not move evenly. */
+                period: number | null;
+            }[];
+        };
+        /** @description A stretch of even motion. */
+        DynamicStretch: {
+            /** @enum {string} */
+            direction: "up" | "down";
+            begin_s: number;
+            end_s: number;
+            from: number;
+            to: number;
+            velocity_per_s: number;
+            /** @description null without a feed that was asked for. */
+            feed_error_percent: number | null;
+            velocity_standard_deviation_per_s: number;
+            velocity_range_per_s: number;
+            /** @description From the straight line of position over time. */
+            deviation_range: number;
+            deviation_rms: number;
+            acceleration_rms_per_s2: number;
+        };
         MotionForm: {
             /**
              * @description Without it straightness or angles, as the readings are; of two files of straightness squareness.
@@ -4280,6 +4409,13 @@ export type MonteCarloOutputs = components['schemas']['MonteCarloOutputs'];
 export type MonteCarloRun = components['schemas']['MonteCarloRun'];
 export type MotionCourse = components['schemas']['MotionCourse'];
 export type MotionEstimate = components['schemas']['MotionEstimate'];
+export type DynamicCurve = components['schemas']['DynamicCurve'];
+export type DynamicExtreme = components['schemas']['DynamicExtreme'];
+export type DynamicExtremes = components['schemas']['DynamicExtremes'];
+export type DynamicOptions = components['schemas']['DynamicOptions'];
+export type DynamicResult = components['schemas']['DynamicResult'];
+export type DynamicSpectrum = components['schemas']['DynamicSpectrum'];
+export type DynamicStretch = components['schemas']['DynamicStretch'];
 export type MotionForm = components['schemas']['MotionForm'];
 export type MotionOfFile = components['schemas']['MotionOfFile'];
 export type MotionResult = components['schemas']['MotionResult'];

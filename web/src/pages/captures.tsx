@@ -8,6 +8,7 @@ import { evaluation_of } from './capture/motion';
 import { t as t_motion } from './capture/motion_texts';
 import { has_table, table_of } from './capture/table_ending';
 import { t } from './capture/texts';
+import { t as t_dynamic } from './dynamic/texts';
 import './capture.css';
 
 export function CapturesPage() {
@@ -17,7 +18,7 @@ export function CapturesPage() {
     : plans.data?.plans.find((plan) => plan.id === id)?.title ?? `${t('plan')} ${id ?? ''}`;
   return (
     <ListPage<Capture>
-      title={t('captures')} actions={<a class="button primary" href="/captures/new">{t('new_capture')}</a>}
+      title={t('captures')} actions={<span class="row"><a class="button" href="/dynamic">{t_dynamic('to_page')}</a><a class="button primary" href="/captures/new">{t('new_capture')}</a></span>}
       asked={captures} rows={captures.data?.captures} none={t('none_yet')} row_key={(capture) => capture.id}
       columns={[
         { key: 'plan', head: t('plan'), row_head: true, cell: (capture) => (

@@ -25,6 +25,7 @@ export const routes: readonly (readonly [string, Page])[] = [
   ['/tracking', lazy_page(() => import('./tracking'), 'TrackingPage')],
   ['/volume', lazy_page(() => import('./volume'), 'VolumePage')],
   ['/motions', lazy_page(() => import('./motions'), 'MotionsPage')],
+  ['/dynamic', lazy_page(() => import('./dynamic'), 'DynamicPage')],
   ['/plans', lazy_page(() => import('./plans'), 'PlansPage')],
   ['/plans/new', plan_page],
   ['/plans/:id', plan_page],

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
-#include "axiometry/app/files/output.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/raw_times.h"
@@ -19,9 +18,14 @@ namespace axiometry::app {
 namespace {
 
 constexpr std::size_t dynamic_block = std::size_t{256} << 10;
-constexpr std::size_t samples_least = 64, samples_most = 20'000'000, peaks_shown = 10;
+constexpr std::size_t samples_least = 64, peaks_shown = 10;
 constexpr double uneven_most = 0.01;   // of an interval
 constexpr double written_to_s = 1e-6;  // to which times in a file of text are rounded
+
+Result<void> go_on_unless_stopped(const std::stop_token& stop) {
+  if (!stop.stop_requested()) return {};
+  return fail(ErrorKind::unavailable, "stopped before it was done; nothing was kept");
+}
 
 Result<const formats::Recording*> layout_of(Source& source, const std::string& id) {
   AXIOMETRY_TRY(const std::string_view head, source.head());
@@ -42,11 +46,11 @@ class EvenSamples {
     for (const Sample& s : samples) {
       if (options_.from_s && s.time_s < *options_.from_s) continue;
       if (options_.to_s && s.time_s > *options_.to_s) continue;
-      if (positions_.size() == samples_most)
+      if (positions_.size() == options_.samples_most)
         return fail(
             fmt::format("found more than {} samples, expected fewer: a part of the recording can be asked for "
                         "(--from, --to)",
-                        samples_most));
+                        options_.samples_most));
       positions_.push_back(options_.reverse ? -s.position : s.position);
       stamps_.push_back(s.time_s);
     }
@@ -116,13 +120,14 @@ Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
   recording.units_per_count = options.units_per_count;
   recording.axis = options.stream_axis.value_or(0);
   recording.axis_stated = options.stream_axis.has_value();
-  recording.skip_damaged = options.skip_damaged || is_raw(source.name());
+  recording.skip_damaged = options.skip_damaged;
   AXIOMETRY_TRY(const auto reader, layout->open(recording));
   EvenSamples samples(options);
   Sha256 digest;
   const SampleSink sink = [&](std::span<const Sample> some) { return samples.take(some); };
   std::vector<char> block(dynamic_block);
   while (true) {
+    AXIOMETRY_TRY_VOID(go_on_unless_stopped(options.stop));
     AXIOMETRY_TRY(const std::size_t got, source.read(block));
     if (got == 0) break;
     digest.update({block.data(), got});
@@ -176,29 +181,43 @@ void add_limits(DynamicMotion& motion) {
         "the feed that was asked for is not stated (--feed): how far the axis is from it is not known");
 }
 
+Result<DynamicMotion> measured(Source source, const DynamicOptions& options) {
+  AXIOMETRY_TRY(ReadMotion read, read_motion(source, options));
+  DynamicMotion motion;
+  motion.file = source.name();
+  motion.sha256 = std::move(read.sha256);
+  motion.layout = std::move(read.layout);
+  motion.kind = options.kind;
+  motion.record = std::move(read.record);
+  motion.remarks = std::move(read.remarks);
+  motion.feed = options.feed;
+  motion.uniform_share = options.uniform_share;
+  AXIOMETRY_TRY(motion.course, capture::motion_course(
+                                   motion.record, options.window_s.value_or(capture::usual_window_s(motion.record))));
+  AXIOMETRY_TRY_VOID(go_on_unless_stopped(options.stop));
+  motion.stretches = capture::uniform_stretches(motion.record, motion.course, {.share = options.uniform_share});
+  AXIOMETRY_TRY_VOID(go_on_unless_stopped(options.stop));
+  find_spectrum(motion);
+  add_limits(motion);
+  return motion;
+}
+
 }  // namespace
 
 Result<DynamicMotion> measure_dynamic(const std::string& file, const DynamicOptions& options) {
   const auto measure = [&]() -> Result<DynamicMotion> {
     AXIOMETRY_TRY(Source source, Source::open(file));
-    AXIOMETRY_TRY(ReadMotion read, read_motion(source, options));
-    DynamicMotion motion;
-    motion.file = file;
-    motion.sha256 = std::move(read.sha256);
-    motion.layout = std::move(read.layout);
-    motion.kind = options.kind;
-    motion.record = std::move(read.record);
-    motion.remarks = std::move(read.remarks);
-    motion.feed = options.feed;
-    motion.uniform_share = options.uniform_share;
-    AXIOMETRY_TRY(motion.course, capture::motion_course(
-                                     motion.record, options.window_s.value_or(capture::usual_window_s(motion.record))));
-    motion.stretches = capture::uniform_stretches(motion.record, motion.course, {.share = options.uniform_share});
-    find_spectrum(motion);
-    add_limits(motion);
-    return motion;
+    DynamicOptions asked = options;
+    asked.skip_damaged = options.skip_damaged || is_raw(file);
+    return measured(std::move(source), asked);
   };
   return in_file(measure(), file);
+}
+
+Result<DynamicMotion> measure_dynamic(const GivenFile& file, const DynamicOptions& options) {
+  DynamicOptions asked = options;
+  asked.skip_damaged = options.skip_damaged || is_raw_name(file.name);
+  return in_file(measured(Source::of_bytes(file.name, file.bytes), asked), file.name);
 }
 
 DynamicExtremes extremes_of(const DynamicMotion& motion) {
@@ -221,49 +240,6 @@ DynamicExtremes extremes_of(const DynamicMotion& motion) {
 std::optional<double> way_of(const DynamicMotion& motion, const capture::SpectrumPeak& peak) {
   if (motion.spectrum_of != SpectrumOf::longest_stretch || !(peak.frequency_hz > 0.0)) return std::nullopt;
   return std::abs(motion.spectrum_stretch.velocity) / peak.frequency_hz;
-}
-
-namespace {
-
-void add_row(std::string& text, std::initializer_list<double> values) {
-  bool first = true;
-  for (const double x : values) {
-    text += first ? "" : ",";
-    text += format_exact(x);
-    first = false;
-  }
-  text += '\n';
-}
-
-Result<void> write_rows(const std::string& file, std::string head, std::size_t count, const auto& add) {
-  constexpr std::size_t at_once = 4096;
-  AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
-  for (std::size_t k = 0; k < count; ++k) {
-    add(head, k);
-    if (k % at_once != at_once - 1) continue;
-    AXIOMETRY_TRY_VOID(output.write(head));
-    head.clear();
-  }
-  AXIOMETRY_TRY_VOID(output.write(head));
-  return output.commit();
-}
-
-}  // namespace
-
-Result<void> write_series(const DynamicMotion& m, const std::string& file) {
-  const std::string_view unit = m.kind == AxisKind::linear ? "mm" : "deg";
-  return write_rows(
-      file, fmt::format("time_s,position_{0},velocity_{0}_per_s,acceleration_{0}_per_s2\n", unit),
-      m.record.positions.size(), [&](std::string& text, std::size_t k) {
-        add_row(text, {m.record.time_s(k), m.record.positions[k], m.course.velocity[k], m.course.acceleration[k]});
-      });
-}
-
-Result<void> write_spectrum(const DynamicMotion& m, const std::string& file) {
-  return write_rows(file, fmt::format("frequency_hz,amplitude_{}\n", m.kind == AxisKind::linear ? "um" : "arcsec"),
-                    m.spectrum.amplitudes.size(), [&](std::string& text, std::size_t k) {
-                      add_row(text, {static_cast<double>(k) * m.spectrum.step_hz, m.spectrum.amplitudes[k]});
-                    });
 }
 
 }  // namespace axiometry::app

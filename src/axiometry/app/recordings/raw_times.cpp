@@ -174,7 +174,9 @@ std::string times_name(const std::string& raw) { return raw + ".times"; }
 
 bool has_times(const std::string& raw) { return ::access(times_name(raw).c_str(), R_OK) == 0; }
 
-bool is_raw(const std::string& name) { return name != "-" && (has_times(name) || name.ends_with(".raw")); }
+bool is_raw_name(std::string_view name) { return name.ends_with(".raw"); }
+
+bool is_raw(const std::string& name) { return name != "-" && (has_times(name) || is_raw_name(name)); }
 
 std::string times_magic() { return std::string(magic_2); }
 

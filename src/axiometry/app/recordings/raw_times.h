@@ -32,6 +32,9 @@ bool has_times(const std::string& raw);
 /// Whether a file is one that a live capture writes, with times beside it or lost: by them, or by the name.
 bool is_raw(const std::string& name);
 
+/// Likewise by the name alone: of bytes that lie in no file.
+bool is_raw_name(std::string_view name);
+
 struct RawStamp {
   std::uint64_t end = 0;               ///< end of the piece: bytes of the raw file in front of it and in it
   std::optional<ArrivalNs> arrival{};  ///< nothing where it is not known

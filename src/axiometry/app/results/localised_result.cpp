@@ -76,6 +76,8 @@ constexpr std::string_view in_lines[] = {"findings.[].message", "squareness.note
 constexpr std::string_view in_motions[] = {"angles.[].remarks.[]", "lines.[].remarks.[]", "remarks.[]",
                                            "straightness.remarks.[]"};
 
+constexpr std::string_view in_dynamic[] = {"remarks.[]"};
+
 constexpr std::string_view in_volumetric[] = {"findings.[].message", "gauge.means", "gauge.straightness", "remarks.[]"};
 
 constexpr std::string_view in_coordinates[] = {"findings.[].message", "remarks.[]"};
@@ -123,6 +125,7 @@ const SentencePlaces& places_of(ResultKind kind) {
       {ResultKind::test, places_in_test()},
       {ResultKind::lines, places_in_lines()},
       {ResultKind::motions, places_in(in_motions)},
+      {ResultKind::dynamic, places_in(in_dynamic)},
       {ResultKind::volumetric, places_in(in_volumetric)},
       {ResultKind::coordinates, places_in(in_coordinates)},
       {ResultKind::volumetric_plan, places_in(in_volumetric_plan)},

@@ -14,6 +14,7 @@ enum class ResultKind {
   test,                 ///< a test of one axis
   lines,                ///< a plan's lines
   motions,              ///< straightness, angles, squareness
+  dynamic,              ///< a recording without standstills
   volumetric,           ///< the 21 errors of a machine, from lengths or measured singly
   coordinates,          ///< points from lengths, or from lengths with angles
   volumetric_plan,      ///< what a set-up is expected to tell

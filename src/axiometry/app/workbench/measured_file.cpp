@@ -68,7 +68,8 @@ Result<const formats::Format*> format_of_test(std::string_view bytes, const Reco
   if (found.recording != nullptr)
     return fail(
         fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
-                    "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after",
+                    "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after, and how the "
+                    "axis moved is told by 'axiometry dynamic FILE'",
                     found.recording->title));
   if (!found.format && text::trim(bytes.substr(0, read_budget::head_bytes)).starts_with('{') &&
       formats::read_plan(bytes))

@@ -61,13 +61,17 @@ constexpr Phrase files_rows[] = {
     {"found a byte 0 behind {0#} bytes, expected JSON, which has none",
      "Byte 0 nach {0} Bytes; erwartet: JSON, das keines hat"},
     {"found a continuous recording (Text with time and position), expected a measured test; its readings are taken out "
-     "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after",
+     "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after, and how the axis moved is told "
+     "by 'axiometry dynamic FILE'",
      "fortlaufende Aufzeichnung (Text mit Zeit und Position); erwartet: eine gemessene Prüfung; ihre Messwerte "
-     "entnimmt ihr „axiometry evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist"},
+     "entnimmt ihr „axiometry evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist, und wie sie sich "
+     "bewegt hat, sagt „axiometry dynamic FILE“"},
     {"found a continuous recording ({0=}), expected a measured test; its readings are taken out of it by 'axiometry "
-     "evaluate --plan PLAN FILE' with the plan the axis moved after",
+     "evaluate --plan PLAN FILE' with the plan the axis moved after, and how the axis moved is told by 'axiometry "
+     "dynamic FILE'",
      "fortlaufende Aufzeichnung ({0}); erwartet: eine gemessene Prüfung; ihre Messwerte entnimmt ihr „axiometry "
-     "evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist"},
+     "evaluate --plan PLAN FILE“ mit dem Plan, nach dem die Achse gefahren ist, und wie sie sich bewegt hat, sagt "
+     "„axiometry dynamic FILE“"},
     {"found a log of temperatures, or another recording ({0=}), expected a measured test; 'axiometry temperatures' "
      "and --temperatures take a log, --plan a recording of positions",
      "Temperaturprotokoll oder andere Aufzeichnung ({0}); erwartet: eine gemessene Prüfung; „axiometry temperatures“ "

@@ -9,6 +9,8 @@ import { bytes } from '../../numbers';
 import { go } from '../../router';
 import { largest_table } from '../compensations/existing';
 import { held_table } from '../compensations/held';
+import { held_recording, is_recording } from '../dynamic/held';
+import { t as dynamic_words } from '../dynamic/texts';
 import { held_motions, is_motion } from '../motions/held';
 import { t as motion_words } from '../motions/texts';
 import { keep_plan } from '../plan/import';
@@ -83,7 +85,8 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
       {one.error && (one.error.kind === 'bad_input'
         ? <Refusal one={one} message={one.error.message} place={one.error.place} on_formats={on_formats} />
         : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
-      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : is_motion(preview.refused.message) ? <MotionFound one={one} /> : !is_asked(one) && (
+      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : is_motion(preview.refused.message) ? <MotionFound one={one} />
+        : is_recording(preview.refused.message) ? <RecordingFound one={one} /> : !is_asked(one) && (
         <Refusal one={one} message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
       {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
@@ -148,6 +151,16 @@ function MotionFound({ one }: { one: Incoming }) {
     go('/motions');
   };
   return <p class="notice">{motion_words('is_one')} <button type="button" class="link" onClick={look}>{motion_words('look')}</button></p>;
+}
+
+/** No test, but a continuous recording: its motion can be looked at. */
+function RecordingFound({ one }: { one: Incoming }) {
+  const look = () => {
+    held_recording.value = one.file;
+    remove(one.key);
+    go('/dynamic');
+  };
+  return <p class="notice">{dynamic_words('is_one')} <button type="button" class="link" onClick={look}>{dynamic_words('look')}</button></p>;
 }
 
 function place_of({ line, column }: { line: number | null; column: number | null }): string {
