@@ -12,6 +12,8 @@ import shutil
 import subprocess
 import tempfile
 
+import language_pairs
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 # As the description of the API lists them, which a unit test holds against the program's list.
 API = json.loads((ROOT / "apps/server/openapi.json").read_text(encoding="utf-8"))
@@ -151,20 +153,12 @@ def words(text):
 
 
 @functools.cache
-def pairs_of(tag):
-    """English and other lines of a language's file of pairs."""
-    lines = (ROOT / f"src/axiometry/language/{tag}.txt").read_text(encoding="utf-8").splitlines()
-    texts = [line for line in lines if line and not line.startswith("#")]
-    return list(zip(texts[::2], texts[1::2]))
-
-
-@functools.cache
 def own_words(tag):
     """Words that a text in that language may share with the English one: of German those of a list, of others those
     that its own side of the pairs has, but for what is English wherever it stands."""
     if tag == "de":
         return frozenset(SAME)
-    said = {word for _, other in pairs_of(tag) for word in words(other)}
+    said = {word for other in language_pairs.program_pairs(tag).values() for word in words(other)}
     pieces = {piece for word in said for piece in re.split(r"[’'-]", word)}
     return frozenset(SAME | ({word for each in said | pieces for word in (each, each.capitalize())} - ENGLISH))
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// node web/tests/fresh.mjs: the types of the API must be those of its description, and the sources must build to what
-// web/bundle holds, byte for byte, since the program is built from the bundle without node. Installs the packages where
-// they are missing or others than package-lock.json says.
+// node web/tests/fresh.mjs: the types of the API must be those of its description, every text must have its pair in each
+// language, and the sources must build to what web/bundle holds, byte for byte, since the program is built from the bundle
+// without node. Installs the packages where they are missing or others than package-lock.json says.
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
@@ -32,6 +32,7 @@ try {
   run(process.execPath, [join(web, 'api_types.mjs'), types]);
   if (!readFileSync(types).equals(readFileSync(join(web, 'src/api/types.ts')))) faults.push('web/src/api/types.ts is not what apps/server/openapi.json describes');
   await rm(types);
+  run(process.execPath, [join(web, 'language_pairs.mjs')]);
   run(process.execPath, [join(web, 'node_modules/typescript/bin/tsc'), '--noEmit']);
   run(process.execPath, [join(web, 'node_modules/vite/bin/vite.js'), 'build', '--outDir', folder, '--emptyOutDir', '--logLevel', 'error']);
   const [built, kept] = [files_of(folder), files_of(join(web, 'bundle'))];

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
-import { readdirSync, readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import { settle, visited } from './pages.mjs';
 import { shows } from './world.mjs';
-
-const sources = fileURLToPath(new URL('../src/', import.meta.url));
 
 // Words that only an English text of the page has.
 const english = [
@@ -64,10 +60,6 @@ const tests = {};
 for (const [language, how] of Object.entries(spoken))
   tests[`in ${language} no English is left, and numbers have a comma`] = (world) => is_spoken(world, how);
 
-const files_in = (folder) => readdirSync(folder, { withFileTypes: true })
-  .flatMap((one) => (one.isDirectory() ? files_in(`${folder}${one.name}/`) : [`${folder}${one.name}`]));
-const places_of = (text) => [...new Set([...text.matchAll(/\{(\w+)/g)].map(([, name]) => name))].sort();
-
 export const languages = {
   ...tests,
 
@@ -83,25 +75,5 @@ export const languages = {
       await page.goto('/');
       await shows(page.locator('header'), title);
     }
-  },
-
-  async 'the pairs of a language have the places of the English, and a text of the page each'() {
-    const pages = files_in(sources).filter((path) => /\.tsx?$/.test(path)).map((path) => readFileSync(path, 'utf8')).join('\n');
-    const file = readFileSync(`${sources}i18n/fr.json`, 'utf8');
-    const pairs = JSON.parse(file);
-    const keys = [...file.matchAll(/^  ("(?:[^"\\]|\\.)*"):/gm)].map(([, key]) => JSON.parse(key)); // in the order of the lines
-    assert.ok(keys.length > 1000);
-    assert.equal(new Set(keys).size, keys.length, 'each once');
-    assert.deepEqual(keys, [...keys].sort((a, b) => Buffer.compare(Buffer.from(a), Buffer.from(b))), 'sorted by their bytes');
-    const wrong = [];
-    for (const [key, other] of Object.entries(pairs)) {
-      const [, text, meaning] = /^(.*?)(?: \[(\w+)\])?$/s.exec(key);
-      const quoted = `'${text.replaceAll("'", "\\'")}'`;
-      if (!pages.includes(quoted)) wrong.push(`no text of the page: ${key}`);
-      if (meaning !== undefined && !pages.includes(`, '${meaning}']`)) wrong.push(`no text of this meaning: ${key}`);
-      if (places_of(text).join() !== places_of(other).join()) wrong.push(`other places: ${key}`);
-      if (other.trim() !== other || other === '') wrong.push(`blanks at an end: ${key}`);
-    }
-    assert.deepEqual(wrong, []);
   },
 };

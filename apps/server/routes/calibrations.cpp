@@ -117,7 +117,7 @@ Result<Response> motions(const Store&, const Request& request) {
 }
 
 Result<Response> motions_report(const Store&, const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const app::EvaluatedCalibration evaluated, motions_of(request));
   if (wants_json(request)) return json_file(app::result_of(evaluated), "motions");
   return document_response(app::document_of(evaluated, options), request, options, "motions");

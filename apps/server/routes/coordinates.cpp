@@ -25,7 +25,9 @@ namespace {
 
 using json::Value;
 
-constexpr std::size_t coordinates_bytes_max = std::size_t{8} << 20;  // 200 000 lengths, seconds of one processor
+// Seconds of one processor: 200 000 lengths; of a polar reading the answer has what each of its parts tells.
+constexpr std::size_t ranges_bytes_max = std::size_t{8} << 20;
+constexpr std::size_t polar_bytes_max = std::size_t{2} << 20;
 
 /// What a form of readings holds, with or without nominal points.
 struct CoordinatesForm {
@@ -78,7 +80,7 @@ Result<Response> multilateration(const Request& request) {
 }
 
 Result<Response> multilateration_report(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const auto found, multilaterated(request));
   if (wants_json(request)) return json_file(app::to_json(*found), "multilateration");
   return document_response(app::compose(*found, options), request, options, "multilateration");
@@ -111,7 +113,7 @@ Result<Response> polar(const Request& request) {
 }
 
 Result<Response> polar_report(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const auto found, adjusted(request));
   const app::Experiment made = app::present(*found, options);
   if (wants_json(request)) return json_file(made.json, "polar");
@@ -126,17 +128,17 @@ Result<Response> polar_points(const Request& request) {
 }  // namespace
 
 void add_coordinates_routes(Router& router) {
-  constexpr Terms files{.sent = Sent::files, .only_looks = true, .body_max = coordinates_bytes_max};
-  const auto add = [&](std::string_view pattern, auto handler) {
-    router.add("POST", pattern, handler, Weight::heavy, files);
+  const auto add = [&](std::string_view pattern, auto handler, std::size_t bytes_max) {
+    router.add("POST", pattern, handler, Weight::heavy,
+               {.sent = Sent::files, .only_looks = true, .body_max = bytes_max});
   };
-  add("/api/tracking/multilateration", multilateration);
-  add("/api/tracking/multilateration/report.{extension}", multilateration_report);
-  add("/api/tracking/multilateration/points", multilateration_points);
-  add("/api/tracking/multilateration/residuals", multilateration_residuals);
-  add("/api/tracking/polar", polar);
-  add("/api/tracking/polar/report.{extension}", polar_report);
-  add("/api/tracking/polar/points", polar_points);
+  add("/api/tracking/multilateration", multilateration, ranges_bytes_max);
+  add("/api/tracking/multilateration/report.{extension}", multilateration_report, ranges_bytes_max);
+  add("/api/tracking/multilateration/points", multilateration_points, ranges_bytes_max);
+  add("/api/tracking/multilateration/residuals", multilateration_residuals, ranges_bytes_max);
+  add("/api/tracking/polar", polar, polar_bytes_max);
+  add("/api/tracking/polar/report.{extension}", polar_report, polar_bytes_max);
+  add("/api/tracking/polar/points", polar_points, polar_bytes_max);
 }
 
 }  // namespace axiometry::server

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recordings of an axis that does not rest at targets: velocity, acceleration, vibrations, even motion. Nothing is kept.
+// Recordings of an axis that does not rest at targets: velocity, acceleration, vibrations, even motion. Keep
+// nothing.
 #include <string>
 #include <utility>
 
@@ -42,7 +43,7 @@ Result<Response> dynamic(const Request& request) {
 }
 
 Result<Response> dynamic_report(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const app::DynamicMotion motion, motion_of(request));
   if (wants_json(request)) return json_file(app::to_json(motion), "motion");
   return document_response(app::present(motion, options, {.report = true, .json = false}).document, request, options,

@@ -24,6 +24,11 @@ Result<json::Value> parsed_options(std::string_view text) {
   return value;
 }
 
+Result<report::Options> document_options_of(const Request& request) {
+  if (!wants_json(request)) AXIOMETRY_TRY_VOID(app::document_writer(text::to_lower(request.segment("extension"))));
+  return report_options_of(request);
+}
+
 Result<Response> document_response(const report::Document& document, const Request& request,
                                    const report::Options& options, std::string_view stem) {
   AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));

@@ -17,6 +17,10 @@ namespace axiometry::server {
 /// JSON of a form or of the query. Fails, with line and column, on what is none and on more than 64 KiB.
 Result<json::Value> parsed_options(std::string_view text);
 
+/// What the query asks of the document that the path's {extension} names. Fails where nothing writes such a one, before
+/// anything is computed for it.
+Result<report::Options> document_options_of(const Request& request);
+
 /// As the path's {extension} says: a document to look at, or with ?download= as a file.
 Result<Response> document_response(const report::Document& document, const Request& request,
                                    const report::Options& options, std::string_view stem);

@@ -102,7 +102,7 @@ Result<void> refuse_picture(std::string_view extension) {
 
 Result<Response> report_of_rules(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY_VOID(refuse_picture(text::to_lower(request.segment("extension"))));
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const app::ComparedRules compared, compared_of(workbench, request));
   const std::string stem = fmt::format("test-{}-by-rules", request.segment("id"));
   if (wants_json(request)) return json_file(app::to_json(compared), stem);

@@ -55,7 +55,7 @@ Result<Response> station(const Request& request) {
 }
 
 Result<Response> station_report(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const app::Located found, located(request));
   if (wants_json(request)) return json_file(app::to_json(found), "station");
   return document_response(app::present(found, options).document, request, options, "station");
@@ -101,7 +101,7 @@ Result<Response> points(const Request& request) {
 }
 
 Result<Response> points_sheet(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const app::PlannedLocation planned, planned_points(body));
   return document_response(app::present(planned, options).document, request, options, "location-points");
@@ -116,7 +116,7 @@ Value subject_of(const Value& body) {
 }
 
 Result<Response> sheet(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(const app::RequestedLines planned, app::requested_lines(body));
   const app::PlannedLines& plan = planned.planned;
@@ -186,7 +186,7 @@ Result<Response> evaluation(const Request& request) {
 }
 
 Result<Response> evaluation_report(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const app::EvaluatedLines found, evaluated(request));
   if (wants_json(request)) return json_file(app::to_json(found), "lines");
   return document_response(app::lines_document(found, options), request, options, "lines");

@@ -43,7 +43,7 @@ Result<Response> volume_plan(const Request& request) {
 }
 
 Result<Response> volume_sheet(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(volumetric::CalibrationPlan plan, app::given_calibration(body));
   AXIOMETRY_TRY(const auto planned, volumetric::judge_plan(std::move(plan)));
@@ -124,7 +124,7 @@ Result<Response> identification(const Request& request) {
 }
 
 Result<Response> identification_report(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const app::IdentifiedMachine found, identified(request));
   if (wants_json(request)) return json_file(app::to_json(found), "volume");
   return document_response(app::present(found, options).document, request, options, "volume");
@@ -180,7 +180,7 @@ Result<Response> assembly(const Request& request) {
 }
 
 Result<Response> assembly_report(const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, report_options_of(request));
+  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
   AXIOMETRY_TRY(const app::Assembled made, assembled(request));
   const app::Experiment experiment = app::present(made, options);
   if (wants_json(request)) return json_file(experiment.json, "volume");

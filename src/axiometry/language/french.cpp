@@ -3,15 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 
-#include "axiometry/base/contract.h"
-#include "axiometry/base/embedded_file.h"
 #include "axiometry/language/packed_text.h"
 
 namespace axiometry::language {
-
-std::span<const EmbeddedFile> pairs_files();  // generated
 
 namespace {
 
@@ -120,16 +115,7 @@ void append_in_french(std::string& text, std::string_view content) {
   text += content;
 }
 
-std::vector<PhrasePair> french_pairs() {
-  const auto files = pairs_files();
-  const auto file = std::ranges::find(files, "fr.txt", &EmbeddedFile::name);
-  AXIOMETRY_CONTRACT(file != files.end());
-  auto pairs = read_pairs(file->bytes);
-  AXIOMETRY_CONTRACT(pairs.has_value());
-  for (PhrasePair& pair : *pairs) pair.other = with_french_spaces(pair.other);
-  return *std::move(pairs);
-}
-
-const Grammar french_grammar = {.last_item = " et ", .clauses = "\x1f; ", .append = append_in_french};
+const Grammar french_grammar = {
+    .last_item = " et ", .clauses = "\x1f; ", .append = append_in_french, .set = with_french_spaces};
 
 }  // namespace axiometry::language

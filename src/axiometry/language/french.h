@@ -3,16 +3,11 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "axiometry/language/phrase_book.h"
-#include "axiometry/language/phrase_file.h"
 
-/// French: its pairs are in fr.txt, words of NF ISO 230-2 and of the VIM; here is what its writing does to all of them.
+/// What writing French does to the texts of fr.txt, whose words are those of NF ISO 230-2 and of the VIM.
 namespace axiometry::language {
-
-/// Those of fr.txt, with no-break spaces. Contract: the file is sound.
-std::vector<PhrasePair> french_pairs();
 
 /// With no-break spaces where French has a space before a colon, semicolon, question or exclamation mark, percent sign
 /// or closing guillemet, and after an opening one: a translator writes plain ones.

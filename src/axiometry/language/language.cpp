@@ -3,50 +3,44 @@
 
 #include <algorithm>
 #include <array>
+#include <mutex>
 #include <vector>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/french.h"
-#include "axiometry/language/german.h"
 #include "axiometry/language/phrase_book.h"
+#include "axiometry/language/phrase_file.h"
 #include "axiometry/language/reader.h"
 
 namespace axiometry::language {
 namespace {
+
+const Grammar german_grammar = {.last_item = " und ", .nouns_are_capital = true};
 
 struct Known {
   Language language;
   std::string_view tag;
   std::string_view own_name;
   char decimal_mark;
+  const Grammar* grammar;  ///< absent of English, which is not looked up
 };
 
 /// In the order of the values of Language.
-constexpr auto known = std::to_array<Known>({{Language::english, "en", "English", '.'},
-                                             {Language::german, "de", "Deutsch", ','},
-                                             {Language::french, "fr", "Français", ','}});
+constexpr auto known = std::to_array<Known>({{Language::english, "en", "English", '.', nullptr},
+                                             {Language::german, "de", "Deutsch", ',', &german_grammar},
+                                             {Language::french, "fr", "Français", ',', &french_grammar}});
 
 const Known& known_of(Language language) { return known[static_cast<std::size_t>(language)]; }
 
-/// Made at the first use, so that it depends on no order of initialisation and costs nothing where it is not asked for.
-const PhraseBook& german() {
-  static const PhraseBook book(german_tables(), {.last_item = " und ", .nouns_are_capital = true});
-  return book;
-}
-
-const PhraseBook& french() {
-  static const std::vector<PhrasePair> pairs = french_pairs();
-  static const std::vector<Phrase> rows = phrases_of(pairs);
-  static const std::span<const Phrase> tables[] = {rows};
-  static const PhraseBook book(tables, french_grammar);
-  return book;
-}
-
-/// Contract: not English, which needs none.
+/// Made at the first use, so that it costs nothing where it is not asked for. Contract: not English, which needs none.
 const PhraseBook& book_of(Language language) {
   AXIOMETRY_CONTRACT(language != Language::english);
-  return language == Language::german ? german() : french();
+  static std::array<std::once_flag, known.size()> made;
+  static std::array<std::optional<PhraseBook>, known.size()> books;
+  const auto number = static_cast<std::size_t>(language);
+  std::call_once(made[number], [&] { books[number].emplace(pairs_of(known[number].tag), *known[number].grammar); });
+  return *books[number];
 }
 
 /// Contract: a text without arguments.
@@ -127,8 +121,8 @@ bool is_known(const TextPieces& text, Language language) {
   return language == Language::english || Reader(book_of(language), {}).read(text).known;
 }
 
-std::span<const Phrase* const> phrases(Language language) {
-  return language == Language::english ? std::span<const Phrase* const>{} : book_of(language).phrases();
+std::span<const Phrase> phrases(Language language) {
+  return language == Language::english ? std::span<const Phrase>{} : book_of(language).phrases();
 }
 
 }  // namespace axiometry::language

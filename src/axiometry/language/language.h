@@ -70,6 +70,6 @@ TextPieces translated(const TextPieces& text, Language language, const NumberSty
 bool is_known(const TextPieces& text, Language language);
 
 /// Every entry of a language, for tests.
-std::span<const Phrase* const> phrases(Language language);
+std::span<const Phrase> phrases(Language language);
 
 }  // namespace axiometry::language

@@ -2,6 +2,7 @@
 #include "axiometry/language/phrase_book.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/language/packed_text.h"
@@ -36,15 +37,18 @@ Pattern parsed(const Phrase& phrase) {
 
 }  // namespace
 
-PhraseBook::PhraseBook(std::span<const std::span<const Phrase>> tables, const Grammar& grammar) : grammar_(grammar) {
-  for (const std::span<const Phrase> table : tables)
-    for (const Phrase& phrase : table) {
-      phrases_.push_back(&phrase);
-      if (phrase.english.contains('{'))
-        patterns_.push_back(parsed(phrase));
-      else
-        literals_.emplace(with_blanks(packed(phrase.english)), phrase.other);
-    }
+PhraseBook::PhraseBook(std::vector<PhrasePair> pairs, const Grammar& grammar)
+    : grammar_(grammar), pairs_(std::move(pairs)) {
+  std::erase_if(pairs_, &PhrasePair::of_page_alone);
+  phrases_.reserve(pairs_.size());  // patterns refer to them
+  for (PhrasePair& pair : pairs_) {
+    if (grammar_.set) pair.other = grammar_.set(pair.other);
+    const Phrase& phrase = phrases_.emplace_back(pair.english, pair.other);
+    if (phrase.english.contains('{'))
+      patterns_.push_back(parsed(phrase));
+    else
+      literals_.emplace(with_blanks(packed(phrase.english)), phrase.other);
+  }
   std::ranges::stable_sort(patterns_, std::ranges::greater{}, &Pattern::literal_length);
   for (const Pattern& pattern : patterns_)
     if (pattern.first().empty())

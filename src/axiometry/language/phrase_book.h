@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "axiometry/language/language.h"
+#include "axiometry/language/phrase_file.h"
 
 /// The phrases of one language, prepared for looking up.
 namespace axiometry::language {
@@ -46,16 +47,20 @@ struct Grammar {
   /// as it is.
   void (*append)(std::string& text, std::string_view content) = nullptr;
   bool nouns_are_capital = false;  ///< so that a title within a sentence keeps its capital letter
+  /// What a translator wrote, as it is set: French has no-break spaces before some marks; absent: as it is.
+  std::string (*set)(std::string_view text) = nullptr;
 };
 
 class PhraseBook {
  public:
-  /// Of the rows of all tables, which must stay where they are. Contract: the places of both texts agree.
-  PhraseBook(std::span<const std::span<const Phrase>> tables, const Grammar& grammar);
+  /// Of pairs but those of the page. Contract: the places of both texts agree.
+  PhraseBook(std::vector<PhrasePair> pairs, const Grammar& grammar);
+  PhraseBook(const PhraseBook&) = delete;
+  PhraseBook& operator=(const PhraseBook&) = delete;
 
   const Grammar& grammar() const { return grammar_; }
 
-  std::span<const Phrase* const> phrases() const { return phrases_; }
+  std::span<const Phrase> phrases() const { return phrases_; }
 
   /// The other text of a phrase without places; nothing when there is none. Blanks instead of no-break spaces.
   std::optional<std::string_view> literal(const std::string& english) const;
@@ -65,7 +70,8 @@ class PhraseBook {
 
  private:
   Grammar grammar_;
-  std::vector<const Phrase*> phrases_;
+  std::vector<PhrasePair> pairs_;  ///< the texts that phrases_ refers to
+  std::vector<Phrase> phrases_;
   std::unordered_map<std::string, std::string_view> literals_;
   std::vector<Pattern> patterns_;
   std::array<std::vector<const Pattern*>, 256> by_first_byte_;

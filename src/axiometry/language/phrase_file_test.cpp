@@ -11,17 +11,24 @@ std::string fault_of(std::string_view text) {
   return pairs ? "" : pairs.error().message;
 }
 
-TEST(ReadPairs, TakesTwoLinesForEachPhraseAndCountsSubjects) {
+TEST(ReadPairs, TakesTwoLinesForEachPhraseAndItsSubject) {
   const auto pairs = read_pairs("# head\n# of two lines\n\none\nun\n\ntwo {0=}\ndeux {0}\n\n# more\n\nthree\ntrois");
   ASSERT_TRUE(pairs.has_value());
   ASSERT_EQ(pairs->size(), 3u);
   EXPECT_EQ((*pairs)[1].english, "two {0=}");
   EXPECT_EQ((*pairs)[1].other, "deux {0}");
-  EXPECT_EQ((*pairs)[1].subject, 1u);
-  EXPECT_EQ((*pairs)[2].subject, 2u);
-  const auto phrases = phrases_of(*pairs);
-  EXPECT_EQ(phrases[2].english, "three");
-  EXPECT_EQ(phrases[2].other, "trois");
+  EXPECT_EQ((*pairs)[1].subject, "head");
+  EXPECT_EQ((*pairs)[2].subject, "more");
+  EXPECT_EQ((*pairs)[2].other, "trois");
+}
+
+TEST(ReadPairs, KnowsWhatThePageAloneHas) {
+  const auto pairs = read_pairs("one\nun\n\n# The page: its texts\n\nfree [of cost]\ngratuit\n\n# more\n\ntwo\ndeux\n");
+  ASSERT_TRUE(pairs.has_value());
+  ASSERT_EQ(pairs->size(), 3u);
+  EXPECT_FALSE((*pairs)[0].of_page_alone);
+  EXPECT_TRUE((*pairs)[1].of_page_alone);
+  EXPECT_FALSE((*pairs)[2].of_page_alone);
 }
 
 TEST(ReadPairs, TakesBlankLinesAnywhereBetweenPairs) {

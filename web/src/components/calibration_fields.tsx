@@ -7,12 +7,12 @@ import { name_of } from '../pages/instruments/instrument_dialog';
 import { Field } from './field';
 
 const t = texts({
-  title: ['Title', 'Titel'],
-  machine: ['Machine', 'Maschine'],
-  instrument: ['Instrument', 'Messmittel'],
-  measured_on: ['Measured on', 'Gemessen am'],
-  notes: ['Notes', 'Bemerkungen'],
-  none: ['not stated', 'nicht angegeben'],
+  title: 'Title',
+  machine: 'Machine',
+  instrument: ['Instrument', 'asset'],
+  measured_on: 'Measured on',
+  notes: 'Notes',
+  none: 'not stated',
 });
 
 export interface CalibrationWords { title: string; machine: number | null; instrument: number | null; measured_on: string; notes: string }

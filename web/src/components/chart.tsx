@@ -17,13 +17,10 @@ export type { ChartBand, ChartLine, ChartMark, ChartModel, ChartPlace, ChartProp
 export { ChartLegend, Swatch } from './chart/legend';
 
 const t = texts({
-  kind: ['interactive chart', 'interaktives Diagramm'],
-  keys: [
-    'Arrow keys left and right move from point to point, up and down from series to series; plus and minus zoom, 0 shows all.',
-    'Pfeiltasten links und rechts gehen von Punkt zu Punkt, auf und ab von Reihe zu Reihe; Plus und Minus zoomen, 0 zeigt alles.',
-  ],
-  all: ['Show all', 'Alles zeigen'],
-  drag: ['drag to zoom', 'Ziehen vergrößert'],
+  kind: 'interactive chart',
+  keys: 'Arrow keys left and right move from point to point, up and down from series to series; plus and minus zoom, 0 shows all.',
+  all: 'Show all',
+  drag: 'drag to zoom',
 });
 
 const paper_width = 720;   // px, of A4 upright between its margins

@@ -5,16 +5,13 @@ import { when } from '../numbers';
 import { Dialog } from './dialog';
 
 const t = texts({
-  title: ['Somebody else was first', 'Jemand war schneller'],
-  who: ['{actor} saved version {version} on {at}', '{actor} hat Version {version} am {at} gespeichert'],
-  because: ['Reason given: “{reason}”', 'Als Grund genannt: „{reason}“'],
-  what: [
-    'Nothing is lost: what was typed here is still here, and both versions stay in the history.',
-    'Nichts ist verloren: die Eingaben von hier sind noch da, und beide Versionen bleiben in der Historie.',
-  ],
-  theirs: ['Look at theirs', 'Deren Version ansehen'],
-  mine: ['Keep mine as version {next}', 'Eigene als Version {next} speichern'],
-  back: ['Back to editing', 'Zurück zum Bearbeiten'],
+  title: 'Somebody else was first',
+  who: '{actor} saved version {version} on {at}',
+  because: 'Reason given: “{reason}”',
+  what: 'Nothing is lost: what was typed here is still here, and both versions stay in the history.',
+  theirs: 'Look at theirs',
+  mine: 'Keep mine as version {next}',
+  back: 'Back to editing',
 });
 
 interface Props {

@@ -3,9 +3,9 @@ import { useState } from 'preact/hooks';
 import { texts } from '../i18n/texts';
 
 const t = texts({
-  copy: ['Copy', 'Kopieren'],
-  copied: ['Copied', 'Kopiert'],
-  failed: ['The browser does not allow it', 'Der Browser lässt es nicht zu'],
+  copy: 'Copy',
+  copied: 'Copied',
+  failed: 'The browser does not allow it',
 });
 
 /** Copies a text; says so where it was pressed and to screen readers. */

@@ -4,7 +4,7 @@ import { useEffect, useId, useRef } from 'preact/hooks';
 import { texts } from '../i18n/texts';
 import './dialog.css';
 
-const t = texts({ close: ['Close', 'Schließen'] });
+const t = texts({ close: 'Close' });
 
 interface Props {
   title: ComponentChildren;

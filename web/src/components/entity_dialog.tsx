@@ -13,13 +13,13 @@ import { FailureNotice } from './failure';
 import { Field } from './field';
 
 const t = texts({
-  reason: ['Reason for the change', 'Grund der Änderung'],
-  reason_hint: ['stands in the history', 'steht in der Historie'],
-  cancel: ['Cancel', 'Abbrechen'],
-  close: ['Close', 'Schließen'],
-  save: ['Save as version {n}', 'Als Version {n} speichern'],
-  add: ['Add', 'Anlegen'],
-  read_only: ['Nothing can be kept in this store{why}.', 'In diesem Archiv kann nichts gespeichert werden{why}.'],
+  reason: 'Reason for the change',
+  reason_hint: 'stands in the history',
+  cancel: 'Cancel',
+  close: 'Close',
+  save: 'Save as version {n}',
+  add: 'Add',
+  read_only: 'Nothing can be kept in this store{why}.',
 });
 
 interface Props<T extends Entity> {

@@ -4,17 +4,14 @@ import { texts } from '../i18n/texts';
 import { page_words } from './page_words';
 
 const t = texts({
-  offline: [
-    'The workbench does not answer. Is the program still running? The connection is tried again every two seconds.',
-    'Die Werkbank antwortet nicht. Läuft das Programm noch? Die Verbindung wird alle zwei Sekunden neu versucht.',
-  ],
-  conflict: ['Somebody else was first', 'Jemand war schneller'],
-  read_only: ['This store can be read, not written', 'Dieses Archiv kann nur gelesen werden'],
-  full: ['No room: nothing of this was kept', 'Kein Platz: nichts davon wurde gespeichert'],
-  not_found: ['Not found', 'Nicht gefunden'],
-  kept: ['Kept, but not shown', 'Aufbewahrt, aber nicht gezeigt'],
-  line: ['line {place}', 'Zeile {place}'],
-  again: ['Try again', 'Noch einmal'],
+  offline: 'The workbench does not answer. Is the program still running? The connection is tried again every two seconds.',
+  conflict: 'Somebody else was first',
+  read_only: 'This store can be read, not written',
+  full: 'No room: nothing of this was kept',
+  not_found: 'Not found',
+  kept: 'Kept, but not shown',
+  line: 'line {place}',
+  again: 'Try again',
 });
 
 /** What went wrong, in words, and a way on. */

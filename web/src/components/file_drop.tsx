@@ -6,7 +6,7 @@ import { texts } from '../i18n/texts';
 import './file_drop.css';
 
 const t = texts({
-  one_at_a_time: ['One file at a time: {n} {n|other file was|other files were} not taken.', 'Immer nur eine Datei: {n} {n|weitere wurde|weitere wurden} nicht genommen.'],
+  one_at_a_time: 'One file at a time: {n} {n|other file was|other files were} not taken.',
 });
 
 interface Props {

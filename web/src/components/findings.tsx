@@ -5,10 +5,10 @@ import { Formula } from './formula';
 import { page_words } from './page_words';
 
 const t = texts({
-  departure: ['Departure', 'Abweichung'],
-  missing: ['Missing', 'Fehlt'],
-  note: ['Note', 'Hinweis'],
-  clause: ['clause {clause}', 'Abschnitt {clause}'],
+  departure: 'Departure',
+  missing: 'Missing',
+  note: 'Note',
+  clause: 'clause {clause}',
 });
 
 /** In the words of the page, with a capital letter and a full stop, unless it begins with a symbol ("s_i") or ends already. */

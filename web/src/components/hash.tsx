@@ -5,9 +5,9 @@ import { to_clipboard } from './copy';
 import './hash.css';
 
 const t = texts({
-  copy: ['Copy {hash}', '{hash} kopieren'],
-  copied: ['copied', 'kopiert'],
-  failed: ['not allowed by the browser', 'vom Browser nicht erlaubt'],
+  copy: 'Copy {hash}',
+  copied: 'copied',
+  failed: 'not allowed by the browser',
 });
 
 /** A hash is known by its beginning; under the pointer or the focus it is whole, and a press copies it. */

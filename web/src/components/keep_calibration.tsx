@@ -10,17 +10,14 @@ import { Dialog } from './dialog';
 import { FailureNotice } from './failure';
 
 const t = texts({
-  keep: ['Keep in the archive', 'Im Archiv behalten'],
-  keep_title: ['Keep this calibration', 'Diese Kalibrierung behalten'],
-  keep_how: [
-    'The files are kept as they are, with the options and the result. What you leave empty is taken from the files.',
-    'Die Dateien werden unverändert behalten, mit den Optionen und dem Ergebnis. Was leer bleibt, wird den Dateien entnommen.',
-  ],
-  cancel: ['Cancel', 'Abbrechen'],
-  close: ['Close', 'Schließen'],
-  do_keep: ['Keep', 'Behalten'],
-  kept: ['Kept as calibration {id}', 'Behalten als Kalibrierung {id}'],
-  same: ['the same files as calibration {list}', 'dieselben Dateien wie Kalibrierung {list}'],
+  keep: 'Keep in the archive',
+  keep_title: 'Keep this calibration',
+  keep_how: 'The files are kept as they are, with the options and the result. What you leave empty is taken from the files.',
+  cancel: 'Cancel',
+  close: 'Close',
+  do_keep: 'Keep',
+  kept: 'Kept as calibration {id}',
+  same: 'the same files as calibration {list}',
 });
 
 /** Files under what they are for: of lines lengths, plan and perhaps station; of the 21 errors lengths and machine. */

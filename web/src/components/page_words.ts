@@ -3,7 +3,7 @@
 import { useEffect } from 'preact/hooks';
 import { texts } from '../i18n/texts';
 
-const t = texts({ quoted: ['“{text}”', '„{text}“'] });
+const t = texts({ quoted: '“{text}”' });
 
 /** The label of a field, as a sentence names it. */
 export const field_named = (label: string): string => t('quoted', { text: label });

@@ -17,20 +17,17 @@ export { station_solids } from './scene/model';
 export type { Extent, Place } from './scene/projection';
 
 const t = texts({
-  kind: ['picture in three dimensions', 'dreidimensionales Bild'],
-  keys: [
-    'Arrow keys turn it, with Shift in large steps; plus and minus bring it nearer and farther, Home shows it as at first.',
-    'Pfeiltasten drehen es, mit Umschalt in großen Schritten; Plus und Minus holen es näher und weiter weg, Pos1 zeigt es wie am Anfang.',
-  ],
-  hint: ['drag to turn', 'Ziehen dreht'],
-  views: ['From where', 'Von wo'],
-  oblique: ['Oblique', 'Schräg'],
-  front: ['Front', 'Vorn'],
-  side: ['Right', 'Rechts'],
-  top: ['Top', 'Oben'],
-  nearer: ['Nearer', 'Näher'],
-  farther: ['Farther', 'Weiter weg'],
-  seen: ['Seen from {azimuth}° to the right of the front, {elevation}° above', 'Gesehen von {azimuth}° rechts der Vorderseite, {elevation}° von oben'],
+  kind: 'picture in three dimensions',
+  keys: 'Arrow keys turn it, with Shift in large steps; plus and minus bring it nearer and farther, Home shows it as at first.',
+  hint: 'drag to turn',
+  views: 'From where',
+  oblique: 'Oblique',
+  front: 'Front',
+  side: 'Right',
+  top: 'Top',
+  nearer: 'Nearer',
+  farther: 'Farther',
+  seen: 'Seen from {azimuth}° to the right of the front, {elevation}° above',
 });
 
 const views: readonly (readonly ['oblique' | 'front' | 'side' | 'top', Pick<View, 'azimuth' | 'elevation'>])[] = [

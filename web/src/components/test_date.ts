@@ -4,8 +4,8 @@ import type { Test } from '../api/types';
 import { texts } from '../i18n/texts';
 
 const t = texts({
-  undated: ['undated', 'ohne Datum'],
-  simulated: ['simulated, no date', 'simuliert, ohne Datum'],
+  undated: 'undated',
+  simulated: 'simulated, no date',
 });
 
 /** A day as a list has it. */

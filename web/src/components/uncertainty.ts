@@ -4,12 +4,12 @@ import type { FigureOfTest, Method, MonteCarloOutput } from '../api/types';
 import { texts } from '../i18n/texts';
 
 const t = texts({
-  annex_a: ['Annex A', 'Anhang A'],
-  gum: ['GUM', 'GUM'],
-  monte_carlo: ['Monte Carlo', 'Monte Carlo'],
-  unnamed: ['method not kept', 'Verfahren nicht aufgezeichnet'],
-  of_record: ['Uncertainty of record: {method}.', 'Maßgebliche Unsicherheit: {method}.'],
-  of_each: ['Uncertainty of record: of each test by its own method, named with it.', 'Maßgebliche Unsicherheit: bei jeder Prüfung nach ihrem eigenen Verfahren, das dabeisteht.'],
+  annex_a: 'Annex A',
+  gum: 'GUM',
+  monte_carlo: 'Monte Carlo',
+  unnamed: 'method not kept',
+  of_record: 'Uncertainty of record: {method}.',
+  of_each: 'Uncertainty of record: of each test by its own method, named with it.',
 });
 
 export const method_title = (method: Method): string => t(method);

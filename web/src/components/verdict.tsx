@@ -3,10 +3,10 @@ import type { Verdict } from '../api/types';
 import { texts } from '../i18n/texts';
 
 const t = texts({
-  conforms: ['conforms', 'konform'],
-  does_not: ['does not conform', 'nicht konform'],
-  undecided: ['undecided', 'unentschieden'],
-  none: ['no tolerance', 'ohne Toleranz'],
+  conforms: 'conforms',
+  does_not: 'does not conform',
+  undecided: 'undecided',
+  none: 'no tolerance',
 });
 
 const shapes = {

@@ -6,12 +6,12 @@ import { when } from '../numbers';
 import { DataTable } from './table';
 
 const t = texts({
-  title: ['Versions', 'Versionen'],
-  version: ['Version', 'Version'],
-  at: ['When', 'Wann'],
-  actor: ['Who', 'Wer'],
-  reason: ['Why', 'Warum'],
-  none: ['no reason given', 'kein Grund genannt'],
+  title: 'Versions',
+  version: 'Version',
+  at: 'When',
+  actor: 'Who',
+  reason: 'Why',
+  none: 'no reason given',
 });
 
 /** Who changed it, when and why; the newest first. `cell` makes of a version's number what leads to it. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { texts } from '../i18n/texts';
 
-const t = texts({ withdrawn: ['withdrawn', 'zurückgezogen'] });
+const t = texts({ withdrawn: 'withdrawn' });
 
 /** Wherever results of a test are shown that is withdrawn. */
 export function Withdrawn({ test }: { test: { withdrawn: boolean } }) {

@@ -28,10 +28,9 @@ import { OldVersionBanner, Versions } from './test/versions';
 import './test.css';
 
 const t = texts({
-  loading: ['The test is loading …', 'Die Prüfung wird geladen …'],
-  title: ['Test', 'Prüfung'],
-  leave: ['The changes of this test are not saved. Leave anyway? This tab keeps them until it is closed.',
-          'Die Änderungen dieser Prüfung sind nicht gespeichert. Trotzdem verlassen? Dieser Reiter behält sie, bis er geschlossen wird.'],
+  loading: 'The test is loading …',
+  title: 'Test',
+  leave: 'The changes of this test are not saved. Leave anyway? This tab keeps them until it is closed.',
 });
 
 /** One state for each version that is looked at; the same version again, as in another language, only refreshes it. */

@@ -89,13 +89,18 @@ Result<void> write_document(const report::Document& document, std::span<const st
   return {};
 }
 
-Result<std::string> document_bytes(const report::Document& document, std::string_view extension,
-                                   const report::Options& options) {
-  if (const report::Writer* writer = report::find_writer(extension)) return writer->set(document, options);
+Result<const report::Writer*> document_writer(std::string_view extension) {
+  if (const report::Writer* writer = report::find_writer(extension)) return writer;
   std::vector<std::string_view> extensions;
   for (const report::Writer* writer : report::writer_table()) extensions.push_back(writer->extension);
   return fail(
       fmt::format("found a sheet as {}, expected one of {}", text::quoted(extension), fmt::join(extensions, ", ")));
+}
+
+Result<std::string> document_bytes(const report::Document& document, std::string_view extension,
+                                   const report::Options& options) {
+  AXIOMETRY_TRY(const report::Writer* writer, document_writer(extension));
+  return writer->set(document, options);
 }
 
 bool state_tests_in_full(const OutputNames& names) {

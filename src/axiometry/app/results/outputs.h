@@ -62,7 +62,10 @@ Result<void> check_inputs_spared(const OutputNames& names);
 Result<void> write_document(const report::Document& document, std::span<const std::string> files,
                             const report::Options& options);
 
-/// The same as bytes, in one of the writers' formats. Fails, naming those there are, on another extension.
+/// Fails, naming those there are, on an extension that no writer has.
+Result<const report::Writer*> document_writer(std::string_view extension);
+
+/// The same as bytes, in one of the writers' formats. Fails as document_writer().
 Result<std::string> document_bytes(const report::Document& document, std::string_view extension,
                                    const report::Options& options);
 

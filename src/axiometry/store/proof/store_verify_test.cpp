@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <limits>
 
 #include "axiometry/digest/ed25519.h"
@@ -25,6 +27,25 @@ using testing::Not;
 
 class StoreVerifyTest : public BothStores {};
 AXIOMETRY_ON_BOTH_STORES(StoreVerifyTest);
+
+/// SQLite reads zeros for what was cut off, and passes over what was added.
+TEST_P(StoreVerifyTest, FindsAFileWithoutTheBytesOfItsPages) {
+  if (!sqlite()) return;
+  const auto said = [&](auto change) {
+    const std::string address = filled();
+    change(address);
+    return verified(address).problems;
+  };
+  const auto resized = [](std::intmax_t by) {
+    return [by](const std::string& file) {
+      std::filesystem::resize_file(file, static_cast<std::uintmax_t>(std::filesystem::file_size(file) + by));
+    };
+  };
+  EXPECT_THAT(said([](const std::string&) {}), IsEmpty());
+  EXPECT_THAT(said(resized(-1)), Contains(HasSubstr("pages of 4096 bytes")));
+  EXPECT_THAT(said(resized(1)), Contains(HasSubstr("pages of 4096 bytes")));
+  EXPECT_THAT(said(resized(4096)), Contains(HasSubstr("pages of 4096 bytes")));
+}
 
 struct SchemaCase {
   const char* sql;

@@ -15,6 +15,7 @@
 #include "axiometry/store/proof/audit_trail.h"
 #include "axiometry/store/proof/id_walk.h"
 #include "axiometry/store/proof/problems.h"
+#include "axiometry/store/proof/sqlite_pages.h"
 #include "axiometry/store/proof/storage_classes.h"
 #include "axiometry/store/proof/test_verification.h"
 #include "axiometry/store/store_state.h"
@@ -108,13 +109,7 @@ Result<void> Verifier::everything() {
 /// PostgreSQL checks its pages when they are read, where it was told to.
 Result<void> Verifier::database() {
   if (!connection_.is_sqlite()) return references();
-  AXIOMETRY_TRY(const Rows integrity, connection_.query("PRAGMA integrity_check"));
-  for (const Row& row : integrity)
-    if (row.text(0) != "ok") problem("file: {}", row.text(0));
-  AXIOMETRY_TRY(const Rows references, connection_.query("PRAGMA foreign_key_check"));
-  for (const Row& row : references)
-    problem("{}: found a row that refers to a row of {} that does not exist", row.text(0), row.text(2));
-  return {};
+  return verify_sqlite_pages(connection_, found_.problems);
 }
 
 /// PostgreSQL checks references when they are written, which who takes the triggers away can prevent.

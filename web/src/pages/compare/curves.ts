@@ -8,8 +8,8 @@ import { texts } from '../../i18n/texts';
 import { position_unit, unit_sign } from '../../numbers';
 
 const t = texts({
-  position: ['Position', 'Position'],
-  deviation: ['Mean deviation', 'Mittlere Abweichung'],
+  position: 'Position',
+  deviation: 'Mean deviation',
 });
 
 export type Curve = 'mean' | 'up' | 'down' | 'both';

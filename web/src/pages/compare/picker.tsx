@@ -8,13 +8,13 @@ import { use_settled } from '../../components/settled';
 import { texts } from '../../i18n/texts';
 
 const t = texts({
-  add: ['Add a test', 'Prüfung hinzufügen'],
-  search: ['Search by title, machine or file', 'Nach Titel, Maschine oder Datei suchen'],
-  same_axis: ['Tests of the same axis', 'Prüfungen derselben Achse'],
-  recent: ['Recent tests', 'Jüngste Prüfungen'],
-  found: ['Found', 'Gefunden'],
-  none: ['No other test fits.', 'Keine weitere Prüfung passt.'],
-  full: ['Eight tests are the most that a chart keeps legible.', 'Mehr als acht Prüfungen bleiben in einem Diagramm nicht lesbar.'],
+  add: 'Add a test',
+  search: 'Search by title, machine or file',
+  same_axis: 'Tests of the same axis',
+  recent: 'Recent tests',
+  found: ['Found', 'search'],
+  none: 'No other test fits.',
+  full: 'Eight tests are the most that a chart keeps legible.',
 });
 
 const settle_ms = 120;

@@ -3,24 +3,24 @@
 import { texts } from '../../i18n/texts';
 
 const nouns = {
-  test: ['test', 'Prüfung'], machine: ['machine', 'Maschine'], axis: ['axis', 'Achse'], instrument: ['instrument', 'Messmittel'],
-  plan: ['plan', 'Prüfplan'], document: ['document', 'Dokument'], store: ['store', 'Archiv'], content: ['content', 'Inhalt'],
-  report: ['report', 'Bericht'], attachment: ['attachment', 'Anlage'], calibration: ['calibration', 'Kalibrierung'],
-  compensation: ['table', 'Tabelle', 'compensation'],
+  test: 'test', machine: 'machine', axis: 'axis', instrument: 'instrument',
+  plan: ['plan', 'asset'], document: 'document', store: 'store', content: 'content',
+  report: 'report', attachment: 'attachment', calibration: 'calibration',
+  compensation: ['table', 'compensation'],
 } as const;
 const verbs = {
-  received: ['received', 'eingegangen', 'action'], revised: ['revised', 'überarbeitet', 'action'], added: ['added', 'angelegt', 'action'],
-  changed: ['changed', 'geändert', 'action'], withdrawn: ['withdrawn', 'zurückgezogen', 'action'],
-  reinstated: ['reinstated', 'wieder aufgenommen', 'action'], issued: ['issued', 'ausgegeben', 'action'],
-  attached: ['attached', 'angehängt', 'action'], kept: ['kept', 'gespeichert', 'action'], restored: ['restored', 'wiederhergestellt', 'action'],
-  created: ['created', 'angelegt', 'action'], migrated: ['migrated', 'umgestellt', 'action'],
+  received: ['received', 'action'], revised: ['revised', 'action'], added: ['added', 'action'],
+  changed: ['changed', 'action'], withdrawn: ['withdrawn', 'action'],
+  reinstated: ['reinstated', 'action'], issued: ['issued', 'action'],
+  attached: ['attached', 'action'], kept: ['kept', 'action'], restored: ['restored', 'action'],
+  created: ['created', 'action'], migrated: ['migrated', 'action'],
 } as const;
 /** What an entry tells beside its subject, by the names that the archive gives it. */
 const details = {
-  version: ['version', 'Version', 'detail'], sha256: ['SHA-256', 'SHA-256'], content: ['content', 'Inhalt'], file: ['file', 'Datei', 'detail'],
-  format: ['format', 'Format', 'detail'], name_in_file: ['name within the file', 'Name in der Datei'], size: ['bytes', 'Bytes', 'detail'],
-  name: ['name', 'Name', 'detail'], test: ['test', 'Prüfung'], test_version: ['version of the test', 'Version der Prüfung'],
-  tests: ['tests', 'Prüfungen', 'detail'], entries: ['entries', 'Einträge', 'detail'],
+  version: ['version', 'detail'], sha256: 'SHA-256', content: 'content', file: ['file', 'detail'],
+  format: ['format', 'detail'], name_in_file: 'name within the file', size: ['bytes', 'detail'],
+  name: ['name', 'detail'], test: 'test', test_version: 'version of the test',
+  tests: ['tests', 'detail'], entries: ['entries', 'detail'],
 } as const;
 const detail_text = texts(details);
 const noun_text = texts(nouns);

@@ -8,14 +8,14 @@ import { plain_symbol } from './figures_text';
 import { record_method } from './record_choice';
 
 export const t = texts({
-  position: ['Position', 'Position'],
-  deviation: ['Deviation', 'Abweichung'],
-  run: ['run {run} {arrow}', 'Durchlauf {run} {arrow}'],
-  measured: ['as measured, run {run} {arrow}', 'wie gemessen, Durchlauf {run} {arrow}'],
-  mean_up: ['mean ↑', 'Mittel ↑'],
-  mean_down: ['mean ↓', 'Mittel ↓'],
-  mean: ['mean of both', 'Mittel beider'],
-  limit: ['limit of {symbol}: {value} {unit} in all', 'Grenzwert {symbol}: {value} {unit} insgesamt'],
+  position: 'Position',
+  deviation: 'Deviation',
+  run: 'run {run} {arrow}',
+  measured: 'as measured, run {run} {arrow}',
+  mean_up: 'mean ↑',
+  mean_down: 'mean ↓',
+  mean: 'mean of both',
+  limit: 'limit of {symbol}: {value} {unit} in all',
 });
 
 export type Way = 'up' | 'down';

@@ -7,10 +7,10 @@ import { Mark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
 
 const t = texts({
-  title: ['What may be claimed', 'Was behauptet werden darf'],
-  holds: ['holds', 'gilt'],
-  fails: ['does not hold', 'trifft nicht zu'],
-  missing: ['{n} {n|point is|points are} missing', '{n} {n|Punkt fehlt|Punkte fehlen}'],
+  title: 'What may be claimed',
+  holds: 'holds',
+  fails: 'does not hold',
+  missing: '{n} {n|point is|points are} missing',
 });
 
 export function Claims({ claims }: { claims: readonly Claim[] }) {

@@ -4,14 +4,14 @@ import { texts } from '../../i18n/texts';
 import { parsed, shortest } from '../../numbers';
 
 const t = texts({
-  uniform: ['uniform from {0} to {1}', 'Rechteck von {0} bis {1}'],
-  triangular: ['triangular from {0} to {1}', 'Dreieck von {0} bis {1}'],
-  arcsine: ['arcsine from {0} to {1}', 'Arkussinus von {0} bis {1}'],
-  trapezoidal: ['trapezoidal from {0} to {1}, top to base {2}', 'Trapez von {0} bis {1}, Oberseite zu Grundseite {2}'],
-  ctrap: ['uniform from {0} to {1}, limits ± {2}', 'Rechteck von {0} bis {1}, Grenzen ± {2}'],
-  constant: ['constant {0}', 'konstant {0}'],
-  normal: ['normal, mean {0}, standard deviation {1}', 'normal, Mittelwert {0}, Standardabweichung {1}'],
-  t: ['t with {0} degrees of freedom, location {1}, scale {2}', 't mit {0} Freiheitsgraden, Lage {1}, Skala {2}'],
+  uniform: 'uniform from {0} to {1}',
+  triangular: 'triangular from {0} to {1}',
+  arcsine: 'arcsine from {0} to {1}',
+  trapezoidal: 'trapezoidal from {0} to {1}, top to base {2}',
+  ctrap: 'uniform from {0} to {1}, limits ± {2}',
+  constant: 'constant {0}',
+  normal: 'normal, mean {0}, standard deviation {1}',
+  t: 't with {0} degrees of freedom, location {1}, scale {2}',
 });
 
 const forms = { constant: 1, uniform: 2, triangular: 2, arcsine: 2, trapezoidal: 3, ctrap: 3, normal: 2, t: 3 } as const;

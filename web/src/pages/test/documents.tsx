@@ -8,17 +8,17 @@ import { bytes, when } from '../../numbers';
 import { failure_of, type TestState } from './state';
 
 const t = texts({
-  title: ['Documents', 'Dokumente'],
-  none: ['No issued report and no attachment yet.', 'Noch kein ausgegebener Bericht und keine Anlage.'],
-  attach: ['Attach files', 'Dateien anhängen'],
-  attaching: ['Attaching …', 'Wird angehängt …'],
-  name: ['Name', 'Name'],
-  kind: ['Kind', 'Art'],
-  report: ['issued report', 'ausgegebener Bericht'],
-  attachment: ['attachment', 'Anlage'],
-  version: ['Of version', 'Zu Version'],
-  size: ['Size', 'Größe'],
-  added: ['Added', 'Hinzugefügt'],
+  title: 'Documents',
+  none: 'No issued report and no attachment yet.',
+  attach: 'Attach files',
+  attaching: 'Attaching …',
+  name: 'Name',
+  kind: 'Kind',
+  report: 'issued report',
+  attachment: 'attachment',
+  version: 'Of version',
+  size: 'Size',
+  added: 'Added',
 });
 
 /** Issued reports and attachments: kept as they are for good. */

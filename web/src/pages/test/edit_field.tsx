@@ -11,22 +11,21 @@ import { value_words } from './field_words';
 import type { TestState } from './state';
 
 const t = texts({
-  not_given: ['not given', 'nicht angegeben'],
-  file_says: ['In the file: {value}', 'In der Datei: {value}'],
-  instrument_says: ['From {name}: {value}', 'Von {name}: {value}'],
-  archive_says: ['Calibration from the archive: {value}', 'Kalibrierung aus dem Archiv: {value}'],
-  axis_says: ['Limit of the axis: {value}', 'Grenzwert der Achse: {value}'],
-  over_axis: ['Takes the place of the limit of the axis: {value}', 'Tritt an die Stelle des Grenzwerts der Achse: {value}'],
-  clear: ['Clear', 'Leeren'],
-  clear_field: ['Clear {title}', '{title} leeren'],
-  file_silent: ['Not in the file', 'Nicht in der Datei'],
-  no_number: ['“{text}” is not a number', '„{text}“ ist keine Zahl'],
-  too_small: ['Expected: at least {minimum}', 'Erwartet: mindestens {minimum}'],
-  too_large: ['Expected: at most {maximum}', 'Erwartet: höchstens {maximum}'],
-  'uncertainty.distributions': ['An input by its name, such as machine_temperature, and the distribution that replaces its own: “triangular 1.5 2.5” is a triangle from 1.5 to 2.5. An input “scale:optics” with “normal 0 0.2” is added, and acts on the whole scale.',
-                                'Eine Eingangsgröße mit ihrem Namen, etwa machine_temperature, und die Verteilung, die ihre eigene ersetzt: „triangular 1.5 2.5“ ist ein Dreieck von 1,5 bis 2,5. Eine Eingangsgröße „scale:optics“ mit „normal 0 0.2“ kommt hinzu und wirkt auf den ganzen Maßstab.'],
-  undo: ['Undo', 'Zurücknehmen'],
-  undo_field: ['Undo the change of {title}', 'Änderung von {title} zurücknehmen'],
+  not_given: 'not given',
+  file_says: 'In the file: {value}',
+  instrument_says: 'From {name}: {value}',
+  archive_says: 'Calibration from the archive: {value}',
+  axis_says: 'Limit of the axis: {value}',
+  over_axis: 'Takes the place of the limit of the axis: {value}',
+  clear: 'Clear',
+  clear_field: 'Clear {title}',
+  file_silent: 'Not in the file',
+  no_number: '“{text}” is not a number',
+  too_small: 'Expected: at least {minimum}',
+  too_large: 'Expected: at most {maximum}',
+  'uncertainty.distributions': 'An input by its name, such as machine_temperature, and the distribution that replaces its own: “triangular 1.5 2.5” is a triangle from 1.5 to 2.5. An input “scale:optics” with “normal 0 0.2” is added, and acts on the whole scale.',
+  undo: 'Undo',
+  undo_field: 'Undo the change of {title}',
 });
 
 /** One field of the metadata: what is typed becomes a change at once; what the file says stands below. */

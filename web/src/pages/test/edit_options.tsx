@@ -9,21 +9,21 @@ import { record_method } from './record_choice';
 import { method_field, type TestState } from './state';
 
 const t = texts({
-  title: ['Evaluation', 'Auswertung'],
-  gum: ['Uncertainty by the GUM', 'Unsicherheit nach GUM'],
-  monte_carlo: ['Uncertainty by Monte Carlo', 'Unsicherheit nach Monte Carlo'],
-  at_once: ['It is of record, and follows every change.', 'Es ist maßgeblich und folgt jeder Änderung.'],
-  trials: ['Trials', 'Versuche'],
-  trials_hint: ['Empty: until two digits are stable.', 'Leer: bis zwei Stellen stabil sind.'],
-  seed: ['Seed', 'Startwert'],
-  coverage: ['Coverage, %', 'Überdeckung, %'],
-  run: ['Run Monte Carlo', 'Monte Carlo rechnen'],
-  running: ['Drawing trials …', 'Versuche werden gezogen …'],
-  corrections: ['Corrections of readings', 'Korrekturen der Messwerte'],
-  on: ['{n} of {all}', '{n} von {all}'],
-  corrections_hint: ['The readings stay in the archive as they were measured.', 'Die Messwerte bleiben im Archiv, wie sie gemessen wurden.'],
-  whole: ['Expected: a whole number from {low} to {high}', 'Erwartet: eine ganze Zahl von {low} bis {high}'],
-  percent: ['Expected: more than 50 and less than 100', 'Erwartet: mehr als 50 und weniger als 100'],
+  title: 'Evaluation',
+  gum: 'Uncertainty by the GUM',
+  monte_carlo: 'Uncertainty by Monte Carlo',
+  at_once: 'It is of record, and follows every change.',
+  trials: 'Trials',
+  trials_hint: 'Empty: until two digits are stable.',
+  seed: 'Seed',
+  coverage: 'Coverage, %',
+  run: 'Run Monte Carlo',
+  running: 'Drawing trials …',
+  corrections: 'Corrections of readings',
+  on: '{n} of {all}',
+  corrections_hint: 'The readings stay in the archive as they were measured.',
+  whole: 'Expected: a whole number from {low} to {high}',
+  percent: 'Expected: more than 50 and less than 100',
 });
 
 /** Methods, sampling and corrections: how the test is evaluated, beside its metadata. */

@@ -12,20 +12,19 @@ import { SaveDialog } from './save_dialog';
 import { method_field, type TestState } from './state';
 
 const t = texts({
-  title: ['Edit', 'Bearbeiten'],
-  name: ['Title of the test', 'Titel der Prüfung'],
-  search: ['Search the fields', 'Felder durchsuchen'],
-  only_changed: ['Changed', 'Geändert'],
-  only_missing: ['Missing', 'Fehlend', 'fields'],
-  none: ['No field fits.', 'Kein Feld passt.'],
-  unchanged: ['Nothing changed yet. Every change shows in all numbers at once; nothing is kept until it is saved as a new version.',
-              'Noch nichts geändert. Jede Änderung zeigt sich sofort in allen Zahlen; gespeichert wird erst als neue Version.'],
-  changes: ['{count} changed, not saved', '{count} geändert, nicht gespeichert'],
-  faults: ['{count} cannot be used', '{count} nicht verwendbar'],
-  restored: ['These unsaved changes were restored.', 'Diese ungespeicherten Änderungen wurden wiederhergestellt.'],
-  save: ['Save as version {version}', 'Als Version {version} speichern'],
-  discard: ['Discard', 'Verwerfen'],
-  given: ['{given} of {all}', '{given} von {all}'],
+  title: 'Edit',
+  name: 'Title of the test',
+  search: 'Search the fields',
+  only_changed: 'Changed',
+  only_missing: ['Missing', 'fields'],
+  none: 'No field fits.',
+  unchanged: 'Nothing changed yet. Every change shows in all numbers at once; nothing is kept until it is saved as a new version.',
+  changes: '{count} changed, not saved',
+  faults: '{count} cannot be used',
+  restored: 'These unsaved changes were restored.',
+  save: 'Save as version {version}',
+  discard: 'Discard',
+  given: '{given} of {all}',
 });
 
 /** What is worked on most often comes first. */

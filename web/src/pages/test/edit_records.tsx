@@ -6,9 +6,9 @@ import { marked, parsed } from '../../numbers';
 import { records_of, records_text } from './field_value';
 
 const t = texts({
-  add: ['Add a row', 'Zeile hinzufügen'],
-  remove: ['Remove row {row}', 'Zeile {row} entfernen'],
-  row: ['{title}, row {row}', '{title}, Zeile {row}'],
+  add: 'Add a row',
+  remove: 'Remove row {row}',
+  row: '{title}, row {row}',
 });
 
 interface Props {

@@ -4,19 +4,19 @@ import type { Field } from '../../api/types';
 import { texts } from '../../i18n/texts';
 
 const t = texts({
-  test: ['Test', 'Prüfung'],
-  machine: ['Machine', 'Maschine'],
-  axis: ['Axis', 'Achse'],
-  equipment: ['Test equipment', 'Messmittel'],
-  nde: ['Thermal expansion (NDE)', 'Wärmedehnung (NDE)'],
-  sensors: ['Temperature sensors', 'Temperatursensoren'],
-  environment: ['Environment', 'Umgebung'],
-  instrument: ['Instrument settings', 'Geräteeinstellungen'],
-  artefact: ['Artefact', 'Prüfkörper'],
-  tolerance: ['Tolerances', 'Toleranzen'],
-  uncertainty: ['Uncertainty inputs', 'Eingangsgrößen der Unsicherheit'],
-  drift: ['Environmental variation', 'Umgebungsschwankung'],
-  tracking: ['Tracking interferometer', 'nachführendes Interferometer'],
+  test: 'Test',
+  machine: 'Machine',
+  axis: 'Axis',
+  equipment: 'Test equipment',
+  nde: 'Thermal expansion (NDE)',
+  sensors: 'Temperature sensors',
+  environment: 'Environment',
+  instrument: 'Instrument settings',
+  artefact: 'Artefact',
+  tolerance: 'Tolerances',
+  uncertainty: 'Uncertainty inputs',
+  drift: 'Environmental variation',
+  tracking: 'Tracking interferometer',
 });
 
 const titled = ['test', 'machine', 'axis', 'equipment', 'nde', 'sensors', 'environment', 'instrument', 'artefact', 'tolerance', 'uncertainty', 'drift', 'tracking'] as const;

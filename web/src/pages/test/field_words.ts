@@ -7,19 +7,19 @@ import { count } from '../../numbers';
 import { field_unit, is_recording, numbers_in, stated_text, typed_text } from './field_value';
 
 const t = texts({
-  not_given: ['not given', 'nicht angegeben'],
-  yes: ['yes', 'ja'],
-  no: ['no', 'nein'],
-  linear: ['linear', 'Linearachse'],
-  quadratic: ['root of the squares', 'Wurzel der Quadratsumme'],
-  unknown: ['unknown: whatever the readings allow', 'unbekannt: was die Messwerte zulassen'],
-  white: ['white: from reading to reading', 'weiß: von Messwert zu Messwert'],
-  drift: ['drift: slowly', 'Drift: langsam'],
-  'random-walk': ['random walk: in steps that add up', 'Irrfahrt: in Schritten, die sich summieren'],
-  recorded: ['{n} numbers', '{n} Zahlen'],
-  rotary: ['rotary', 'Drehachse'],
-  'this-test': ['this test', 'diese Prüfung'],
-  'this-machine': ['this machine', 'diese Maschine'],
+  not_given: 'not given',
+  yes: 'yes',
+  no: 'no',
+  linear: 'linear',
+  quadratic: 'root of the squares',
+  unknown: 'unknown: whatever the readings allow',
+  white: 'white: from reading to reading',
+  drift: 'drift: slowly',
+  'random-walk': 'random walk: in steps that add up',
+  recorded: '{n} numbers',
+  rotary: 'rotary',
+  'this-test': 'this test',
+  'this-machine': 'this machine',
 });
 
 const own_words = ['yes', 'no', 'linear', 'rotary', 'this-test', 'this-machine', 'quadratic', 'unknown', 'white', 'drift', 'random-walk'] as const;

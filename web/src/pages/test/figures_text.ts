@@ -7,13 +7,13 @@ import { decimals_of, shortest } from '../../numbers';
 export type { Shown } from '../../api/types';
 
 const t = texts({
-  axis: ['axis', 'Achse'],
-  table: ['table', 'Tabelle'],
-  test: ['file', 'Datei'],
-  entered: ['entered', 'eingegeben'],
-  user: ['option', 'Option'],
-  one: ['{limit} ({source})', '{limit} ({source})'],
-  replaces: ['replaces {list}', 'statt {list}'],
+  axis: 'axis',
+  table: 'table',
+  test: 'file',
+  entered: 'entered',
+  user: 'option',
+  one: '{limit} ({source})',
+  replaces: 'replaces {list}',
 });
 
 export const all_parameters: readonly Parameter[] = [

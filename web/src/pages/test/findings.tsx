@@ -9,16 +9,16 @@ import { field_unit, stated_text } from './field_value';
 import type { TestState } from './state';
 
 const t = texts({
-  title: ['Findings', 'Feststellungen'],
-  none: ['Nothing to remark.', 'Nichts zu bemerken.'],
-  departure: ['Departures from the standard', 'Abweichungen von der Norm'],
-  missing: ['Missing', 'Fehlende Angaben', 'findings'],
-  note: ['Notes', 'Hinweise', 'findings'],
-  entries: ['{n} {n|entry|entries}', '{n} {n|Angabe|Angaben}'],
-  fill_in: ['Fill in:', 'Ergänzen:'],
-  clause: ['clause {clause}', 'Abschnitt {clause}'],
-  source: ['from the file', 'aus der Datei'],
-  expected: ['Not given, but expected in the report:', 'Nicht angegeben, im Bericht aber erwartet:'],
+  title: 'Findings',
+  none: 'Nothing to remark.',
+  departure: 'Departures from the standard',
+  missing: ['Missing', 'findings'],
+  note: ['Notes', 'findings'],
+  entries: '{n} {n|entry|entries}',
+  fill_in: 'Fill in:',
+  clause: 'clause {clause}',
+  source: 'from the file',
+  expected: 'Not given, but expected in the report:',
 });
 
 const severities = ['departure', 'missing', 'note'] as const;

@@ -12,15 +12,15 @@ import type { TestState } from './state';
 import { Withheld } from './withheld';
 
 const t = texts({
-  glance: ['At a glance', 'Auf einen Blick'],
-  kept: ['kept', 'gespeichert'],
-  of_limit: ['limit {limit}', 'Grenzwert {limit}'],
-  not_decided: ['an effect is not corrected', 'ein Einfluss ist nicht korrigiert'],
-  A: ['positioning error', 'Positioniergenauigkeit'],
-  E: ['systematic error', 'syst. Abweichung'],
-  R: ['repeatability', 'Wiederholpräzision'],
-  B: ['reversal error', 'Umkehrspanne'],
-  M: ['mean error', 'mittlere Abweichung'],
+  glance: 'At a glance',
+  kept: ['kept', 'archive'],
+  of_limit: 'limit {limit}',
+  not_decided: 'an effect is not corrected',
+  A: 'positioning error',
+  E: 'systematic error',
+  R: 'repeatability',
+  B: 'reversal error',
+  M: 'mean error',
 });
 
 /** What the kept version says, where the draft says something else. */

@@ -5,15 +5,15 @@ import { texts } from '../../i18n/texts';
 import { decimals_for, fixed, marked } from '../../numbers';
 
 const t = texts({
-  picture: ['Distribution of {symbol} over the trials', 'Verteilung von {symbol} über die Versuche'],
-  value: ['measured', 'gemessen'],
-  mean: ['mean', 'Mittelwert'],
-  u: ['u', 'u'],
-  stated: ['{percent} % interval', '{percent}-%-Intervall'],
-  refused: ['No interval is stated: {reason}.', 'Es wird kein Intervall angegeben: {reason}.'],
-  of_one: ['Mean, u and histogram are those of the hypothesis about the noise with the largest u; the interval holds for all of them.', 'Mittel, u und Histogramm gehören zu der Annahme über das Rauschen mit dem größten u; das Intervall gilt für alle.'],
-  trials: ['{trials} trials, seed {seed}', '{trials} Versuche, Startwert {seed}'],
-  unstable: ['the last digit is not yet stable', 'die letzte Stelle ist noch nicht stabil'],
+  picture: 'Distribution of {symbol} over the trials',
+  value: 'measured',
+  mean: 'mean',
+  u: 'u',
+  stated: '{percent} % interval',
+  refused: 'No interval is stated: {reason}.',
+  of_one: 'Mean, u and histogram are those of the hypothesis about the noise with the largest u; the interval holds for all of them.',
+  trials: '{trials} trials, seed {seed}',
+  unstable: 'the last digit is not yet stable',
 });
 
 const width = 520;

@@ -4,8 +4,7 @@ import { texts } from '../../i18n/texts';
 import { shown_of } from './figures_text';
 
 const t = texts({
-  smaller: ['For information, not a parameter of the standard: the smaller of R↑ and R↓ is {value} {unit}.',
-            'Nur zur Information, kein Kennwert der Norm: der kleinere Wert von R↑ und R↓ ist {value} {unit}.'],
+  smaller: 'For information, not a parameter of the standard: the smaller of R↑ and R↓ is {value} {unit}.',
 });
 
 /** What somebody asked to be told beside the parameters of the standard. */

@@ -9,10 +9,10 @@ import { decimal, language, screen_theme } from '../../settings';
 import type { TestState } from './state';
 
 const t = texts({
-  title: ['Figures of the report', 'Bilder des Berichts'],
-  choose: ['Figure', 'Bild', 'picture'],
-  save: ['Save as SVG', 'Als SVG speichern'],
-  kept: ['Of version {version}, without the unsaved changes.', 'Von Version {version}, ohne die ungespeicherten Änderungen.'],
+  title: 'Figures of the report',
+  choose: ['Figure', 'picture'],
+  save: 'Save as SVG',
+  kept: 'Of version {version}, without the unsaved changes.',
 });
 
 /** The figures as the library draws them, which reports hold and exports are. */

@@ -9,18 +9,18 @@ import { limit_words, plain_symbol, shown_of, uncertainty_words } from './figure
 import { record_method } from './record_choice';
 
 const t = texts({
-  title: ['Limits and verdicts', 'Grenzwerte und Entscheidungen'],
-  none: ['No limit changes, and no verdict turns.', 'Kein Grenzwert ändert sich, und keine Entscheidung kippt.'],
-  added: ['a limit of {now}, where there was none', 'Grenzwert {now}, wo es keinen gab'],
-  replaces: ['{now} takes the place of {was}', '{now} tritt an die Stelle von {was}'],
-  restated: ['{now}, as {was} says too', '{now}, wie auch {was} sagt'],
-  back: ['{was} is dropped; {now} holds again', '{was} entfällt; wieder gilt {now}'],
-  dropped: ['{was} is dropped; no limit is left', '{was} entfällt; es bleibt kein Grenzwert'],
-  unchanged: ['Limits that stay: {list}', 'Unveränderte Grenzwerte: {list}'],
-  record: ['Uncertainty of record: {was} → {now}', 'Maßgebliche Unsicherheit: {was} → {now}'],
-  no_record: ['none', 'keine'],
-  becomes: ['becomes', 'wird zu'],
-  together: ['All together', 'Alle zusammen'],
+  title: 'Limits and verdicts',
+  none: 'No limit changes, and no verdict turns.',
+  added: 'a limit of {now}, where there was none',
+  replaces: '{now} takes the place of {was}',
+  restated: '{now}, as {was} says too',
+  back: '{was} is dropped; {now} holds again',
+  dropped: '{was} is dropped; no limit is left',
+  unchanged: 'Limits that stay: {list}',
+  record: 'Uncertainty of record: {was} → {now}',
+  no_record: ['none', 'nothing'],
+  becomes: 'becomes',
+  together: 'All together',
 });
 
 /** Who gives way to whom, the first to all others. */

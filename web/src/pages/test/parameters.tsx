@@ -14,22 +14,20 @@ import { record_method } from './record_choice';
 import type { TestState } from './state';
 
 const t = texts({
-  title: ['Parameters', 'Kennwerte'],
-  parameter: ['Parameter', 'Kennwert'],
-  name: ['Name', 'Name'],
-  value: ['Value', 'Wert'],
-  limit: ['Limit', 'Grenzwert'],
-  against: ['Value against limit', 'Wert und Grenzwert'],
-  verdict: ['Verdict', 'Entscheidung'],
-  no_uncertainty: ['no uncertainty stated', 'ohne Angabe der Unsicherheit'],
-  interval: ['Interval', 'Intervall', 'coverage'],
-  of_record: ['of record', 'maßgeblich'],
-  compared: ['for comparison', 'zum Vergleich'],
-  units: ['Values in {unit}.', 'Werte in {unit}.'],
-  units_U: ['Values in {unit}. U: expanded uncertainty, about 95 %. Of record is {method}, which decides.',
-            'Werte in {unit}. U: erweiterte Unsicherheit, rund 95 %. Maßgeblich ist {method}; danach wird entschieden.'],
-  units_interval: ['Values in {unit}. Of record is the interval by {method}, which decides.',
-                   'Werte in {unit}. Maßgeblich ist das Intervall nach {method}; danach wird entschieden.'],
+  title: 'Parameters',
+  parameter: 'Parameter',
+  name: 'Name',
+  value: 'Value',
+  limit: 'Limit',
+  against: 'Value against limit',
+  verdict: 'Verdict',
+  no_uncertainty: 'no uncertainty stated',
+  interval: ['Interval', 'coverage'],
+  of_record: 'of record',
+  compared: 'for comparison',
+  units: 'Values in {unit}.',
+  units_U: 'Values in {unit}. U: expanded uncertainty, about 95 %. Of record is {method}, which decides.',
+  units_interval: 'Values in {unit}. Of record is the interval by {method}, which decides.',
 });
 
 /** What stands beside the uncertainty of record, and decides nothing. */

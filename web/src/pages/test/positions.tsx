@@ -10,16 +10,16 @@ import { position_decimals, type Quantity } from './figures_text';
 import type { TestState } from './state';
 
 const t = texts({
-  title: ['Positions', 'Positionen'],
-  target: ['Target', 'Zielposition'],
-  all_readings: ['All single readings', 'Alle einzelnen Messwerte'],
-  all_digits: ['All digits', 'Alle Stellen'],
-  readings_at: ['Single readings at {target}', 'Einzelne Messwerte bei {target}'],
-  run: ['Run', 'Durchlauf'],
-  measured: ['as measured', 'gemessen'],
-  decides: ['decides {symbol}', 'bestimmt {symbol}'],
-  note: ['Deviations in {unit}. Strong: decides a parameter of the axis.', 'Abweichungen in {unit}. Fett: bestimmt einen Kennwert der Achse.'],
-  number: ['No.', 'Nr.'],
+  title: 'Positions',
+  target: 'Target',
+  all_readings: 'All single readings',
+  all_digits: 'All digits',
+  readings_at: 'Single readings at {target}',
+  run: ['Run', 'approach'],
+  measured: 'as measured',
+  decides: 'decides {symbol}',
+  note: 'Deviations in {unit}. Strong: decides a parameter of the axis.',
+  number: 'No.',
 });
 
 const columns: readonly (readonly [Quantity, string, string])[] = [

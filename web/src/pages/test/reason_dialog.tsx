@@ -10,10 +10,10 @@ import { actor } from '../../settings';
 import { failure_of } from './state';
 
 const t = texts({
-  reason: ['Reason (required)', 'Grund (Pflichtangabe)'],
-  name: ['Name for the audit trail', 'Name für den Änderungsnachweis'],
-  hint: ['Without a name, “workbench” stands there.', 'Ohne Namen steht dort „workbench“.'],
-  cancel: ['Cancel', 'Abbrechen'],
+  reason: 'Reason (required)',
+  name: 'Name for the audit trail',
+  hint: 'Without a name, “workbench” stands there.',
+  cancel: 'Cancel',
 });
 
 interface Props {

@@ -6,13 +6,12 @@ import { texts } from '../../i18n/texts';
 import { method_field, type TestState } from './state';
 
 const t = texts({
-  of_record: ['Uncertainty of record', 'Maßgebliche Unsicherheit'],
-  by_default: ['by default: {method}', 'als Vorgabe: {method}'],
-  by_default_alone: ['by default', 'als Vorgabe'],
-  decides: ['It stands with every value and decides; other methods are shown for comparison.',
-            'Sie steht bei jedem Wert und entscheidet; andere Verfahren stehen zum Vergleich.'],
-  none: ['none stated', 'keine angegeben'],
-  running: ['Monte Carlo is drawing trials; the figures are those from before …', 'Monte Carlo zieht Versuche; die Zahlen sind noch die von vorher …'],
+  of_record: 'Uncertainty of record',
+  by_default: 'by default: {method}',
+  by_default_alone: 'by default',
+  decides: 'It stands with every value and decides; other methods are shown for comparison.',
+  none: 'none stated',
+  running: 'Monte Carlo is drawing trials; the figures are those from before …',
 });
 
 /** The method whose uncertainty stands with the results. */

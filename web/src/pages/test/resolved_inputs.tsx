@@ -6,12 +6,12 @@ import { texts } from '../../i18n/texts';
 import { shortest } from '../../numbers';
 
 const t = texts({
-  title: ['Inputs as resolved', 'Eingangsgrößen, wie sie zählen'],
-  symbol: ['Symbol', 'Zeichen'],
-  input: ['Input', 'Eingangsgröße'],
-  value: ['Value', 'Wert'],
-  origin: ['Origin', 'Herkunft'],
-  use: ['Used by', 'Verwendet von'],
+  title: 'Inputs as resolved',
+  symbol: 'Symbol',
+  input: 'Input',
+  value: 'Value',
+  origin: 'Origin',
+  use: 'Used by',
 });
 
 const value_text = ({ value, unit }: ResolvedInput): string =>

@@ -11,17 +11,17 @@ import { keep_draft } from './draft_store';
 import { test_path, type TestState } from './state';
 
 const t = texts({
-  title: ['Versions', 'Versionen'],
-  version: ['Version', 'Version'],
-  made: ['Saved', 'Gespeichert'],
-  by: ['By', 'Von'],
-  reason: ['Reason', 'Grund'],
-  shown: ['shown', 'angezeigt'],
-  received: ['received', 'eingegangen'],
-  compare: ['What changed since version {version}', 'Was sich seit Version {version} geändert hat'],
-  old: ['This is version {version} of {latest}.', 'Dies ist Version {version} von {latest}.'],
-  to_latest: ['Show version {latest}', 'Version {latest} zeigen'],
-  take_up: ['Edit from this version', 'Von dieser Version aus bearbeiten'],
+  title: 'Versions',
+  version: 'Version',
+  made: 'Saved',
+  by: 'By',
+  reason: 'Reason',
+  shown: 'shown',
+  received: 'received',
+  compare: 'What changed since version {version}',
+  old: 'This is version {version} of {latest}.',
+  to_latest: 'Show version {latest}',
+  take_up: 'Edit from this version',
 });
 
 /** An older version is never taken for the last one. */

@@ -8,9 +8,9 @@ import { plain_symbol, withheld_of } from './figures_text';
 import type { TestState } from './state';
 
 const t = texts({
-  title: ['Undecided: {symbols}', 'Unentschieden: {symbols}'],
-  correct: ['Correct: {title}', 'Korrigieren: {title}'],
-  say: ['Say: {title}', 'Angeben: {title}'],
+  title: 'Undecided: {symbols}',
+  correct: 'Correct: {title}',
+  say: 'Say: {title}',
 });
 
 interface Reason { text: string; parameters: Parameter[] }

@@ -13,7 +13,7 @@ import { file_of, multilateration_options, new_coordinates, polar_options, type 
 import { t } from './coordinates_texts';
 import { t as t_page } from './texts';
 
-const most_bytes = 7_500_000;  // of all files together, as the server takes
+const most_bytes = { multilateration: 7_500_000, polar: 1_900_000 };  // of all files together, as the server takes
 
 /** What was sent, so that reports and tables are of the same. */
 export interface SentReadings { way: 'multilateration' | 'polar'; readings: readonly File[]; points: File | null; options: string }
@@ -29,7 +29,8 @@ export function readings_form({ way, readings, points, options }: SentReadings):
 
 async function found_by(sent: SentReadings, signal: AbortSignal): Promise<Coordinates> {
   const size = [...sent.readings, ...(sent.points ? [sent.points] : [])].reduce((sum, file) => sum + file.size, 0);
-  if (size > most_bytes) throw new ApiError('refused', t_page('too_large', { n: Math.round(size / 1000), most: most_bytes / 1000 }), 0);
+  const most = most_bytes[sent.way];
+  if (size > most) throw new ApiError('refused', t_page('too_large', { n: Math.round(size / 1000), most: most / 1000 }), 0);
   return (await made_of_files(`/api/tracking/${sent.way}${query({ decimal: decimal.value })}`, readings_form(sent), signal)).json() as Promise<Coordinates>;
 }
 
