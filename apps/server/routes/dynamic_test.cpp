@@ -23,9 +23,9 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// 10 mm/s, with 2 µm at 50 Hz on it.
-std::string recorded(int samples) {
+std::string recorded(int samples, std::string_view unit = "mm") {
   constexpr double rate = 1000.0, velocity = 10.0, amplitude = 0.002, frequency = 50.0;
-  std::string text = "time_s,position_mm\n";
+  std::string text = fmt::format("time_s,position_{}\n", unit);
   for (int k = 0; k < samples; ++k) {
     const double time = k / rate;
     text += fmt::format("{:.3f},{:.6f}\n", time,
@@ -39,10 +39,15 @@ class DynamicRoutes : public RouteTest {
   DynamicRoutes() : RouteTest("/api/dynamic") { add_dynamic_routes(router); }
 
   Response send(std::string body, const std::string& options = "", std::string_view path = "",
-                language::Language language = language::Language::english) const {
-    Pairs query = {{"name", "run.csv"}};
-    if (!options.empty()) query.emplace_back("options", options);
-    return ask("POST", path, std::move(body), std::move(query), "application/octet-stream", language);
+                language::Language language = language::Language::english, std::string name = "run.csv") const {
+    Request request;
+    request.method = "POST";
+    request.path = "/api/dynamic" + std::string(path);
+    if (!options.empty()) request.query = {{"options", options}};
+    request.headers = {{"content-type", "application/octet-stream"}, {"x-file-name", std::move(name)}};
+    request.body = std::move(body);
+    request.language = language;
+    return router.answer(request);
   }
 };
 
@@ -86,7 +91,7 @@ TEST_F(DynamicRoutes, thin_curves_to_a_screen_and_keep_their_extremes) {
 }
 
 TEST_F(DynamicRoutes, take_the_options_of_the_command_line) {
-  const Value part = value_of(send(recorded(2000), R"({"from_s": 0.5, "to_s": 1.0, "reverse": true, "window_s": 0.02,
+  const Value part = value_of(send(recorded(2000, "deg"), R"({"from_s": 0.5, "to_s": 1.0, "reverse": true, "window_s": 0.02,
     "even_percent": 50, "kind": "rotary"})"));
   EXPECT_EQ(part.find("samples")->number(), 501.0);
   EXPECT_EQ(part.find("unit")->text(), "°");
@@ -135,9 +140,7 @@ TEST_F(DynamicRoutes, write_reports_and_tables) {
 
 TEST_F(DynamicRoutes, look_for_no_file_of_the_name_and_skip_what_is_damaged_of_a_raw_one) {
   const std::string damaged = recorded(2000) + "lost\n";
-  const auto named = [&](const char* name) {
-    return ask("POST", "", damaged, {{"name", name}}, "application/octet-stream");
-  };
+  const auto named = [&](const char* name) { return send(damaged, "", "", language::Language::english, name); };
   EXPECT_EQ(named("run.raw").status, 200);
   EXPECT_EQ(named("run.txt").status, 422);
 }

@@ -166,7 +166,7 @@ TEST_F(RuleRoutes, SetTheComparisonAsADocumentButDrawNoEmptyPicture) {
   EXPECT_THAT(html.body, Not(HasSubstr("JIS B 0182")));
   EXPECT_EQ(get("/api/tests/1/rules/report.svg").status, 404);
   EXPECT_EQ(get("/api/tests/1/rules/report.PNG").status, 404);
-  EXPECT_THAT(get("/api/tests/1/rules/report.docx").body, HasSubstr("found a sheet as 'docx', expected one of"));
+  EXPECT_THAT(get("/api/tests/1/rules/report.docx").body, HasSubstr("found a sheet as \\\"docx\\\", expected one of"));
   const Value file = value_of(get("/api/tests/1/rules/report.json"));
   EXPECT_EQ(ids(file).size(), 9u);
   EXPECT_NE(file.find("metadata"), nullptr);
