@@ -71,6 +71,7 @@ def form(**parts):
     return (text + "--b--\r\n").encode()
 
 
+MACHINE = (ROOT / "tests/transcripts/volumetric.files/machine.json").read_text(encoding="utf-8")
 WRONG_FORMS = [form(lengths="a"), form(plan="{}"), form(plan="{}", lengths="a"), form(colour="red"), form(options="{"),
                form(options='{"foo": 1}'), form(options='{"tolerances": ["Q=1um"]}'), form(options='{"rule": "foo"}'),
                form(options='{"tolerances": ["A=1um", "A=2um"]}'), form(options='{"break_threshold_mm": 0}'),
@@ -80,6 +81,17 @@ WRONG_CALIBRATIONS = [form(kind="x"), form(kind="lines", lengths="a"), form(kind
                       form(about='{"measured_on": "soon"}'), form(about='{"machine": "x"}'),
                       *(form(kind="volumetric", lengths="a", machine="{}", options=options) for options in (
                           '{"spans": 0}', '{"spans": [1]}', '{"curves": "x"}', '{"find_breaks": 1}', '{"foo": 1}'))]
+RANGES = "station,point,length_mm,x_mm,y_mm,z_mm\nA,1,100,0,0,0\n"
+WRONG_RANGES = [form(colour="red"), form(points="a"), b"", *(form(ranges=RANGES, options=options) for options in (
+    "{", '{"foo": 1}', '{"scale": "x"}', '{"scale_prior_ppm": 1}', '{"scale_prior_ppm": 0}', '{"scale": "free", "scale_prior_ppm": 0}',
+    '{"ranging": "x"}', '{"ranging": "0um"}', '{"repeatability": "-1um"}', '{"repeatability": "x"}', '{"find_breaks": 1}'))]
+WRONG_POLAR = [form(colour="red"), form(points="a"), b"", *(form(readings=RANGES, options=options) for options in (
+    '{"instruments": ["=x"]}', '{"instruments": ["x"]}', '{"ranging": "leica-at901"}', '{"angles": "x"}', '{"in_station": true}'))]
+WRONG_SINGLES = [form(colour="red"), form(errors="a"), form(machine="{}"), b"", *(form(machine=MACHINE, errors="a", options=options) for options in (
+    '{"errors": []}', '{"errors": ["x"]}', '{"errors": ["EXX=other.x"]}', '{"errors": ["EXX=errors.x"], "at": ["x"]}', '{"errors": ["C0Y=1,1"]}',
+    '{"errors": ["EXX=errors.x"], "instruments": ["EYX=1"]}', '{"errors": ["EXX=errors.x"], "reversal": "constant"}'))]
+WRONG_MOTIONS = ['{"kind": "x"}', '{"stream": "x"}', '{"rate_hz": 0}', '{"stream_axis": 0}', '{"window_s": 0}', '{"even_percent": 51}',
+                 '{"skip_damaged": 1}', '{"foo": 1}', '{"from_s": "x"}']
 ENGLISH = re.compile(r"(?<![\w\"„'.-])(?:found|expected|the|of|with|and|one|not|no|is|are|must|some|twice|beside|from|to|by|"
                      r"whole|number|which|without|below|above|least|each|they|there|than)(?![\w\"“'.=-])")
 
@@ -119,12 +131,23 @@ def answers(program, tag):
         for content in WRONG_FORMS:
             yield ask("POST", "/api/tracking/evaluation", content, **{"Content-Type": "multipart/form-data; boundary=b"})
         yield ask("POST", "/api/tracking/evaluation", b"a", **{"Content-Type": "text/csv"})
+        for path, contents in (("tracking/multilateration", WRONG_RANGES), ("tracking/polar", WRONG_POLAR), ("volumetric/assembly", WRONG_SINGLES)):
+            for content in contents:
+                yield ask("POST", f"/api/{path}", content, **{"Content-Type": "multipart/form-data; boundary=b"})
+            yield ask("POST", f"/api/{path}", b"a", **{"Content-Type": "text/csv"})
+        for options in WRONG_MOTIONS:
+            yield ask("POST", "/api/dynamic?options=" + urllib.parse.quote(options), RECORDING, **{"X-File-Name": "run.csv"})
+        yield ask("POST", "/api/motions", form(kind="straightness", options='{"offset_mm": [1e6, 0, 0]}', readings="a"),
+                  **{"Content-Type": "multipart/form-data; boundary=b"})
         for content in WRONG_CALIBRATIONS:
             yield ask("POST", "/api/calibrations", content, **{"Content-Type": "multipart/form-data; boundary=b"})
         yield ask("POST", "/api/calibrations", b"a", **{"Content-Type": "text/csv"})
         for path in ("/api/calibrations?kind=x", "/api/calibrations?order=x", "/api/calibrations/99",
                      "/api/calibrations/1/comparison", "/api/calibrations/99/files/plan"):
             yield ask("GET", path)
+        for query in ("sha256=x", "machine=0", "from=2026-02-02&to=2026-01-01"):
+            yield ask("GET", f"/api/tests?{query}")
+        yield ask("GET", "/api/audit?subject=x")
         for path in ("/api/tests/99", "/api/machines/99", "/api/nothing", "/api/tests?limit=abc", "/api/tests/1/report.docx"):
             yield ask("GET", path)
         for body in ({}, {"name": ""}, {"name": 5}, {"name": "x" * 5000}):

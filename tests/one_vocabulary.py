@@ -43,7 +43,7 @@ def differences(tag):
 def ruled_out(tag):
     said = set(language_pairs.program_pairs(tag).values()) | set(language_pairs.page_pairs(tag).values())
     return [f'{tag}: "{text}" says "{word}"; docs/terms.md has another word'
-            for text in sorted(said) for word in RULED_OUT[tag] if re.search(rf"\b{word}", text, re.I)]
+            for text in sorted(said) for word in RULED_OUT.get(tag, ()) if re.search(rf"\b{word}", text, re.I)]
 
 
 def main():

@@ -226,6 +226,7 @@ class Archive:
             beside = path.with_name(path.name + ending)
             if beside.exists() and beside.stat().st_size:
                 raise ValueError(said.format(beside.name))
+        self.bytes = path.stat().st_size
         self.database = sqlite3.connect(path.as_uri() + "?immutable=1", uri=True)
         self.database.row_factory = sqlite3.Row
         if self.database.execute("PRAGMA application_id").fetchone()[0] != APPLICATION_ID:
@@ -266,6 +267,10 @@ class Archive:
                 self.problem(f"file: {row[0]}")
         for row in self.rows("PRAGMA foreign_key_check"):
             self.problem(f"{row[0]}: a row refers to one of {row[2]} that does not exist")
+        # SQLite reads zeros for what was cut off the last page, and passes over what stands behind it.
+        pages, each = (self.database.execute(f"PRAGMA {what}").fetchone()[0] for what in ("page_count", "page_size"))
+        if self.bytes != pages * each:
+            self.problem(f"file: {self.bytes} bytes, not {pages} pages of {each} bytes")
 
     def check_triggers(self):
         expected = expected_triggers()

@@ -10,6 +10,7 @@ import dataclasses
 import importlib.util
 import io
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -199,6 +200,9 @@ UNGUARDED = "CREATE TRIGGER audit_unchanged BEFORE UPDATE ON audit BEGIN SELECT 
 CASES = [
     Case("the last test without its lines", lambda path: delete_last_test(path, with_lines=False)),
     Case("the last test with all of its lines", delete_last_test, needs_seal=True),
+    Case("a byte behind the last page", lambda path: os.truncate(path, os.path.getsize(path) + 1)),
+    Case("a page behind the last one", lambda path: os.truncate(path, os.path.getsize(path) + 4096)),
+    Case("a byte cut off the last page", lambda path: os.truncate(path, os.path.getsize(path) - 1)),
     Case("a byte of a file", change("UPDATE content SET bytes = CAST(replace(CAST(bytes AS text), '0', '1') AS blob)")),
     Case("the bytes of a file with their hash", change(
         "UPDATE content SET bytes = CAST('abc' AS blob), size = 3, sha256 = 'ba7816bf8f01cfea414140de5dae2223b00361a396177a9c"

@@ -12,7 +12,7 @@ const in_english = {
   setup(building) {
     building.onResolve({ filter: /i18n\/texts$/ }, () => ({ path: 'texts', namespace: 'english' }));
     building.onLoad({ filter: /.*/, namespace: 'english' }, () => ({
-      contents: 'export const texts = (rows) => (key, values = {}) => (typeof rows[key] === 'string' ? rows[key] : rows[key][0]).replace(/\\{(\\w+)\\}/g, (_, name) => values[name]);',
+      contents: 'export const texts = (rows) => (key, values = {}) => (typeof rows[key] === "string" ? rows[key] : rows[key][0]).replace(/\\{(\\w+)\\}/g, (_, name) => values[name]);',
     }));
   },
 };

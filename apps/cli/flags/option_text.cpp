@@ -69,13 +69,12 @@ Result<language::Language> known_language(const std::string& word) {
 }  // namespace
 
 Flag add_language(const Verb& verb, report::Options& options, Flag decimal) {
-  return add_read(
-      verb, {"--language", "LANGUAGE", "Language of reports and sheets: " + language::tags_of_languages()},
-      [&options, decimal](const std::string& word) -> Result<void> {
-        AXIOMETRY_TRY(options.language, known_language(word));
-        if (decimal->count() == 0) options.numbers = language::usual_numbers(options.language);
-        return {};
-      });
+  return add_read(verb, {"--language", "LANGUAGE", "Language of reports and sheets: " + language::tags_of_languages()},
+                  [&options, decimal](const std::string& word) -> Result<void> {
+                    AXIOMETRY_TRY(options.language, known_language(word));
+                    if (decimal->count() == 0) options.numbers = language::usual_numbers(options.language);
+                    return {};
+                  });
 }
 
 Flag add_language(const Verb& verb) {

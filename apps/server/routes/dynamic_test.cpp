@@ -53,8 +53,7 @@ class DynamicRoutes : public RouteTest {
 
 TEST_F(DynamicRoutes, answer_what_the_command_line_writes_and_curves) {
   const std::string recording = recorded(2000);
-  const auto measured =
-      app::measure_dynamic(app::GivenFile{"run.csv", recording}, app::DynamicOptions{.feed = 600.0});
+  const auto measured = app::measure_dynamic(app::GivenFile{"run.csv", recording}, app::DynamicOptions{.feed = 600.0});
   ASSERT_TRUE(measured) << measured.error().to_string();
   const std::string written = json::dump(app::to_json(*measured));
   EXPECT_EQ(send(recording, R"({"feed_per_min": 600})", "/report.json").body, written + "\n");
@@ -91,7 +90,8 @@ TEST_F(DynamicRoutes, thin_curves_to_a_screen_and_keep_their_extremes) {
 }
 
 TEST_F(DynamicRoutes, take_the_options_of_the_command_line) {
-  const Value part = value_of(send(recorded(2000, "deg"), R"({"from_s": 0.5, "to_s": 1.0, "reverse": true, "window_s": 0.02,
+  const Value part =
+      value_of(send(recorded(2000, "deg"), R"({"from_s": 0.5, "to_s": 1.0, "reverse": true, "window_s": 0.02,
     "even_percent": 50, "kind": "rotary"})"));
   EXPECT_EQ(part.find("samples")->number(), 501.0);
   EXPECT_EQ(part.find("unit")->text(), "°");

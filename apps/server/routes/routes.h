@@ -39,7 +39,7 @@ void add_plan_routes(Router& router, const Context& context);       ///< plans, 
 void add_capture_routes(Router& router, const Context& context);    ///< live sources and captures
 void add_tracking_routes(Router& router);  ///< station, lines and evaluation of a tracking interferometer; keep nothing
 void add_coordinates_routes(Router& router);  ///< points from lengths, with angles or without; keep nothing
-void add_dynamic_routes(Router& router);   ///< recordings without standstills; keep nothing
+void add_dynamic_routes(Router& router);      ///< recordings without standstills; keep nothing
 void add_calibration_routes(Router& router, const Context& context);   ///< lines and the 21 errors that are kept
 void add_compensation_routes(Router& router, const Context& context);  ///< tables by which controls correct an axis
 void add_volumetric_routes(Router& router);  ///< plan, errors and field of a volumetric calibration; keep nothing

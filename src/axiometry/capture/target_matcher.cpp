@@ -258,8 +258,7 @@ Result<void> TargetMatcher::finish() {
                     "the zero",
                     std::min(zero_proof, approaches_.size()), waiting_.size()));
   const std::size_t missing = approaches_.size() - due_;
-  if (missing > 0)
-    event(EventKind::incomplete, last_time_s_, ended_before(approaches_[due_], missing - 1));
+  if (missing > 0) event(EventKind::incomplete, last_time_s_, ended_before(approaches_[due_], missing - 1));
   std::vector<double> deviations;
   for (const CapturedReading& reading : result_.readings) deviations.push_back(reading.deviation.in_native());
   if (deviations.empty()) return {};

@@ -62,6 +62,16 @@ double possible_share(double p, double freedom) {
   return freedom > 0.0 ? std::sqrt(freedom / numeric::chi_square_quantile(p, freedom)) : 1.0;
 }
 
+/// The same of one target: χ² with as many degrees of freedom as there are standard normal numbers.
+double drawn_share(std::span<const double> normal) {
+  if (normal.empty()) return 1.0;
+  double squares = 0.0;
+  for (const double z : normal) squares += z * z;
+  return std::sqrt(static_cast<double>(normal.size()) / squares);
+}
+
+std::size_t freedom_of(const Cell& cell) { return cell.count > 1 ? cell.count - 1 : 0; }
+
 /// Standard deviations of what runs lie higher or lower by as a whole: in both directions alike, and in ↑ against ↓.
 struct RunSpread {
   double common = 0.0, between_directions = 0.0;
@@ -108,17 +118,28 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
   const double freedom_of_runs = static_cast<double>(predicted.run_count()) - 1.0;
   const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
   const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 1;
-  const std::size_t trials = std::clamp(readings_most / numbers_each, trials_least, trials_most);
+  std::size_t numbers_of_scatter = 0;  // where each target has its own, which is known from its few readings alone
+  if (study.uneven)
+    for (const Cell& cell : cells) numbers_of_scatter += freedom_of(cell);
+  const std::size_t trials = std::clamp(readings_most / (numbers_each + numbers_of_scatter), trials_least, trials_most);
   const std::vector<Position> targets(predicted.targets().begin(), predicted.targets().end());
 
   std::array<std::vector<double>, std::size(iso230_2::parameters)> values;
-  std::vector<double> normal(numbers_each);
+  std::vector<double> normal(numbers_each), of_scatter(numbers_of_scatter);
+  std::vector<double> s(cells.size());
   for (std::size_t trial = 0; trial < trials; ++trial) {
     numeric::fill_normal({.seed = of_retest.seed, .stream = 0, .block = trial}, normal);
     std::array<double, 4> uniform{};
     numeric::fill_uniform({.seed = of_retest.seed, .stream = 1, .block = trial}, uniform);
     // The scatter of the axis is known from the readings of one test: what it may be as well is drawn.
     const std::array<double, 2> share{possible_share(uniform[0], freedom[0]), possible_share(uniform[1], freedom[1])};
+    if (study.uneven) numeric::fill_normal({.seed = of_retest.seed, .stream = 2, .block = trial}, of_scatter);
+    std::span<const double> left = of_scatter;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const std::size_t known = study.uneven ? freedom_of(cells[k]) : 0;
+      s[k] = cells[k].s * (study.uneven ? drawn_share(left.first(known)) : share[k / targets.size()]);
+      left = left.subspan(known);
+    }
     const double common = study.shifts ? spread.common * possible_share(uniform[2], freedom_of_runs) : 0.0;
     const double against = study.shifts ? spread.between_directions * possible_share(uniform[3], freedom_of_runs) : 0.0;
     std::vector<iso230_2::PositionResult> positions(targets.size());
@@ -134,10 +155,9 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
         const std::size_t approaches = of_retest.runs && cell.count > 0 ? runs : cell.count;
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
-          of[d][j] = j < approaches
-                         ? cell.mean + share[d] * cell.s * (table + *z) + common * shifts[j] +
-                               (d == 0 ? 1.0 : -1.0) * (against * shifts[runs + j] + of_table)
-                         : std::nan("");
+          of[d][j] = j < approaches ? cell.mean + s[d * targets.size() + i] * (table + *z) + common * shifts[j] +
+                                          (d == 0 ? 1.0 : -1.0) * (against * shifts[runs + j] + of_table)
+                                    : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);
     }

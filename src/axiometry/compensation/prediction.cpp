@@ -41,6 +41,7 @@ struct RetestChange {
   double exchanged = 0.0;              ///< and by it with its directions exchanged
   double mirrored = 0.0;               ///< or its positions
   double found = 0.0, variance = 0.0;  ///< x̄_retest − x̄_before
+  double variance_before = 0.0;        ///< the part of x̄_before, whose scatter the table was made of too
   double reversal = 0.0;               ///< by the table: between this direction and the other
 };
 
@@ -65,6 +66,7 @@ std::vector<RetestChange> changes_of(const Series& before, const Series& after, 
                          added.at(ends - position, direction) - was, b.mean - a.mean,
                          a.standard_deviation * a.standard_deviation / static_cast<double>(a.count) +
                              b.standard_deviation * b.standard_deviation / static_cast<double>(b.count),
+                         a.standard_deviation * a.standard_deviation / static_cast<double>(a.count),
                          change_at(position, direction, added, removed) - change_at(position, other, added, removed)});
     }
   }
@@ -117,7 +119,7 @@ bool has_reversal(const std::vector<RetestChange>& changes) {
 }
 
 void add_reversal(const std::vector<RetestChange>& changes, Effect& effect) {
-  double rr = 0.0, rf = 0.0, rv = 0.0;
+  double rr = 0.0, rf = 0.0, rv = 0.0, common = 0.0;
   const auto first_down = std::ranges::find(changes, Direction::down, &RetestChange::direction);
   auto down = first_down;  // both directions ascend
   for (auto up = changes.begin(); up != first_down; ++up) {
@@ -128,10 +130,13 @@ void add_reversal(const std::vector<RetestChange>& changes, Effect& effect) {
     rr += wanted * wanted;
     rf += wanted * (up->found - down->found);
     rv += wanted * wanted * (up->variance + down->variance);
+    common += up->variance_before + down->variance_before;
   }
   if (!(rr > 0.0)) return;
   effect.of_reversal = rf / rr;
-  effect.u_of_reversal = std::sqrt(rv) / rr;
+  // Of a table that is scatter of the first test a right one shows up to twice: that scatter is in what is wanted and,
+  // the other way, in what was found.
+  effect.u_of_reversal = std::hypot(std::sqrt(rv), common) / rr;
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ namespace {
 using json::Value;
 using report::Point;
 
-constexpr double figure_width = 400.0;  // thinned() keeps the extremes of 1000 columns of it
+constexpr double figure_width = 400.0;                // thinned() keeps the extremes of 1000 columns of it
 constexpr double steps_across = 1e9, steps_up = 1e6;  // finer than any screen
 constexpr std::size_t strayings_most = 8;
 
 /// The numbers with no more digits than their span has steps.
-Value rounded_list(const std::vector<Point>& points, double Point::* member, double steps) {
+Value rounded_list(const std::vector<Point>& points, double Point::*member, double steps) {
   double low = 0.0, high = 0.0;
   if (!points.empty()) {
     const auto [least, most] = std::ranges::minmax(points | std::views::transform(member));

@@ -19,9 +19,8 @@ Result<void> take_positive(JsonMembers& members, std::string_view name, double m
   if (value == nullptr) return {};
   AXIOMETRY_TRY(const double number, formats::number_in(*value, name));
   if (!(number > 0.0 && number <= most))
-    return fail(
-        fmt::format("{}: found {}, expected a number above 0 and up to {}", name, format_exact(number), most),
-        value->at());
+    return fail(fmt::format("{}: found {}, expected a number above 0 and up to {}", name, format_exact(number), most),
+                value->at());
   target = number;
   return {};
 }

@@ -156,6 +156,11 @@ Result<std::string> file_bytes(const std::string& name, std::size_t limit) {
   return source.read_all(limit);
 }
 
+Result<std::string> bytes_at_hand(std::optional<std::string_view> at_hand, const std::string& name, std::size_t limit) {
+  if (at_hand) return std::string(*at_hand);
+  return file_bytes(name, limit);
+}
+
 std::string base_name(const std::string& name) {
   return name == "-" ? "standard input" : name.substr(name.find_last_of("/\\") + 1);  // npos + 1 is 0
 }

@@ -18,6 +18,10 @@ namespace axiometry::app {
 /// The whole of a file. Fails when it cannot be read and beyond the limit.
 Result<std::string> file_bytes(const std::string& name, std::size_t limit = read_budget::file_bytes);
 
+/// Those that are at hand; else as file_bytes().
+Result<std::string> bytes_at_hand(std::optional<std::string_view> at_hand, const std::string& name,
+                                  std::size_t limit = read_budget::file_bytes);
+
 /// A file's name without its folders, which are nobody else's business; "standard input" for "-".
 std::string base_name(const std::string& name);
 

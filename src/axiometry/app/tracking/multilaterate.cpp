@@ -19,11 +19,6 @@ namespace {
 
 constexpr std::size_t limit_bytes = std::size_t{4} << 30;
 
-Result<std::string> ranges_content(const std::string& file, std::optional<std::string_view> at_hand) {
-  if (at_hand) return std::string(*at_hand);
-  return file_bytes(file, limit_bytes);
-}
-
 /// The nominal points of another file in the order in which the lengths name them.
 Result<void> take_points(Multilaterated& result, formats::NamedPoints points, const std::string& file) {
   formats::RangesFile& ranges = result.ranges;
@@ -47,13 +42,12 @@ Result<void> take_points(Multilaterated& result, formats::NamedPoints points, co
 }
 
 Result<void> read_inputs(Multilaterated& result, const MultilaterateRequest& request) {
-  AXIOMETRY_TRY(const std::string bytes, ranges_content(request.ranges, request.ranges_bytes));
+  AXIOMETRY_TRY(const std::string bytes, bytes_at_hand(request.ranges_bytes, request.ranges, limit_bytes));
   result.sha256 = sha256(bytes);
   AXIOMETRY_TRY(result.ranges, in_file(formats::read_ranges(bytes), request.ranges));
-  if (const std::size_t found = result.ranges.stations.size();
-      request.stations_most > 0 && found > request.stations_most)
+  if (const std::size_t found = result.ranges.stations.size(); found > request.stations_most.value_or(found))
     return in_file(
-        Result<void>(fail(fmt::format("found {} stations, expected at most {}", found, request.stations_most))),
+        Result<void>(fail(fmt::format("found {} stations, expected at most {}", found, *request.stations_most))),
         request.ranges);
   if (request.points.empty()) {
     if (!result.ranges.nominal_mm.empty()) return {};
@@ -61,7 +55,7 @@ Result<void> read_inputs(Multilaterated& result, const MultilaterateRequest& req
                                      "file of their own (--points)")),
                    request.ranges);
   }
-  AXIOMETRY_TRY(const std::string points, ranges_content(request.points, request.points_bytes));
+  AXIOMETRY_TRY(const std::string points, bytes_at_hand(request.points_bytes, request.points, limit_bytes));
   result.points_sha256 = sha256(points);
   result.points_file = request.points;
   AXIOMETRY_TRY(formats::NamedPoints named, in_file(formats::read_named_points(points), request.points));

@@ -22,7 +22,7 @@ struct MultilaterateRequest {
   tracking::MultilaterationOptions options = {};
   /// Those of `ranges` and `points` where they are at hand; they must outlive the call. No file is looked for then.
   std::optional<std::string_view> ranges_bytes{}, points_bytes{};
-  std::size_t stations_most = 0;  ///< 0: any number
+  std::optional<std::size_t> stations_most{};  ///< absent: any number
 };
 
 /// A result with the names it speaks of.

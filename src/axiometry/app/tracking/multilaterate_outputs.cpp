@@ -7,6 +7,7 @@
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/tracking/multilaterate.h"
+#include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -194,6 +195,16 @@ Result<void> write_residuals(const Multilaterated& r, const std::string& file) {
   return output.commit();
 }
 
+std::string table_text(const auto& put_table) {
+  std::string table;
+  const Result<void> put = put_table([&](const std::string& row) -> Result<void> {
+    table += row;
+    return {};
+  });
+  AXIOMETRY_CONTRACT(put.has_value());
+  return table;
+}
+
 }  // namespace
 
 Value to_json(const Multilaterated& r) {
@@ -206,21 +217,11 @@ Value to_json(const Multilaterated& r) {
 }
 
 std::string points_csv(const Multilaterated& r) {
-  std::string table;
-  static_cast<void>(put_points(r, [&](const std::string& row) -> Result<void> {
-    table += row;
-    return {};
-  }));
-  return table;
+  return table_text([&](const auto& put) { return put_points(r, put); });
 }
 
 std::string residuals_csv(const Multilaterated& r) {
-  std::string table;
-  static_cast<void>(put_residuals(r, [&](const std::string& row) -> Result<void> {
-    table += row;
-    return {};
-  }));
-  return table;
+  return table_text([&](const auto& put) { return put_residuals(r, put); });
 }
 
 Result<void> write_outputs(const Multilaterated& result, const report::Document& document,

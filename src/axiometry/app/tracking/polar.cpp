@@ -42,15 +42,10 @@ class PolarGathering {
   }
 
  private:
-  static Result<std::string> content(const std::string& name, std::optional<std::string_view> at_hand) {
-    if (at_hand) return std::string(*at_hand);
-    return file_bytes(name);
-  }
-
   Result<void> add_file(std::size_t f) {
     const std::string& name = request_.files[f];
     AXIOMETRY_TRY(const std::string bytes,
-                  content(name, request_.bytes.empty() ? std::nullopt : std::optional(request_.bytes[f])));
+                  bytes_at_hand(request_.bytes.empty() ? std::nullopt : std::optional(request_.bytes[f]), name));
     result_.sources.push_back({name, sha256(bytes)});
     AXIOMETRY_TRY(formats::PolarFile file, in_file(formats::read_polar(bytes), name));
     const std::size_t stations_before = result_.stations.size();
@@ -78,7 +73,7 @@ class PolarGathering {
   }
 
   Result<void> add_nominal() {
-    AXIOMETRY_TRY(const std::string bytes, content(request_.points, request_.points_bytes));
+    AXIOMETRY_TRY(const std::string bytes, bytes_at_hand(request_.points_bytes, request_.points));
     result_.points_source = PolarSource{request_.points, sha256(bytes)};
     AXIOMETRY_TRY(const formats::NamedPoints named, in_file(formats::read_named_points(bytes), request_.points));
     std::unordered_map<std::string_view, std::size_t> numbers;

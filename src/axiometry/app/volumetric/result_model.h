@@ -31,6 +31,7 @@ std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_resul
 std::vector<NamedFinding> remarks_of_singles(const json::Value& result);
 
 bool is_of_singles(const json::Value& result);  ///< whether a result is one of that verb
+/// The same of a list of such remarks that stands alone. Contract: an array.
 std::vector<NamedFinding> notes_of_remarks(const json::Value& remarks);
 
 /// For the head of a file that goes to a control: one sentence in ASCII that names what speaks seriously against the

@@ -171,8 +171,7 @@ class MotionRows {
 
   /// What is to be told of the rows as a whole.
   Result<void> remark(MotionFile& file) const {
-    if (!columns_.at[direction_column] && plan_ == nullptr)
-      AXIOMETRY_TRY_VOID(order_of_rows_.put_remark(file.remarks));
+    if (!columns_.at[direction_column] && plan_ == nullptr) AXIOMETRY_TRY_VOID(order_of_rows_.put_remark(file.remarks));
     if (const auto left = positions_without_reading(empty_mm_, file.readings); !left.empty())
       file.remarks.push_back(left_out_positions(left));
     return {};

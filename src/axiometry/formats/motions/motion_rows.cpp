@@ -46,9 +46,10 @@ Result<void> MotionRowOrder::put_remark(std::vector<SourceRemark>& remarks) cons
   const auto rising = std::ranges::find_if(runs_, [](const auto& r) { return r.second.rises && !r.second.falls; });
   const auto falling = std::ranges::find_if(runs_, [](const auto& r) { return r.second.falls && !r.second.rises; });
   if (rising != runs_.end() && falling != runs_.end())
-    return fail(fmt::format("found rising positions in run {} and falling ones in run {} and no column direction, "
-                            "expected one: it tells from which side each was approached",
-                            rising->first, falling->first));
+    return fail(
+        fmt::format("found rising positions in run {} and falling ones in run {} and no column direction, "
+                    "expected one: it tells from which side each was approached",
+                    rising->first, falling->first));
   remarks.push_back({false, falling == runs_.end()
                                 ? "no column direction: all readings are taken as positive approaches"
                                 : "no column direction, and the positions fall from row to row: all readings are taken "

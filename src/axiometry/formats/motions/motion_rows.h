@@ -36,7 +36,7 @@ class MotionRowOrder {
 std::vector<double> positions_without_reading(const std::set<double>& empty_mm,
                                               std::span<const MotionReading> readings);
 
-/// "no reading at 300 mm and 400 mm: …"; at least one.
+/// "no reading was taken at 300, 400 mm: …"; at least one.
 SourceRemark left_out_positions(std::span<const double> positions_mm);
 
 /// Fails on a key of `# key: value` that is misspelt: "postive", "machine.nam". A known one must not be asked about.

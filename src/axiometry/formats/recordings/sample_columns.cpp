@@ -184,15 +184,11 @@ std::optional<SampleColumns> time_columns(const std::vector<Heading>& headings, 
   return columns;
 }
 
-}  // namespace
-
-namespace {
-
 /// A delimiter between quotes parts no cells: `"20,5"`.
 std::vector<std::string_view> split_beside_quotes(std::string_view line, char delimiter) {
   std::vector<std::string_view> cells;
   while (true) {
-    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::size_t begin = std::min(line.find_first_not_of(delimiter == '\t' ? " " : " \t"), line.size());
     const std::size_t closing = line.substr(begin, 1) == "\"" ? line.find('"', begin + 1) : line.npos;
     const std::size_t end = std::min(line.find(delimiter, closing == line.npos ? 0 : closing), line.size());
     cells.push_back(line.substr(0, end));

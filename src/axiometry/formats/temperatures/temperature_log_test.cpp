@@ -57,6 +57,9 @@ TEST(TemperatureLogs, MayHaveDecimalCommasInQuotesBetweenCommas) {
   EXPECT_THAT(log.sensors[1].celsius, ElementsAre(21.25, 21.0));
   EXPECT_NE(refusal("time_s,Air [°C]\n\"1,200\",\"20,5\"\n\"1,800\",\"20,5\"\n"), "read")
       << "1.2 s or 1200 s: nobody knows";
+  const auto tabs =
+      log_of("time\tAir [°C]\tBed [°C]\n2026-03-02T08:00:00\t\t\"21,25\"\n2026-03-02T08:10:00\t20,5\t\"21\"\n");
+  EXPECT_THAT(tabs.sensors[1].celsius, ElementsAre(21.25, 21.0)) << "an empty cell in front of a quoted one is a cell";
 }
 
 TEST(TemperatureLogs, SayWhichTimeZoneIsNotRead) {

@@ -273,10 +273,7 @@ class PeriodicDrawing {
   std::vector<LegendEntry> entries_of_dots() const {
     std::vector<LegendEntry> entries = {means_entry(false), curve_entry()};
     if (d_.points.size() > most_dots)
-      entries.push_back({.line = plot::crowd_median(),
-                         .band = crowd_band(),
-                         .mark = std::nullopt,
-                         .text = {plot::plain(word(plot::crowd_words))}});
+      entries.push_back(plot::crowd_entry(crowd_band(), {plot::plain(word(plot::crowd_words))}));
     return entries;
   }
   LegendEntry line_entry() const {

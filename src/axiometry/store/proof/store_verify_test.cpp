@@ -161,11 +161,11 @@ TEST(Attested, TakesNoHashOfAnEntryWhoseVersionIsNoNumberOfOne) {
   const auto knows = [](const std::string& version, int asked) {
     Attested attested;
     attested.add({.id = 1,
-                    .change = {},
-                    .action = "test.revised",
-                    .subject = "test 1",
-                    .detail = fmt::format(R"({{"sha256":"abc"{}}})", version),
-                    .sha256 = ""});
+                  .change = {},
+                  .action = "test.revised",
+                  .subject = "test 1",
+                  .detail = fmt::format(R"({{"sha256":"abc"{}}})", version),
+                  .sha256 = ""});
     return attested.knows("test 1", asked, "abc") && attested.count("test") == 1;
   };
   EXPECT_TRUE(knows("", 0));

@@ -15,8 +15,8 @@
 #include "axiometry/volumetric/identify/one_sided_places.h"
 #include "axiometry/volumetric/identify/residual_causes.h"
 #include "axiometry/volumetric/identify/reversal_causes.h"
-#include "axiometry/volumetric/machine/error_motion.h"
 #include "axiometry/volumetric/identify/tried_fit.h"
+#include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
 namespace {

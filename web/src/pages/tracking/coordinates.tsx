@@ -48,12 +48,10 @@ export function CoordinatesPanel({ vocabulary }: { vocabulary: Vocabulary | null
   const stations = useMemo(() => [...new Set(readings.flatMap((one) => one.stations))], [files]);
   const { options: of_lengths, faults } = multilateration_options(form);
   const options = way === 'polar' ? polar_options(form, stations, nominal !== null) : of_lengths;
-  const asked = use_settled(options && JSON.stringify({ way, options }));
-  const sent = useMemo((): SentReadings | null => {
-    if (readings.length === 0 || asked === null) return null;
-    const told = JSON.parse(asked) as { way: SentReadings['way']; options: unknown };
-    return { way: told.way, readings: readings.map(({ file }) => file), points: nominal, options: JSON.stringify(told.options) };
-  }, [files, asked]);
+  const told = options && JSON.stringify(options);
+  // All of it settles together: what a file is decides the way, and what is asked of it.
+  const sent = use_settled(useMemo((): SentReadings | null =>
+    (readings.length === 0 || told === null ? null : { way, readings: readings.map(({ file }) => file), points: nominal, options: told }), [files, way, told]));
   const spoken = language.value;
   useEffect(() => {
     set_error(null);

@@ -43,10 +43,11 @@ export function SinglesPanel({ machine }: { machine: VolumetricMachine | null })
   const next_key = useRef(0);
   const change = (part: Partial<SinglesForm>) => set_form((before) => ({ ...before, ...part }));
   const read = useMemo(() => read_singles(form, machine ?? { tools_mm: {}, travel_mm: { X: [0, 0], Y: [0, 0], Z: [0, 0] } }), [form, machine, language.value]);
-  const asked = use_settled(read.options && JSON.stringify(read.options));
+  const asked = read.options && JSON.stringify(read.options);
   const text = machine && JSON.stringify(machine);
   const files = useMemo(() => [...new Set(form.rows.filter((row) => row.error !== '').map((row) => row.file))], [form.rows]);
-  const sent = useMemo((): SentSingles | null => (text && asked ? { files, machine: text, options: asked } : null), [text, asked]);
+  // All of it settles together: files and what is said of them belong to each other, and a file may take the place of another.
+  const sent = use_settled(useMemo((): SentSingles | null => (text && asked ? { files, machine: text, options: asked } : null), [files, text, asked]));
   const spoken = language.value;
   useEffect(() => {
     set_error(null);

@@ -35,11 +35,6 @@ struct LostReversal {
   std::string of;
 };
 
-Result<std::string> bytes_of(const SingleItem& item) {
-  if (item.bytes) return std::string(*item.bytes);
-  return file_bytes(item.file);
-}
-
 /// "Acme LI-1 1234; Acme optics", as far as named.
 std::string equipment_text(const std::vector<Equipment>& equipment) {
   std::string all;
@@ -184,7 +179,7 @@ Result<ReadSingle> read_other(const SingleItem& item, ErrorMotion error) {
   MotionRequest request;
   request.file = item.file;
   AXIOMETRY_TRY(request.error, motion_name(item.name));
-  AXIOMETRY_TRY(const std::string bytes, bytes_of(item));
+  AXIOMETRY_TRY(const std::string bytes, bytes_at_hand(item.bytes, item.file));
   if (formats::looks_like_motion_result(bytes)) {
     AXIOMETRY_TRY(const MotionResult result, in_file(result_of(bytes, item, *request.error), item.file));
     return in_file(read_motion(item, error, result, sha256(bytes)), item.file);
@@ -259,7 +254,7 @@ Result<ReadSingle> read_single(const SingleItem& item, ErrorMotion error) {
 }
 
 Result<ReadSquare> read_square(const SingleItem& item, volumetric::Squareness which) {
-  AXIOMETRY_TRY(const std::string bytes, bytes_of(item));
+  AXIOMETRY_TRY(const std::string bytes, bytes_at_hand(item.bytes, item.file));
   return in_file(square_of(bytes, item, which), item.file);
 }
 

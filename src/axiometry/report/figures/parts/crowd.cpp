@@ -16,6 +16,7 @@ namespace {
 constexpr double least_width = 6.0;
 constexpr std::size_t fewest_of_a_band = 40;  // of fewer 2.5 % are no point at either side
 constexpr double beyond_each_side = 0.025;
+const Stroke crowd_median = ink::solid(ink::black, 0.8);  // pen of the medians
 
 /// Sorts them by y.
 void add_band(Crowd& result, std::span<Point> points, double left, double right) {
@@ -37,8 +38,9 @@ Crowd crowd(std::vector<Point> points) {
   if (points.size() <= most_points_shown) return {.dots = std::move(points), .stretches = {}};
   std::ranges::sort(points, {}, &Point::x);
   const double left = points.front().x, extent = points.back().x - left;
-  const double count = std::max(1.0, std::floor(extent / least_width));
-  const double width = std::max(extent / count, least_width);
+  const double wanted = std::max(least_width, extent * double(fewest_of_a_band) / static_cast<double>(points.size()));
+  const double count = std::max(1.0, std::floor(extent / wanted));  // of at most n/40 stretches one has 40 points
+  const double width = std::max(extent / count, wanted);
   const auto stretch_of = [&](std::size_t k) {
     return std::min(std::floor((points[k].x - left) / width), count - 1.0);
   };
@@ -63,13 +65,15 @@ std::vector<Point> apart(const std::vector<Point>& points, double radius) {
   return kept;
 }
 
-Stroke crowd_median() { return ink::solid(ink::black, 0.8); }
+LegendEntry crowd_entry(Colour band, Runs words) {
+  return {.line = crowd_median, .band = band, .mark = std::nullopt, .text = std::move(words)};
+}
 
 void draw_stretches(std::vector<Operation>& operations, const std::vector<CrowdStretch>& stretches, Colour band) {
   for (std::size_t begin = 0, end = 0; begin < stretches.size(); begin = end) {
     for (end = begin + 1; end < stretches.size() && stretches[end].left - stretches[end - 1].right < 1e-6;) ++end;
     Path outline{.points = {}, .closed = true, .stroke = {.width = 0.0}, .fill = band};
-    Path middle{.points = {}, .closed = false, .stroke = crowd_median(), .fill = {0, 0, 0, 0}};
+    Path middle{.points = {}, .closed = false, .stroke = crowd_median, .fill = {0, 0, 0, 0}};
     for (std::size_t k = begin; k < end; ++k) {
       const CrowdStretch& s = stretches[k];
       outline.points.insert(outline.points.end(), {{s.left, s.high}, {s.right, s.high}});

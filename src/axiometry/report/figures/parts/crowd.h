@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "axiometry/report/drawing/figure.h"
+#include "axiometry/report/figures/parts/legend.h"
 
 namespace axiometry::report::plot {
 
@@ -21,9 +22,9 @@ struct Crowd {
   std::vector<CrowdStretch> stretches;  ///< from left to right
 };
 
-/// Up to 1500 points stay as they are. Of more, stretches of 6 pt or a little more with 40 points at least become a
-/// band: what is shown is where the points are, and not only how far the farthest of them go, and its size does not
-/// grow with their number.
+/// Up to 1500 points stay as they are. Of more, stretches of 6 pt, or of as much as holds 40 points of evenly spread
+/// ones, become a band where they have 40 at least, which one of them has: what is shown is where the points are, and
+/// not only how far the farthest of them go, and its size does not grow with their number.
 Crowd crowd(std::vector<Point> points);
 
 /// Of points that would lie upon one another, which a disc of this radius cannot show apart, one for each place.
@@ -32,7 +33,8 @@ std::vector<Point> apart(const std::vector<Point>& points, double radius);
 /// Bands with their medians, as steps.
 void draw_stretches(std::vector<Operation>& operations, const std::vector<CrowdStretch>& stretches, Colour band);
 
-Stroke crowd_median();  ///< pen of the medians
+/// What a legend says of bands of that colour.
+LegendEntry crowd_entry(Colour band, Runs words);
 inline constexpr const char* crowd_words = "of many readings the central 95 % with their median, and the farthest";
 
 }  // namespace axiometry::report::plot

@@ -46,6 +46,11 @@ TEST(Crowd, OfManyShowsWhereTheyAreAndNotOnlyHowFarTheyGo) {
   }
 }
 
+TEST(Crowd, HasABandOfJustTooManyPointsToo) {  // the legend tells of one
+  for (const std::size_t count : {1501u, 2000u, 3000u})
+    EXPECT_FALSE(crowd(even_points(count)).stretches.empty()) << count;
+}
+
 TEST(Crowd, ShowsEachPointOfAStretchThatHasFew) {
   auto points = even_points(20'000);
   for (int k = 0; k < 39; ++k) points.push_back({600.0, 100.0 + k});

@@ -72,10 +72,7 @@ class ResidualDrawing {
                        .mark = Disc{.centre = {}, .radius = 1.4, .fill = ink::blue},
                        .text = {plot::plain(say("readings"))}});
     if (aside_.size() - found_.set_aside.size() > plot::most_points_shown)
-      entries.push_back({.line = plot::crowd_median(),
-                         .band = crowd_band,
-                         .mark = std::nullopt,
-                         .text = {plot::plain(say(plot::crowd_words))}});
+      entries.push_back(plot::crowd_entry(crowd_band, {plot::plain(say(plot::crowd_words))}));
     if (!found_.set_aside.empty())
       entries.push_back({.line = std::nullopt,
                          .band = std::nullopt,
