@@ -34,7 +34,7 @@ export const calibrations = {
     await page.goto('/tracking');
     await page.locator('.tracking-lines tbody tr').nth(6).waitFor();
     await page.getByLabel('Use another plan').setInputFiles(given('seven.json', measured('tracking-evaluate.files/seven.json'), 'application/json'));
-    await page.locator('section').filter({ has: page.getByRole('heading', { name: 'Lengths', exact: true }) }).locator('.file-drop input[type=file]').last().setInputFiles(given('lengths.csv', measured('tracking-evaluate.files/lengths.csv'), 'text/csv'));
+    await page.locator('section[aria-labelledby=tracking-lengths] input[accept*=csv]').setInputFiles(given('lengths.csv', measured('tracking-evaluate.files/lengths.csv'), 'text/csv'));
     await page.getByRole('button', { name: 'Keep in the archive' }).click();
     await page.getByRole('dialog').getByLabel('Title').fill('Seven lines');
     await page.getByRole('dialog').getByRole('button', { name: 'Keep', exact: true }).click();

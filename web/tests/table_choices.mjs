@@ -214,7 +214,7 @@ export const table_choices = {
     await page.getByRole('button', { name: 'Keine war aktiv' }).click();
     await made_anew(page);
     await page.getByRole('button', { name: 'Speichern' }).click();
-    await page.getByRole('dialog').getByRole('button', { name: 'Behalten' }).click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Speichern' }).click();
     await shows(page.locator('.table-files'), /Periode \/ mm: 10,5[\s\S]*Kurven: eine Kurve für beide Richtungen[\s\S]*Periodischer Anteil: aus der Tabelle weglassen[\s\S]*Vorzeichen umgedreht/);
     assert.deepEqual(await axe_findings(page), []);
   },
