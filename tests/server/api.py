@@ -326,6 +326,48 @@ def motions(play):
     play.expect(422, "POST", "/api/motions", *form((b'name="readings"; filename="y.csv"', b"no table")))
 
 
+def dynamic(play):
+    """A recording without standstills, which is looked at and not kept."""
+    recording = "time_s,position_mm\n" + "".join(f"{k / 1000:.3f},{k / 100:.4f}\n" for k in range(2000))
+    sent = recording.encode(), {"X-File-Name": "run.csv"}
+    told = play.expect(200, "POST", "/api/dynamic", *sent).json()
+    play.checks.that("its velocity is told", abs(told["velocity_per_s"]["median"] - 10) < 0.01, told["velocity_per_s"])
+    for path in ("report.pdf", "series.csv", "spectrum.csv"):
+        play.expect(200, "POST", f"/api/dynamic/{path}", *sent)
+    play.expect(422, "POST", "/api/dynamic", b"no recording", {"X-File-Name": "run.csv"})
+
+
+def coordinates(play):
+    """Points from the lengths of several stations, and from lengths and angles; nothing is kept."""
+    transcripts = pathlib.Path(__file__).resolve().parent.parent / "transcripts"
+    ranges = (transcripts / "tracking-multilaterate.files/ranges.csv").read_bytes()
+    of_lengths = form((b'name="ranges"; filename="ranges.csv"', ranges))
+    found = play.expect(200, "POST", "/api/tracking/multilateration", *of_lengths).json()
+    play.checks.that("there are points", len(found["points"]) > 3, found)
+    for path in ("report.pdf", "points", "residuals"):
+        play.expect(200, "POST", f"/api/tracking/multilateration/{path}", *of_lengths)
+    tracker = (transcripts / "tracking-polar.files/tracker.csv").read_bytes()
+    of_angles = form((b'name="readings"; filename="tracker.csv"', tracker), (b'name="options"', b'{"instruments": ["leica-at901"]}'))
+    found = play.expect(200, "POST", "/api/tracking/polar", *of_angles).json()
+    play.checks.that("there are points of angles", len(found["points"]) > 3, found)
+    for path in ("report.pdf", "points"):
+        play.expect(200, "POST", f"/api/tracking/polar/{path}", *of_angles)
+
+
+def assembly(play):
+    """Errors measured one by one as a model of the machine, which is not kept."""
+    singles = pathlib.Path(__file__).resolve().parent.parent / "transcripts/volumetric-assemble.files"
+    parts = [(b'name="errors"; filename="' + name + b'"', (singles / name.decode()).read_bytes())
+             for name in (b"exx.csv", b"eyx.csv", b"ecx.csv", b"exy.csv")]
+    parts.append((b'name="machine"; filename="machine.json"', (singles / "machine.json").read_bytes()))
+    options = {"errors": ["EXX=exx.csv", "EYX=eyx.csv", "ECX=ecx.csv", "EXY=exy.csv", "C0Y=-12.5,1.2"],
+               "at": ["X=0,300,-200@short", "Y=500,0,-200@short"], "instruments": ["EYX=0.4,0.5"]}
+    sent = form(*parts, (b'name="options"', json.dumps(options).encode()))
+    made = play.expect(200, "POST", "/api/volumetric/assembly", *sent).json()
+    play.checks.that("a model is made of them", made["curves"] and made["model"], made)
+    play.expect(200, "POST", "/api/volumetric/assembly/report.pdf", *sent)
+
+
 def compensations(play):
     """A table made of a test, kept, proved by another test, drawn, withdrawn and brought back."""
     measured = pathlib.Path(__file__).resolve().parent.parent / "transcripts" / "store-compensations.files"
@@ -530,6 +572,9 @@ def main():
             tracking(play)
             calibrations(play)
             motions(play)
+            dynamic(play)
+            coordinates(play)
+            assembly(play)
             compensations(play)
             volumetric(play)
             captures(play)

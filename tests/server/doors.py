@@ -315,7 +315,11 @@ def other_types_are_refused(server, checks):
                    "/api/controls/1/table", "/api/tests/1/compensation", "/api/tests/1/compensations", "/api/tracking/station", "/api/tracking/station/report.1", "/api/tracking/evaluation",
                    "/api/tracking/evaluation/report.1", "/api/volumetric/identification",
                    "/api/volumetric/identification/report.1", "/api/volumetric/identification/residuals",
-                   "/api/motions", "/api/motions/report.1"}
+                   "/api/motions", "/api/motions/report.1", "/api/dynamic", "/api/dynamic/report.1", "/api/dynamic/series.csv",
+                   "/api/dynamic/spectrum.csv", "/api/tracking/multilateration", "/api/tracking/multilateration/report.1",
+                   "/api/tracking/multilateration/points", "/api/tracking/multilateration/residuals", "/api/tracking/polar",
+                   "/api/tracking/polar/report.1", "/api/tracking/polar/points", "/api/volumetric/assembly",
+                   "/api/volumetric/assembly/report.1"}
     for method, path in operations():
         if method == "GET" or path in takes_files:
             continue

@@ -25,7 +25,7 @@ constexpr std::array units = {
     std::pair{std::string_view("arcsec"), report::DisplayUnit::arcsec},
 };
 
-/// By the header of the page, or by the one of downloads turned round; empty when nobody tells.
+/// By the header of the page, by the one of downloads turned round, or in the query; empty when nobody tells.
 Result<std::string> sent_name(const Request& request) {
   for (const char* header : {"x-file-name", "x-filename"})
     if (const auto name = request.header(header)) {
@@ -36,6 +36,8 @@ Result<std::string> sent_name(const Request& request) {
       return decoded;
     }
   if (const auto disposition = request.header("content-disposition")) return header_parameter(*disposition, "filename");
+  for (const char* name : {"name", "filename"})
+    if (const auto given = request.parameter(name)) return std::string(*given);
   return std::string();
 }
 

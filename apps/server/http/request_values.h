@@ -68,7 +68,7 @@ struct SentFile {
   std::optional<formats::ImportProfile> profile{};  ///< profile by which the only file of a form is to be read
 };
 
-/// The only file of the body, named by X-File-Name (percent-encoded) or Content-Disposition; or the files of
+/// The only file of the body, named by X-File-Name (percent-encoded), Content-Disposition or ?name=; or the files of
 /// multipart/form-data, where a part "profile" without a file name may stand beside a single one. Fails on a malformed
 /// name or form, without a file, and on a profile of more than 64 KiB, beside several files, or as read_profile() does.
 Result<std::vector<SentFile>> files_of(const Request& request);
