@@ -57,10 +57,26 @@ Cells cells_of(const Series& series, bool each_its_own, bool shifts_removed) {
   return {scatters ? cells : std::vector<Cell>{}, known};
 }
 
-/// What a standard deviation may be of what was found with so many degrees of freedom: √(ν/χ²_ν), χ² at `p`.
-double possible_share(double p, double freedom) {
-  return freedom > 0.0 ? std::sqrt(freedom / numeric::chi_square_quantile(p, freedom)) : 1.0;
-}
+/// What a standard deviation may be of what was found with so many degrees of freedom: √(ν/χ²_ν), in equally likely
+/// steps.
+class PossibleShares {
+ public:
+  explicit PossibleShares(double freedom) {
+    if (!(freedom > 0.0)) return;
+    for (std::size_t k = 0; k < steps; ++k)
+      shares_[k] =
+          std::sqrt(freedom / numeric::chi_square_quantile((static_cast<double>(k) + 0.5) / double(steps), freedom));
+  }
+
+  /// Of a uniform number from (0, 1).
+  double operator()(double p) const {
+    return shares_[std::min(steps - 1, static_cast<std::size_t>(p * static_cast<double>(steps)))];
+  }
+
+ private:
+  static constexpr std::size_t steps = 200;
+  std::vector<double> shares_ = std::vector<double>(steps, 1.0);
+};
 
 /// The same of one target: χ² with as many degrees of freedom as there are standard normal numbers.
 double drawn_share(std::span<const double> normal) {
@@ -115,7 +131,8 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
   const auto [cells, freedom] = cells_of(study.shifts ? iso230_2::without_shifts(predicted) : predicted,
                                          study.uneven.has_value(), study.shifts.has_value());
   if (cells.empty()) return std::nullopt;
-  const double freedom_of_runs = static_cast<double>(predicted.run_count()) - 1.0;
+  const PossibleShares shares_up(freedom[0]), shares_down(freedom[1]),
+      shares_of_runs(study.shifts ? static_cast<double>(predicted.run_count()) - 1.0 : 0.0);
   const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
   const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 1;
   std::size_t numbers_of_scatter = 0;  // where each target has its own, which is known from its few readings alone
@@ -132,7 +149,7 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
     std::array<double, 4> uniform{};
     numeric::fill_uniform({.seed = of_retest.seed, .stream = 1, .block = trial}, uniform);
     // The scatter of the axis is known from the readings of one test: what it may be as well is drawn.
-    const std::array<double, 2> share{possible_share(uniform[0], freedom[0]), possible_share(uniform[1], freedom[1])};
+    const std::array<double, 2> share{shares_up(uniform[0]), shares_down(uniform[1])};
     if (study.uneven) numeric::fill_normal({.seed = of_retest.seed, .stream = 2, .block = trial}, of_scatter);
     std::span<const double> left = of_scatter;
     for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -140,8 +157,8 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
       s[k] = cells[k].s * (study.uneven ? drawn_share(left.first(known)) : share[k / targets.size()]);
       left = left.subspan(known);
     }
-    const double common = study.shifts ? spread.common * possible_share(uniform[2], freedom_of_runs) : 0.0;
-    const double against = study.shifts ? spread.between_directions * possible_share(uniform[3], freedom_of_runs) : 0.0;
+    const double common = study.shifts ? spread.common * shares_of_runs(uniform[2]) : 0.0;
+    const double against = study.shifts ? spread.between_directions * shares_of_runs(uniform[3]) : 0.0;
     std::vector<iso230_2::PositionResult> positions(targets.size());
     std::vector<double> readings(2 * runs);
     const double* z = normal.data();
