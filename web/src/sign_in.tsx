@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, send } from './api/client';
+import { type ApiError, as_error, send } from './api/client';
 import { ask_health, returned, signed_in } from './api/session';
 import { FailureNotice } from './components/failure';
 import { Field } from './components/field';
@@ -20,7 +20,7 @@ export function SignIn() {
       returned.value += 1;
       void ask_health();
     } catch (failure) {
-      set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+      set_error(as_error(failure));
     }
     set_busy(false);
   };

@@ -14,6 +14,7 @@
 #include "axiometry/app/live/lengths/length_task.h"
 #include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/plan/plan_request.h"
+#include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
 #include "server/http/request_values.h"
@@ -206,7 +207,7 @@ Result<Response> captured_file(CaptureService& captures, const Request& request)
                                      : role == "times" ? ".raw.times"
                                      : role == "keys"  ? ".raw.keys"
                                                        : ".raw";
-  return download(std::move(bytes), is_table ? "text/csv; charset=utf-8" : "application/octet-stream",
+  return download(std::move(bytes), is_table ? app::media_type_of("csv") : "application/octet-stream",
                   fmt::format("capture-{}{}", id, extension));
 }
 
@@ -232,7 +233,7 @@ Result<Response> joined_lengths(CaptureService& captures, const Request& request
     tables.push_back({fmt::format("capture {}", id), std::move(table)});
   }
   AXIOMETRY_TRY(std::string joined, app::joined_tables(*plan, tables));
-  return download(std::move(joined), "text/csv; charset=utf-8", "lengths.csv");
+  return download(std::move(joined), app::media_type_of("csv"), "lengths.csv");
 }
 
 Result<Response> discard(CaptureService& captures, const Request& request) {

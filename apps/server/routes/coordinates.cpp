@@ -86,16 +86,14 @@ Result<Response> multilateration_report(const Request& request) {
   return document_response(app::compose(*found, options), request, options, "multilateration");
 }
 
-constexpr std::string_view table_type = "text/csv; charset=utf-8";
-
 Result<Response> multilateration_points(const Request& request) {
   AXIOMETRY_TRY(const auto found, multilaterated(request));
-  return download(app::points_csv(*found), table_type, "points.csv");
+  return download(app::points_csv(*found), app::media_type_of("csv"), "points.csv");
 }
 
 Result<Response> multilateration_residuals(const Request& request) {
   AXIOMETRY_TRY(const auto found, multilaterated(request));
-  return download(app::residuals_csv(*found), table_type, "residuals.csv");
+  return download(app::residuals_csv(*found), app::media_type_of("csv"), "residuals.csv");
 }
 
 Result<std::unique_ptr<app::PolarResult>> adjusted(const Request& request) {
@@ -122,7 +120,7 @@ Result<Response> polar_report(const Request& request) {
 
 Result<Response> polar_points(const Request& request) {
   AXIOMETRY_TRY(const auto found, adjusted(request));
-  return download(app::polar_points_csv(*found), table_type, "points.csv");
+  return download(app::polar_points_csv(*found), app::media_type_of("csv"), "points.csv");
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ Result<Response> identification_report(const Request& request) {
 
 Result<Response> residuals(const Request& request) {
   AXIOMETRY_TRY(const app::IdentifiedMachine found, identified(request));
-  return download(app::residuals_csv(found), "text/csv; charset=utf-8", "residuals.csv");
+  return download(app::residuals_csv(found), app::media_type_of("csv"), "residuals.csv");
 }
 
 /// What a form with errors that were measured one by one holds.

@@ -11,6 +11,9 @@ export class ApiError extends Error {
   }
 }
 
+/** Whatever was thrown. */
+export const as_error = (thrown: unknown): ApiError => (thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+
 function headers(more: Record<string, string> = {}): Record<string, string> {
   const all: Record<string, string> = { 'Accept-Language': language.value, ...more };
   if (actor.value !== '') all['X-Actor'] = encodeURIComponent(actor.value);

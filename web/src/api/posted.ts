@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useLayoutEffect, useState } from 'preact/hooks';
 import { language } from '../settings';
-import { ApiError, made } from './client';
+import { type ApiError, as_error, made } from './client';
 import { returned } from './session';
 
 export interface Posted<T> {
@@ -34,7 +34,7 @@ export function use_posted<T>(path: string, body: unknown, read: (response: Resp
         set_error(null);
       },
       (failure: unknown) => {
-        if (!abort.signal.aborted) set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+        if (!abort.signal.aborted) set_error(as_error(failure));
       },
     );
     return () => abort.abort();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useCallback, useEffect, useState } from 'preact/hooks';
 import { language } from '../settings';
-import { ApiError, get } from './client';
+import { type ApiError, as_error, get } from './client';
 import { returned } from './session';
 
 export interface Loaded<T> {
@@ -31,7 +31,7 @@ export function use_get<T>(path: string | null): Loaded<T> {
       (answer) => { set_data(answer); set_error(null); set_loading(false); },
       (failure: unknown) => {
         if (abort.signal.aborted) return;
-        set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+        set_error(as_error(failure));
         set_loading(false);
       },
     );

@@ -3,7 +3,7 @@
 // when somebody else was first.
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import { ApiError, get, send } from '../api/client';
+import { type ApiError, as_error, get, send } from '../api/client';
 import { returned, why_read_only } from '../api/session';
 import type { Entity } from '../api/types';
 import { texts } from '../i18n/texts';
@@ -62,7 +62,7 @@ export function EntityDialog<T extends Entity>({ title, path, entity, collect, o
     set_busy(false);
   };
   const explain = async (failure: unknown) => {
-    const told = failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0);
+    const told = as_error(failure);
     set_theirs(null);
     if (told.kind === 'conflict' && entity !== null) {
       const latest = await get<T>(`${path}/${entity.id}`).catch(() => null);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Keeping what a tracking interferometer found, with the files it was evaluated from: the button, and the form behind it.
 import { useState } from 'preact/hooks';
-import { ApiError, made_of_files } from '../api/client';
+import { ApiError, as_error, made_of_files } from '../api/client';
 import { why_read_only } from '../api/session';
 import type { KeptCalibration, CalibrationKind, Receipt } from '../api/types';
 import { texts } from '../i18n/texts';
@@ -67,7 +67,7 @@ function KeepDialog({ sent, on_close, on_kept }: { sent: SentCalibration; on_clo
     try {
       on_kept(await keep(sent, words));
     } catch (thrown) {
-      set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+      set_error(as_error(thrown));
       set_busy(false);
     }
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from 'preact/hooks';
-import { ApiError, get, query } from '../api/client';
+import { type ApiError, as_error, get, query } from '../api/client';
 import type { AuditEntry, AuditTrail } from '../api/types';
 import { use_get } from '../api/use';
 import { FailureNotice } from '../components/failure';
@@ -30,7 +30,7 @@ export function AuditPage() {
       set_older([...older, ...answer.entries]);
       set_ended(answer.entries.length < page_size);
     } catch (failure) {
-      set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+      set_error(as_error(failure));
     }
   };
   const failed = first.error ?? error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, send } from '../api/client';
+import { type ApiError, as_error, send } from '../api/client';
 import { use_get } from '../api/use';
 import type { Capture, Plan } from '../api/types';
 import { FailureNotice } from '../components/failure';
@@ -75,7 +75,7 @@ function runs_of(plan: Plan | null, capture: Capture | null): number {
 function Ending({ capture, again }: { capture: Capture; again: () => void }) {
   const [error, set_error] = useState<ApiError | null>(null);
   const after = (request: Promise<Capture>) =>
-    void request.then(again, (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)));
+    void request.then(again, (failure: unknown) => set_error(as_error(failure)));
   const tone = capture.state === 'failed' ? 'bad' : capture.state === 'complete' ? 'good' : 'caution';
   return (
     <div class={`notice ${tone} ending`} role="status">

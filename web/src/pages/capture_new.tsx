@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, send } from '../api/client';
+import { type ApiError, as_error, send } from '../api/client';
 import { use_get } from '../api/use';
 import type { Capture, Plan, PlanList, SourceList } from '../api/types';
 import { FailureNotice } from '../components/failure';
@@ -47,7 +47,7 @@ export function NewCapturePage() {
     }).then(
       (capture) => go(`/captures/${capture.id}`),
       (failure: unknown) => {
-        set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+        set_error(as_error(failure));
         set_busy(false);
       },
     );

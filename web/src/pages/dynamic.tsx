@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion without standstills: a recording is dropped, evaluated, shown. Nothing is kept.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { ApiError, made_of_files, offer, query, upload } from '../api/client';
+import { type ApiError, as_error, made_of_files, offer, query, upload } from '../api/client';
 import { health } from '../api/session';
 import type { DynamicOptions, DynamicResult } from '../api/types';
 import { FailureNotice } from '../components/failure';
@@ -18,7 +18,6 @@ import { t } from './dynamic/texts';
 import { DynamicView } from './dynamic/view';
 import { dynamic_words } from './dynamic/words';
 
-const as_error = (failure: unknown): ApiError => (failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
 const said = (options: DynamicOptions): string => JSON.stringify(options);
 
 interface Asked { result: DynamicResult | null; of: File | null; error: ApiError | null; busy: boolean; part: number }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Straightness, angles and squareness: files are dropped, evaluated, shown, and kept among the calibrations.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { ApiError, made_of_files, offer, query } from '../api/client';
+import { type ApiError, as_error, made_of_files, offer, query } from '../api/client';
 import type { MotionResult } from '../api/types';
 import { FailureNotice } from '../components/failure';
 import { FileDrop } from '../components/file_drop';
@@ -42,7 +42,7 @@ function use_motions(files: readonly MotionFile[], options: MotionOptions | null
       .then(async (answer) => set_asked({ result: (await answer.json()) as MotionResult, error: null, busy: false }))
       .catch((failure: unknown) => {
         if (end.signal.aborted) return;
-        set_asked({ result: null, error: failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0), busy: false });
+        set_asked({ result: null, error: as_error(failure), busy: false });
       });
     return () => end.abort();
   }, [files, said, language.value, decimal.value]);
@@ -129,7 +129,7 @@ function ReportButton({ files, kind, options, extension }: { files: readonly Mot
     set_error(null);
     made_of_files(`/api/motions/report.${extension}${query({ language: language.value, decimal: decimal.value, download: 1 })}`, form_data(files, kind, options))
       .then(async (answer) => offer(await answer.blob(), `${kind}.${extension}`))
-      .catch((failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)));
+      .catch((failure: unknown) => set_error(as_error(failure)));
   };
   return <><button type="button" onClick={make}>{t('report')} {extension.toUpperCase()}</button>{error && <FailureNotice error={error} />}</>;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, query, send } from '../api/client';
+import { type ApiError, as_error, query, send } from '../api/client';
 import { why_read_only } from '../api/session';
 import { use_get } from '../api/use';
 import type { Document, Test, Vocabulary } from '../api/types';
@@ -120,7 +120,7 @@ function Issued({ test, choice, writers, writable, reload }:
       },
       (failure: unknown) => {
         set_busy(false);
-        set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+        set_error(as_error(failure));
       },
     );
   };

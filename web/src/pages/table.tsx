@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a kept test to the table by which the control corrects its axis: what is chosen on the left, what comes of it beside it.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { get, type ApiError } from '../api/client';
+import { type ApiError, as_error, get } from '../api/client';
 import type { CompensatedControl, CompensationHead, CompensationList, KeptCompensation, Machine, Test } from '../api/types';
 import { use_get } from '../api/use';
 import { day_seconds } from '../components/dates';
@@ -21,7 +21,7 @@ import { t } from './compensations/texts';
 import { guessed, takes } from './compensations/uses';
 import './plan.css';
 import './test.css';
-import { failure_of, test_path } from './test/state';
+import { test_path } from './test/state';
 
 export function TablePage({ parts }: { parts: Record<string, string> }) {
   const id = parts['id'] ?? '';
@@ -81,7 +81,7 @@ function Correct({ test, controls, active, last, words }: Props) {
     Promise.all([file_of(loaded), get<KeptCompensation>(`/api/compensations/${loaded.id}`)]).then(([file, kept]) => {
       set_existing({ file, of: loaded.id });
       change(meant_by(kept));
-    }, (error: unknown) => set_untaken(failure_of(error)));
+    }, (error: unknown) => set_untaken(as_error(error)));
   };
   // The table that this test proves was active while it was measured: without it the new one would lack what it does.
   useEffect(() => { if (active !== null && active.control.id === control?.id) take_loaded(); }, []);

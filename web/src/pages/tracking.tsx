@@ -2,7 +2,7 @@
 // The way of a test with a tracking interferometer: machine, station, lines, program, lengths, results. All of it stands
 // on one page, and of it only captures and kept results are in the archive.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { ApiError, download_made, offer, query } from '../api/client';
+import { type ApiError, as_error, download_made, offer, query } from '../api/client';
 import { as_json, use_posted } from '../api/posted';
 import type { MachineList, TrackingDraft, TrackingPoints, Vocabulary } from '../api/types';
 import { use_get } from '../api/use';
@@ -43,7 +43,7 @@ export function TrackingPage() {
   const sheet = (extension: string) => {
     set_error(null);
     download_made(`/api/tracking/lines/sheet.${extension}${look()}`, { request: settled }, `${name}.${extension}`)
-      .catch((thrown: unknown) => set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0)));
+      .catch((thrown: unknown) => set_error(as_error(thrown)));
   };
   const fields = { form, change, faults };
   return (

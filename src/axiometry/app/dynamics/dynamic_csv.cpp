@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
-#include "axiometry/app/files/output.h"
-#include "axiometry/base/contract.h"
+#include "axiometry/app/files/piecewise.h"
 #include "axiometry/base/number_text.h"
 
 namespace axiometry::app {
@@ -62,38 +61,22 @@ Result<void> spectrum_to(const DynamicMotion& m, const auto& sink) {
       sink);
 }
 
-Result<void> to_file(const std::string& file, const auto& table) {
-  AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
-  AXIOMETRY_TRY_VOID(table([&](const std::string& text) { return output.write(text); }));
-  return output.commit();
-}
-
-std::string as_text(const auto& table) {
-  std::string all;
-  const Result<void> written = table([&](const std::string& text) -> Result<void> {
-    all += text;
-    return {};
-  });
-  AXIOMETRY_CONTRACT(written.has_value());
-  return all;
-}
-
 }  // namespace
 
 Result<void> write_series(const DynamicMotion& m, const std::string& file) {
-  return to_file(file, [&](const auto& sink) { return series_to(m, sink); });
+  return write_piecewise(file, [&](const auto& sink) { return series_to(m, sink); });
 }
 
 Result<void> write_spectrum(const DynamicMotion& m, const std::string& file) {
-  return to_file(file, [&](const auto& sink) { return spectrum_to(m, sink); });
+  return write_piecewise(file, [&](const auto& sink) { return spectrum_to(m, sink); });
 }
 
 std::string series_csv(const DynamicMotion& m) {
-  return as_text([&](const auto& sink) { return series_to(m, sink); });
+  return text_of_pieces([&](const auto& sink) { return series_to(m, sink); });
 }
 
 std::string spectrum_csv(const DynamicMotion& m) {
-  return as_text([&](const auto& sink) { return spectrum_to(m, sink); });
+  return text_of_pieces([&](const auto& sink) { return spectrum_to(m, sink); });
 }
 
 }  // namespace axiometry::app

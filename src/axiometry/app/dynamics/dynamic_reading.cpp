@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
+#include "axiometry/app/files/go_on_unless.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/raw_times.h"
@@ -21,11 +22,6 @@ constexpr std::size_t dynamic_block = std::size_t{256} << 10;
 constexpr std::size_t samples_least = 64, peaks_shown = 10;
 constexpr double uneven_most = 0.01;   // of an interval
 constexpr double written_to_s = 1e-6;  // to which times in a file of text are rounded
-
-Result<void> go_on_unless_stopped(const std::stop_token& stop) {
-  if (!stop.stop_requested()) return {};
-  return fail(ErrorKind::unavailable, "stopped before it was done; nothing was kept");
-}
 
 Result<const formats::Recording*> layout_of(Source& source, const std::string& id) {
   AXIOMETRY_TRY(const std::string_view head, source.head());
@@ -127,7 +123,7 @@ Result<ReadMotion> read_motion(Source& source, const DynamicOptions& options) {
   const SampleSink sink = [&](std::span<const Sample> some) { return samples.take(some); };
   std::vector<char> block(dynamic_block);
   while (true) {
-    AXIOMETRY_TRY_VOID(go_on_unless_stopped(options.stop));
+    AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
     AXIOMETRY_TRY(const std::size_t got, source.read(block));
     if (got == 0) break;
     digest.update({block.data(), got});
@@ -194,9 +190,9 @@ Result<DynamicMotion> measured(Source source, const DynamicOptions& options) {
   motion.uniform_share = options.uniform_share;
   AXIOMETRY_TRY(motion.course, capture::motion_course(
                                    motion.record, options.window_s.value_or(capture::usual_window_s(motion.record))));
-  AXIOMETRY_TRY_VOID(go_on_unless_stopped(options.stop));
+  AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
   motion.stretches = capture::uniform_stretches(motion.record, motion.course, {.share = options.uniform_share});
-  AXIOMETRY_TRY_VOID(go_on_unless_stopped(options.stop));
+  AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
   find_spectrum(motion);
   add_limits(motion);
   return motion;

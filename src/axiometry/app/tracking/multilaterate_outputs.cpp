@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/files/piecewise.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/tracking/multilaterate.h"
@@ -184,25 +185,11 @@ Result<void> put_residuals(const Multilaterated& r, const Put& put) {
 }
 
 Result<void> write_points(const Multilaterated& r, const std::string& file) {
-  AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
-  AXIOMETRY_TRY_VOID(put_points(r, [&](const std::string& row) { return output.write(row); }));
-  return output.commit();
+  return write_piecewise(file, [&](const auto& put) { return put_points(r, put); });
 }
 
 Result<void> write_residuals(const Multilaterated& r, const std::string& file) {
-  AXIOMETRY_TRY(OutputFile output, OutputFile::create(file));
-  AXIOMETRY_TRY_VOID(put_residuals(r, [&](const std::string& row) { return output.write(row); }));
-  return output.commit();
-}
-
-std::string table_text(const auto& put_table) {
-  std::string table;
-  const Result<void> put = put_table([&](const std::string& row) -> Result<void> {
-    table += row;
-    return {};
-  });
-  AXIOMETRY_CONTRACT(put.has_value());
-  return table;
+  return write_piecewise(file, [&](const auto& put) { return put_residuals(r, put); });
 }
 
 }  // namespace
@@ -217,11 +204,11 @@ Value to_json(const Multilaterated& r) {
 }
 
 std::string points_csv(const Multilaterated& r) {
-  return table_text([&](const auto& put) { return put_points(r, put); });
+  return text_of_pieces([&](const auto& put) { return put_points(r, put); });
 }
 
 std::string residuals_csv(const Multilaterated& r) {
-  return table_text([&](const auto& put) { return put_residuals(r, put); });
+  return text_of_pieces([&](const auto& put) { return put_residuals(r, put); });
 }
 
 Result<void> write_outputs(const Multilaterated& result, const report::Document& document,

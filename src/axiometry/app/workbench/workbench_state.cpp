@@ -233,11 +233,6 @@ Result<std::optional<iso230_2::Finding>> Workbench::State::changed_limits_of(con
   return changed_limits(kept.from_archive, std::move(now.value));
 }
 
-Result<void> go_on_unless(const std::stop_token& stop) {
-  if (!stop.stop_requested()) return {};
-  return fail(ErrorKind::unavailable, "stopped before it was done; nothing was kept");
-}
-
 ArchiveLinks links_of(const store::TestRecord& record) { return {record.machine, record.axis, record.instruments}; }
 
 Outcome outcome_of(Found found) {

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <string>
 
+#include "axiometry/app/files/go_on_unless.h"
 #include "axiometry/app/files/recent.h"
 #include "axiometry/app/workbench/measured_file.h"
 #include "axiometry/app/workbench/workbench.h"
@@ -61,9 +62,6 @@ struct Workbench::State {
   /// One that was evaluated again a short while ago; nullptr where there is none.
   std::shared_ptr<const Evaluated> remembered(const store::TestRecord& record);
 };
-
-/// Fails once it was told to stop.
-Result<void> go_on_unless(const std::stop_token& stop);
 
 ArchiveLinks links_of(const store::TestRecord& record);
 Outcome outcome_of(Found found);

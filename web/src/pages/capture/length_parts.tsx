@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a plan of lengths: which have been captured, and what begins the next one.
 import { useEffect, useState } from 'preact/hooks';
-import { ApiError, query, send } from '../../api/client';
+import { type ApiError, as_error, query, send } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
 import type { Capture, LengthPart, LengthParts, LengthSubject, SourceList } from '../../api/types';
 import { use_get } from '../../api/use';
@@ -75,7 +75,7 @@ export function LengthPartsPanel({ subject, step, own }: Props) {
     send<Capture>('POST', '/api/captures', { lengths: { ...subject, part }, source: source.id, layout: form.layout, options: sent(form.options, source, 'lengths') }).then(
       (capture) => { set_busy(false); go(`/captures/${capture.id}`); },
       (failure: unknown) => {
-        set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+        set_error(as_error(failure));
         set_busy(false);
       },
     );

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A capture of a straightness or a rotation while it goes on: the target that is due, the running value, what a person says.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { ApiError, send } from '../../api/client';
+import { type ApiError, as_error, send } from '../../api/client';
 import type { Capture, CapturedMotion, Plan, StopKey } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { fixed, unit_sign, when } from '../../numbers';
@@ -97,7 +97,7 @@ function StopKeys({ capture, motion }: { capture: Capture; motion: CapturedMotio
   const say = (key: Key) => {
     set_error(null);
     send<Capture>('POST', `/api/captures/${capture.id}/keys`, { key }).catch((failure: unknown) =>
-      set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)));
+      set_error(as_error(failure)));
   };
   useEffect(() => {
     if (!may_take) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, send } from '../../api/client';
+import { type ApiError, as_error, send } from '../../api/client';
 import type { Capture } from '../../api/types';
 import { Dialog } from '../../components/dialog';
 import { FailureNotice } from '../../components/failure';
@@ -14,7 +14,7 @@ export function StopButton({ capture, what, stopped }: { capture: Capture; what:
     set_asking(false);
     send<Capture>('POST', `/api/captures/${capture.id}/stop`, {}).then(
       stopped,
-      (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
+      (failure: unknown) => set_error(as_error(failure)),
     );
   };
   return (

@@ -2,7 +2,7 @@
 // What came of a capture that became a table, of lengths or of an error motion: its files, and whether it stays listed.
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import { ApiError, send } from '../../api/client';
+import { type ApiError, as_error, send } from '../../api/client';
 import type { Capture, CapturedTable } from '../../api/types';
 import { Dialog } from '../../components/dialog';
 import { FailureNotice } from '../../components/failure';
@@ -25,7 +25,7 @@ interface Props {
 export function TableEnding({ capture, kept, only_raw, table, discard_what, again, children }: Props) {
   const [error, set_error] = useState<ApiError | null>(null);
   const [asking, set_asking] = useState(false);
-  const failed = (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+  const failed = (failure: unknown) => set_error(as_error(failure));
   const after = (request: Promise<Capture>) => void request.then(again, failed);
   const end = table_of(capture);
   const has = (role: FileRole) => end?.files.includes(role) ?? false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lengths of captures that the address names (?captures=3,5), with the plan that they are of.
 import { useEffect, useState } from 'preact/hooks';
-import { ApiError, get, made } from '../../api/client';
+import { type ApiError, as_error, get, made } from '../../api/client';
 import type { CapturedPlan } from '../../api/types';
 import { place } from '../../router';
 import { t } from './length_texts';
@@ -32,7 +32,7 @@ export function use_taken_lengths(kind: CapturedPlan['kind']): { taken: TakenLen
     const abort = new AbortController();
     taken(ids, kind, abort.signal).then(
       (lengths) => { if (!abort.signal.aborted) set_found(lengths); },
-      (failure: unknown) => { if (!abort.signal.aborted) set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)); },
+      (failure: unknown) => { if (!abort.signal.aborted) set_error(as_error(failure)); },
     );
     return () => abort.abort();
   }, [named, kind]);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { get, type ApiError } from '../../api/client';
+import { type ApiError, as_error, get } from '../../api/client';
 import type { Test } from '../../api/types';
 import { decimal, language } from '../../settings';
-import { failure_of, test_path } from '../test/state';
+import { test_path } from '../test/state';
 
 export interface LoadedTest { id: number; test: Test | null; error: ApiError | null }
 
@@ -28,7 +28,7 @@ export function use_tests(ids: readonly number[]): LoadedTest[] {
       };
       get<Test>(test_path(id)).then(
         (test) => keep({ test, error: null }),
-        (error: unknown) => keep({ test: known.current.get(id)?.test ?? null, error: failure_of(error) }),
+        (error: unknown) => keep({ test: known.current.get(id)?.test ?? null, error: as_error(error) }),
       );
     }
   }, [list, spoken]);

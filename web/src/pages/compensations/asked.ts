@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the program makes of options and of an existing table: asked while someone types, and given up when overtaken.
 import { useEffect, useState } from 'preact/hooks';
-import { ApiError, made_of_files, query } from '../../api/client';
+import { ApiError, as_error, made_of_files, query } from '../../api/client';
 import { returned } from '../../api/session';
 import type { CompensationOptions, KeptCompensation, MadeCompensation, ReadTable, Receipt } from '../../api/types';
 import { decimal, language } from '../../settings';
@@ -34,7 +34,7 @@ function use_form<T>(path: string, key: string | null, file: File | null, form: 
         const data = (await response.json()) as T;
         if (!abort.signal.aborted) set_answer({ data, key, file });
       } catch (thrown) {
-        if (!abort.signal.aborted) set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+        if (!abort.signal.aborted) set_error(as_error(thrown));
       }
     };
     const timer = window.setTimeout(() => void ask(), pause_ms);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import { as_error } from '../../api/client';
 import { useState } from 'preact/hooks';
 import type { ApiError } from '../../api/client';
 import { why_read_only } from '../../api/session';
@@ -8,7 +9,6 @@ import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { go } from '../../router';
 import { actor } from '../../settings';
-import { failure_of } from '../test/state';
 import { form_of, keep_table } from './asked';
 import { t } from './texts';
 
@@ -38,7 +38,7 @@ function KeepDialog({ test, version, options, existing, serious, on_close }: Pro
       const kept = await keep_table(test, version, form_of(options, existing, notes));
       go(`/compensations/${kept.id}`);
     } catch (thrown) {
-      set_error(failure_of(thrown));
+      set_error(as_error(thrown));
       set_busy(false);
     }
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from 'preact/hooks';
-import { ApiError, made_of_files } from '../../api/client';
+import { ApiError, as_error, made_of_files } from '../../api/client';
 import type { CompensatedControl } from '../../api/types';
 import { table_form } from './asked';
 import { largest_table } from './existing';
@@ -28,7 +28,7 @@ export function use_readers(file: File | null, controls: readonly CompensatedCon
         } catch (error) {
           if (abort.signal.aborted) return;
           if (!(error instanceof ApiError) || error.kind !== 'bad_input') {
-            set_readers({ found, done: true, error: error instanceof ApiError ? error : new ApiError('refused', String(error), 0) });
+            set_readers({ found, done: true, error: as_error(error) });
             return;
           }
         }

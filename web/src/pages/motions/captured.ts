@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The readings of a capture that the address names (?capture=3).
-import { ApiError, bytes_of, get } from '../../api/client';
+import { type ApiError, as_error, bytes_of, get } from '../../api/client';
 import type { Capture } from '../../api/types';
 import { when } from '../../numbers';
 import { place } from '../../router';
@@ -16,6 +16,6 @@ export function take_captured(take: (files: readonly File[]) => void, failed: (e
   if (id === '') return;
   captured(id).then(
     (file) => take([file]),
-    (failure: unknown) => failed(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
+    (failure: unknown) => failed(as_error(failure)),
   );
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, bytes_of } from '../../api/client';
+import { type ApiError, as_error, bytes_of } from '../../api/client';
 import { use_get } from '../../api/use';
 import type { PlanList } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
@@ -20,7 +20,7 @@ export function PlanChoice({ take }: { take: (plan: File) => void }) {
     set_error(null);
     bytes_of(`/api/plans/${plan.id}/plan.json`)
       .then((bytes) => take(new File([bytes], `${plan.title}.plan.json`)))
-      .catch((failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)));
+      .catch((failure: unknown) => set_error(as_error(failure)));
   };
   return (
     <>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans that `axiometry plan` wrote, or another archive: chosen or dropped, and kept as they are.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { ApiError, send } from '../../api/client';
+import { ApiError, as_error, send } from '../../api/client';
 import { why_read_only } from '../../api/session';
 import type { Plan } from '../../api/types';
 import { go } from '../../router';
@@ -29,7 +29,7 @@ export function ImportPlans({ refused, done }: { refused: (files: Refused[]) => 
       try {
         last = await keep_plan(file);
       } catch (failure) {
-        wrong.push({ name: file.name, error: failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0) });
+        wrong.push({ name: file.name, error: as_error(failure) });
       }
     }
     set_busy(false);

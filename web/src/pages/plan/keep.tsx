@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useState } from 'preact/hooks';
-import { ApiError, download_made, get, query, send } from '../../api/client';
+import { type ApiError, as_error, download_made, get, query, send } from '../../api/client';
 import type { Plan, PlanRequest } from '../../api/types';
 import { ConflictDialog } from '../../components/conflict';
 import { FailureNotice } from '../../components/failure';
@@ -40,7 +40,7 @@ export function Keep({ form, title, request, kept, touched, rename, done, replac
   useEffect(() => () => { unsaved.value = null; }, []);
 
   const failed = async (failure: unknown) => {
-    const found = failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0);
+    const found = as_error(failure);
     if (found.kind === 'conflict' && base) set_newer(await get<Plan>(`/api/plans/${base.id}`).catch(() => null));
     if (found.kind === 'kept') {
       const { id, version } = found.receipt ?? { id: null, version: null };

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useRef, useState } from 'preact/hooks';
-import { upload, type ApiError } from '../../api/client';
+import { type ApiError, as_error, upload } from '../../api/client';
 import type { Document } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { texts } from '../../i18n/texts';
 import { bytes, when } from '../../numbers';
-import { failure_of, type TestState } from './state';
+import { type TestState } from './state';
 
 const t = texts({
   title: 'Documents',
@@ -37,7 +37,7 @@ export function Documents({ state }: { state: TestState }) {
         state.test.value = { ...state.test.value, documents: [...state.test.value.documents, document] };
       }
     } catch (error) {
-      set_failure(failure_of(error));
+      set_failure(as_error(error));
     }
     if (input.current) input.current.value = '';
     set_busy(false);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+import { as_error } from '../../api/client';
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import type { ApiError } from '../../api/client';
@@ -7,7 +8,6 @@ import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { texts } from '../../i18n/texts';
 import { actor } from '../../settings';
-import { failure_of } from './state';
 
 const t = texts({
   reason: 'Reason (required)',
@@ -40,7 +40,7 @@ export function ReasonDialog({ title, action, disabled = false, close, act, caug
       await act(reason.trim());
       close();
     } catch (error) {
-      const found = failure_of(error);
+      const found = as_error(error);
       if (!caught?.(found)) set_failure(found);
       set_busy(false);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One test as its page works with it: what is kept, what is tried, and the numbers of what is tried.
 import { computed, signal, type ReadonlySignal } from '@preact/signals';
-import { ApiError, query, send } from '../../api/client';
+import { type ApiError, as_error, query, send } from '../../api/client';
 import type { Changes, Evaluated, Field, Options, Test } from '../../api/types';
 import { decimal } from '../../settings';
 import { keep_draft, kept_draft } from './draft_store';
@@ -19,10 +19,6 @@ const same_options = (a: Options, b: Options): boolean =>
 
 const without = (changes: Changes, keys: readonly string[]): Changes =>
   Object.fromEntries(Object.entries(changes).filter(([key]) => !keys.includes(key)));
-
-export function failure_of(error: unknown): ApiError {
-  return error instanceof ApiError ? error : new ApiError('refused', String(error), 0);
-}
 
 /** What the server writes of numbers as text follows the user's decimal mark. */
 export const test_path = (id: number | string, rest = '', more: Record<string, string | number | null> = {}): string =>
@@ -217,7 +213,7 @@ export class TestState {
         break;
       } catch (error) {
         if (abort.signal.aborted) return;
-        const failure = failure_of(error);
+        const failure = as_error(error);
         const key = failure.kind === 'bad_input' ? this.blamed(failure.message, faulty) : null;
         if (key === null) {
           this.failure.value = failure;

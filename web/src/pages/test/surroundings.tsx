@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The temperatures before and during the test: a log that is dropped here is kept with the test and judged with it.
 import { useEffect, useState } from 'preact/hooks';
-import { query, upload, type ApiError } from '../../api/client';
+import { type ApiError, as_error, query, upload } from '../../api/client';
 import type { Document, FigureList, Options, Surroundings as Found, TemperatureSensors } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
@@ -10,7 +10,7 @@ import { FileDrop } from '../../components/file_drop';
 import { texts } from '../../i18n/texts';
 import { absent, fixed, marked, parsed } from '../../numbers';
 import { decimal, language, screen_theme } from '../../settings';
-import { failure_of, type TestState } from './state';
+import { type TestState } from './state';
 
 const t = texts({
   title: 'Temperatures before and during the test',
@@ -83,7 +83,7 @@ export function Surroundings({ state }: { state: TestState }) {
       state.edit();
       state.choose({ temperatures: { ...state.options.value.temperatures, sha256: document.sha256, name: document.name } });
     } catch (error) {
-      set_failure(failure_of(error));
+      set_failure(as_error(error));
     }
     set_busy(false);
   };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that were chosen and are looked at, before anything is kept. They stay while other pages are visited.
 import { effect, signal, untracked } from '@preact/signals';
-import { ApiError, upload } from '../../api/client';
+import { ApiError, as_error, upload } from '../../api/client';
 import { ask_health, health, returned } from '../../api/session';
 import type { ImportProfile, Preview, Received } from '../../api/types';
 import { bytes } from '../../numbers';
@@ -64,7 +64,7 @@ async function transfer<T>(one: Incoming, path: string): Promise<T | ApiError | 
     return await upload<T>(path, one.file, { signal: abort.signal, progress, profile: one.profile });
   } catch (failure) {
     if (abort.signal.aborted) return null;
-    return failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0);
+    return as_error(failure);
   } finally {
     running.delete(one.key);
   }

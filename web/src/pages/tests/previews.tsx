@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError } from '../../api/client';
+import { type ApiError, as_error } from '../../api/client';
 import { why_read_only } from '../../api/session';
 import { FailureNotice } from '../../components/failure';
 import { sentence } from '../../components/findings';
@@ -132,7 +132,7 @@ function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
   const is_kept = error?.kind === 'kept';
   const keep_it = () => void keep_plan(one.file).then(
     (plan) => { remove(one.key); go(`/plans/${plan.id}`); },
-    (failure: unknown) => set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0)),
+    (failure: unknown) => set_error(as_error(failure)),
   );
   return (
     <>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, send } from '../../api/client';
+import { type ApiError, as_error, send } from '../../api/client';
 import { ask_health, why_read_only } from '../../api/session';
 import { FailureNotice } from '../../components/failure';
 import { kept_count } from './incoming';
@@ -39,7 +39,7 @@ function Examples() {
       await send('POST', '/api/examples', {});
       set_error(null);
     } catch (failure) {
-      set_error(failure instanceof ApiError ? failure : new ApiError('refused', String(failure), 0));
+      set_error(as_error(failure));
     }
     kept_count.value += 1;
     await ask_health();

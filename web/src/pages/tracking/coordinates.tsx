@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Readings of several stations to points: lengths alone, or with angles.
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { ApiError, made_of_files, query } from '../../api/client';
+import { ApiError, as_error, made_of_files, query } from '../../api/client';
 import type { Multilateration, PolarResult, Vocabulary } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
@@ -63,7 +63,7 @@ export function CoordinatesPanel({ vocabulary }: { vocabulary: Vocabulary | null
       (thrown: unknown) => {
         if (abort.signal.aborted) return;
         set_found(null);
-        set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+        set_error(as_error(thrown));
         set_busy(false);
       },
     );

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points and stations that were found: findings, a picture, coordinates with their uncertainties, and files to take along.
 import { useMemo, useState } from 'preact/hooks';
-import { ApiError, made_of_files, offer, query } from '../../api/client';
+import { type ApiError, as_error, made_of_files, offer, query } from '../../api/client';
 import type { FoundPoint, Multilateration, PolarResult, TrackingFinding } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Scene } from '../../components/scene';
@@ -141,7 +141,7 @@ function Taken({ sent }: { sent: SentReadings }) {
       const answer = await made_of_files(`/api/tracking/${sent.way}/${path}`, readings_form(sent));
       offer(new Blob([await answer.arrayBuffer()]), name);
     } catch (thrown) {
-      set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+      set_error(as_error(thrown));
     }
     set_busy(false);
   };

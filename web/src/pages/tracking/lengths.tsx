@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { ApiError, made_of_files, offer, query } from '../../api/client';
+import { ApiError, as_error, made_of_files, offer, query } from '../../api/client';
 import type { TrackingEvaluation, TrackingPlanFile } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { OptionsFields, form_of, options_of } from '../../components/evaluation_options';
@@ -31,7 +31,6 @@ function form_data_of({ lengths, plan, station, options }: Sent): FormData {
   return form;
 }
 
-const failure_of = (thrown: unknown): ApiError => (thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
 
 function check_size(...files: File[]): void {
   const size = files.reduce((sum, file) => sum + file.size, 0);
@@ -59,7 +58,7 @@ function use_evaluation(sent: Sent | null): { found: Found | null; error: ApiErr
       (thrown: unknown) => {
         if (abort.signal.aborted) return;
         set_found(null);
-        set_error(failure_of(thrown));
+        set_error(as_error(thrown));
       },
     );
     return () => abort.abort();
@@ -106,7 +105,7 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
       const answer = await made_of_files(`/api/tracking/evaluation/report.${extension}${query({ language: language.value, decimal: decimal.value })}`, form_data_of(found.sent));
       offer(await answer.blob(), `${found.sent.lengths.name.replace(/\.\w+$/, '')}.${extension}`);
     } catch (thrown) {
-      set_not_saved(failure_of(thrown));
+      set_not_saved(as_error(thrown));
     }
     set_busy(false);
   };

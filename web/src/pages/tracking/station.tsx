@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
-import { ApiError, download_made, made_of_files, offer, query, send } from '../../api/client';
+import { ApiError, as_error, download_made, made_of_files, offer, query, send } from '../../api/client';
 import type { TrackingAdvice, TrackingPoints, TrackingRequest, TrackingStation } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { FileDrop } from '../../components/file_drop';
@@ -24,7 +24,6 @@ interface Props extends FormProps {
   set_points: (points: TrackingPoints | null) => void;
 }
 
-const failure_of = (thrown: unknown): ApiError => (thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
 
 /** Where the instrument stands: typed, proposed, or found from measured points. */
 export function StationPanel(props: Props) {
@@ -34,7 +33,7 @@ export function StationPanel(props: Props) {
   const asking = async (what: () => Promise<void>) => {
     set_busy(true);
     set_error(null);
-    try { await what(); } catch (thrown) { set_error(failure_of(thrown)); }
+    try { await what(); } catch (thrown) { set_error(as_error(thrown)); }
     set_busy(false);
   };
   return (

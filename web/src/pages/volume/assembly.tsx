@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What errors that were measured one by one make together: findings, curves, field, lines and tables.
 import { useState } from 'preact/hooks';
-import { ApiError, made_of_files, offer, query } from '../../api/client';
+import { type ApiError, as_error, made_of_files, offer, query } from '../../api/client';
 import type { VolumetricAssembly } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { DataTable } from '../../components/table';
@@ -80,7 +80,7 @@ function Taken({ sent }: { sent: SentSingles }) {
       const answer = await made_of_files(`/api/volumetric/assembly/report.${extension}${query({ language: language.value, decimal: decimal.value })}`, singles_form_data(sent));
       offer(new Blob([await answer.arrayBuffer()]), name);
     } catch (thrown) {
-      set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+      set_error(as_error(thrown));
     }
     set_busy(false);
   };

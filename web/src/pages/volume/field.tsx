@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The error of the tool point over the volume: slices and arrows to move through, of one result or of two beside each other.
 import { useMemo, useState } from 'preact/hooks';
-import { ApiError, query, send } from '../../api/client';
+import { ApiError, as_error, query, send } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
 import type { VolumetricAssembly, VolumetricDifference, VolumetricField, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
@@ -57,7 +57,7 @@ function Earlier({ before, take }: { before: string | null; take: (before: Named
     try {
       take({ name: file.name, result: await read_result(file) });
     } catch (thrown) {
-      set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+      set_error(as_error(thrown));
     }
   };
   return (

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { ApiError, made_of_files, offer, query } from '../../api/client';
+import { ApiError, as_error, made_of_files, offer, query } from '../../api/client';
 import type { VolumetricAssembly, VolumetricMachine, VolumetricPlanFile, VolumetricResult } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { OptionsFields, form_of, options_of } from '../../components/evaluation_options';
@@ -34,7 +34,6 @@ function form_data_of(sent: Sent): FormData {
   return form;
 }
 
-const failure_of = (thrown: unknown): ApiError => (thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
 
 interface Found { sent: Sent; kept_as: SentCalibration; result: VolumetricResult; residuals: string }
 
@@ -83,13 +82,13 @@ export function LengthsPanel({ machine: of_form }: { machine: VolumetricMachine 
     set_busy(true);
     found_by(sent, abort.signal).then(
       (one) => { if (!abort.signal.aborted) { set_found(one); set_opened(null); set_busy(false); } },
-      (thrown: unknown) => { if (!abort.signal.aborted) { set_found(null); set_error(failure_of(thrown)); set_busy(false); } },
+      (thrown: unknown) => { if (!abort.signal.aborted) { set_found(null); set_error(as_error(thrown)); set_busy(false); } },
     );
     return () => abort.abort();
   }, [sent, spoken]);
   const open = (file: File) => {
     set_error(null);
-    read_result(file).then((result) => { set_opened({ file, result }); set_found(null); set_lengths(null); }, (thrown: unknown) => set_error(failure_of(thrown)));
+    read_result(file).then((result) => { set_opened({ file, result }); set_found(null); set_lengths(null); }, (thrown: unknown) => set_error(as_error(thrown)));
   };
   useEffect(() => { if (opened) open(opened.file); }, [spoken]);
   const shown = found?.result ?? opened?.result ?? null;
@@ -130,7 +129,7 @@ function Taken({ found }: { found: Found }) {
       const answer = await made_of_files(`/api/volumetric/identification/${path}${query({ language: language.value, decimal: decimal.value })}`, form_data_of(found.sent));
       offer(new Blob([await answer.arrayBuffer()]), name);
     } catch (thrown) {
-      set_error(failure_of(thrown));
+      set_error(as_error(thrown));
     }
     set_busy(false);
   };

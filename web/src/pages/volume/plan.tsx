@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
-import { ApiError, download_made, offer } from '../../api/client';
+import { type ApiError, as_error, download_made, offer } from '../../api/client';
 import type { VolumetricDraft, VolumetricExpectation } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
@@ -118,7 +118,7 @@ function Taken({ draft, name }: { draft: VolumetricDraft; name: string }) {
   const sheet = (extension: string) => {
     set_error(null);
     download_made(`/api/volumetric/plan/sheet.${extension}${look()}`, { plan: draft.plan }, `${name}.${extension}`)
-      .catch((thrown: unknown) => set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0)));
+      .catch((thrown: unknown) => set_error(as_error(thrown)));
   };
   return (
     <div class="row no-print">

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Errors that were measured one by one: files, where the axes stood meanwhile, and the model that they make together.
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { ApiError, made_of_files, query } from '../../api/client';
+import { ApiError, as_error, made_of_files, query } from '../../api/client';
 import type { VolumetricAssembly, VolumetricMachine } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
@@ -59,7 +59,7 @@ export function SinglesPanel({ machine }: { machine: VolumetricMachine | null })
       (thrown: unknown) => {
         if (abort.signal.aborted) return;
         set_made(null);
-        set_error(thrown instanceof ApiError ? thrown : new ApiError('refused', String(thrown), 0));
+        set_error(as_error(thrown));
         set_busy(false);
       },
     );
