@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::standards {
@@ -42,16 +43,17 @@ std::optional<Finding> warning(const AxisRule& rule, const ComparedFigure& compa
   const RuleFigure& figure = *compared.figure;
   if (figure.departs_by.empty() || !compared.value || !compared.counterpart_value) return std::nullopt;
   const double own = compared.value->in_native(), other = compared.counterpart_value->in_native();
-  const auto shown = [&](double x) { return iso230_2::rules::deviation_text(kind, x); };
+  const auto shown = [&](double x) { return iso230_2::rules::deviation_message(kind, x); };
   const bool look_equal = iso230_2::rules::size_text(own) == iso230_2::rules::size_text(other);
   const std::string own_name = fmt::format("{} after {}", name_of(figure), rule.name);
   const std::string other_name = fmt::format("{} after {}", compared.counterpart->symbol, iso230_2::edition);
-  const std::string message =
-      look_equal ? fmt::format("for this axis {} and {} are both {}, and yet not the same figure ({})", own_name,
+  using iso230_2::rules::message;
+  const iso230_2::rules::Message said =
+      look_equal ? message("for this axis {} and {} are both {}, and yet not the same figure ({})", own_name,
                                other_name, shown(own), evidence_words(figure.evidence))
-                 : fmt::format("for this axis {} is {}, but {} is {}: they are not the same figure ({})", own_name,
+                 : message("for this axis {} is {}, but {} is {}: they are not the same figure ({})", own_name,
                                shown(own), other_name, shown(other), evidence_words(figure.evidence));
-  return iso230_2::rules::note("not-the-same-figure", std::string(rule.name), message);
+  return iso230_2::rules::note("not-the-same-figure", std::string(rule.name), said);
 }
 
 std::vector<Finding> findings_of_edition(const iso230_2::Assessment& assessment) {

@@ -10,6 +10,7 @@
 
 #include "axiometry/standards/iso230_2/plan/plan.h"
 #include "axiometry/standards/iso230_2/programme.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::iso230_2 {

@@ -13,6 +13,7 @@
 #include "axiometry/model/fields.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/standards/environment/environment.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/standards/readings/reading_correction.h"

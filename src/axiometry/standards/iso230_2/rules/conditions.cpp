@@ -12,6 +12,7 @@
 #include "axiometry/standards/iso230_2/common_reversal.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 #include "axiometry/standards/iso230_2/rules/environment_findings.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/slope.h"
 
@@ -164,11 +165,11 @@ std::optional<Finding> straight_slope(const Case& c) {
   const auto slope = slope_of_means(c.evaluation.positions);
   if (!slope || slope->remainder.in_native() > 0.3 * E) return std::nullopt;
   return note("straight-slope", "3.24",
-              fmt::format("found a straight slope of {} µm/m, without which {} would be {} instead of {}; such a slope "
-                          "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
-                          size_text(1000.0 * slope->per_position_native), symbol,
-                          deviation_text(c, slope->remainder.in_native()), deviation_text(c, E),
-                          is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
+              message("found a straight slope of {} µm/m, without which {} would be {} instead of {}; such a slope "
+                      "comes from a scale, an expansion{} or a correction, and nothing of it is removed",
+                      size_text(1000.0 * slope->per_position_native), symbol,
+                      deviation_message(c, slope->remainder.in_native()), deviation_message(c, E),
+                      is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
 }
 
 std::optional<Finding> same_reversal_everywhere(const Case& c) {
@@ -183,11 +184,11 @@ std::optional<Finding> same_reversal_everywhere(const Case& c) {
   const double without = (repeated ? common->without.R : common->without.E)->in_native();
   if (!(measured > 0.0) || without > 0.75 * measured) return std::nullopt;
   return note("same-reversal-everywhere", "3.17",
-              fmt::format("found nearly the same reversal error at every target, {} on average, without which "
-                          "{} would be {} instead of {}; such a reversal error comes from play or from its "
-                          "compensation, and nothing of it is removed",
-                          deviation_text(c, p.B_mean->in_native()), repeated ? "R" : "E", deviation_text(c, without),
-                          deviation_text(c, measured)));
+              message("found nearly the same reversal error at every target, {} on average, without which "
+                      "{} would be {} instead of {}; such a reversal error comes from play or from its "
+                      "compensation, and nothing of it is removed",
+                      deviation_message(c, p.B_mean->in_native()), repeated ? "R" : "E", deviation_message(c, without),
+                      deviation_message(c, measured)));
 }
 
 std::optional<Finding> temperature_without_correction(const Case& c) {
@@ -207,10 +208,10 @@ std::optional<Finding> temperature_without_correction(const Case& c) {
                    found + " and no word whether differential expansion was corrected, expected nde.applied");
   return departure(
       "temperature-without-correction", "4.1",
-      fmt::format("{} and no correction for differential expansion, expected one off 20 °C: the machine expands by "
-                  "about {} over {} at {} µm/(m·°C)",
-                  found, deviation_text(c, std::round(per_m_K * distance(worst) * c.travel() / 100.0) / 10.0),
-                  position_text(c, c.travel()), figure(per_m_K)));
+      message("{} and no correction for differential expansion, expected one off 20 °C: the machine expands by "
+              "about {} over {} at {} µm/(m·°C)",
+              found, deviation_message(c, std::round(per_m_K * distance(worst) * c.travel() / 100.0) / 10.0),
+              position_text(c, c.travel()), figure(per_m_K)));
 }
 
 std::optional<Finding> temperature_change(const Case& c) {
@@ -246,10 +247,10 @@ std::optional<Finding> ordered_progression(const Case& c) {
   if (ordered < 2 || static_cast<double>(ordered) <= share * static_cast<double>(cells)) return std::nullopt;
   return note(
       "ordered-progression", progression_clause,
-      fmt::format("found {} of {} targets and directions {} from run to run, by {} on average from the first run to "
-                  "the last, expected no ordered progression: a sign that the machine was not thermally stable",
-                  ordered, cells, up ? "rising" : "falling",
-                  deviation_text(c, std::abs(up ? rise : fall) / static_cast<double>(ordered))));
+      message("found {} of {} targets and directions {} from run to run, by {} on average from the first run to "
+              "the last, expected no ordered progression: a sign that the machine was not thermally stable",
+              ordered, cells, up ? "rising" : "falling",
+              deviation_message(c, std::abs(up ? rise : fall) / static_cast<double>(ordered))));
 }
 
 }  // namespace axiometry::iso230_2::rules

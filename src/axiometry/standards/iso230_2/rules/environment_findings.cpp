@@ -13,6 +13,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::iso230_2 {

@@ -8,6 +8,7 @@
 #include "axiometry/base/contract.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/rounded_text.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::iso230_2 {
@@ -88,37 +89,16 @@ std::string figure(double x) { return format_shortest(std::round(x * 1000.0) / 1
 
 std::string size_text(double x) { return format_significant(x, 3); }
 
-namespace {
-
-// Of a deviation within a message: its text, and its value for who shows it otherwise. No text has such bytes.
-constexpr char text_mark = '\x01';
-constexpr char value_mark = '\x02';
-constexpr char end_mark = '\x03';
-
-}  // namespace
-
-std::string deviation_text(AxisKind kind, double x) {
-  return fmt::format("{}{} {}{}{}{}", text_mark, size_text(x), deviation_unit(kind), value_mark, format_exact(x),
-                     end_mark);
+Message deviation_message(AxisKind kind, double x) {
+  Message said(fmt::format("{} {}", size_text(x), deviation_unit(kind)));
+  said.deviations.push_back({0, said.text.size(), Deviation::native(x)});
+  return said;
 }
 
-std::string deviation_text(const Case& c, double x) { return deviation_text(c.kind(), x); }
+Message deviation_message(const Case& c, double x) { return deviation_message(c.kind(), x); }
 
-Finding finding(std::string id, std::string clause, Severity severity, std::string_view marked) {
-  Finding result{std::move(id), std::move(clause), severity, {}};
-  while (!marked.empty()) {
-    const std::size_t start = marked.find(text_mark);
-    result.message += marked.substr(0, start);
-    if (start == std::string_view::npos) break;
-    const std::size_t value = marked.find(value_mark, start), end = marked.find(end_mark, start);
-    AXIOMETRY_CONTRACT(value != std::string_view::npos && end != std::string_view::npos && value < end);
-    const auto x = parse_number(marked.substr(value + 1, end - value - 1));
-    AXIOMETRY_CONTRACT(x.has_value());
-    result.deviations.push_back({result.message.size(), value - start - 1, Deviation::native(*x)});
-    result.message += marked.substr(start + 1, value - start - 1);
-    marked.remove_prefix(end + 1);
-  }
-  return result;
+Finding finding(std::string id, std::string clause, Severity severity, Message message) {
+  return {std::move(id), std::move(clause), severity, std::move(message.text), std::move(message.deviations)};
 }
 
 std::string position_text(AxisKind kind, double position) {

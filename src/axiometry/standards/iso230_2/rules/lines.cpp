@@ -3,6 +3,7 @@
 // Lines in space and tracking interferometers: what ISO 230-2 does not speak of.
 #include <fmt/format.h>
 
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_6.h"
 #include "axiometry/standards/readings/station_offset.h"

@@ -10,6 +10,7 @@
 #include "axiometry/base/counted.h"
 #include "axiometry/base/says_nothing.h"
 #include "axiometry/base/text.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::iso230_2::rules {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 
@@ -176,19 +177,19 @@ std::optional<Finding> readings_coarsely_rounded(const Case& c) {
     if (scatter > 0.5 * step) return std::nullopt;
     return note(
         "readings-coarsely-rounded", "3.18",
-        fmt::format("found readings in steps of {} that scatter by {} about their means, no more than half a step: "
+        message("found readings in steps of {} that scatter by {} about their means, no more than half a step: "
                     "rounding may have made or hidden as much, and s_i and what rests on it are those of the "
                     "steps as much as of the machine",
-                    deviation_text(c, step), deviation_text(c, scatter)));
+                    deviation_message(c, step), deviation_message(c, scatter)));
   }
   // Corrected or averaged, they show no steps themselves.
   if (!resolution || scatter > 0.5 * resolution->in_native()) return std::nullopt;
   return note(
       "readings-coarsely-rounded", "3.18",
-      fmt::format("found readings that scatter by {} about their means, no more than half of the resolution of {} that "
+      message("found readings that scatter by {} about their means, no more than half of the resolution of {} that "
                   "is stated: rounding may have made or hidden as much, and s_i and what rests on it are those of its "
                   "steps as much as of the machine",
-                  deviation_text(c, scatter), deviation_text(c, resolution->in_native())));
+                  deviation_message(c, scatter), deviation_message(c, resolution->in_native())));
 }
 
 }  // namespace axiometry::iso230_2::rules

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "axiometry/model/fields.h"
@@ -108,26 +107,10 @@ std::string figure(double x);
 /// Of a deviation, to three significant digits or to the unit, without trailing zeros and with a true minus sign:
 /// "0.0213", "−2554".
 std::string size_text(double x);
-/// "0.0213 µm", "−2554 ″", marked so that departure(), missing() and note() find it (Finding::deviations).
-std::string deviation_text(AxisKind kind, double x);
-std::string deviation_text(const Case& c, double x);
 /// "1744.209 mm", "315°".
 std::string position_text(AxisKind kind, double position);
 std::string position_text(const Case& c, double position);
 /// "target 3 (353.834 mm)".
 std::string target_text(const Case& c, std::size_t target);
-
-/// Of a message whose deviations are marked. The id of a rule's finding is the name of its function.
-Finding finding(std::string id, std::string clause, Severity severity, std::string_view marked);
-
-inline Finding departure(std::string id, std::string clause, std::string_view message) {
-  return finding(std::move(id), std::move(clause), Severity::departure, message);
-}
-inline Finding missing(std::string id, std::string clause, std::string_view message) {
-  return finding(std::move(id), std::move(clause), Severity::missing, message);
-}
-inline Finding note(std::string id, std::string clause, std::string_view message) {
-  return finding(std::move(id), std::move(clause), Severity::note, message);
-}
 
 }  // namespace axiometry::iso230_2::rules

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "axiometry/base/rounded_text.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 
@@ -22,27 +23,27 @@ constexpr double least_change = 0.01;  // of a parameter, relative, that is wort
 constexpr double of_rounding = 1e-9;   // µm or ″: no reading tells it, but sums of equal ones may be off by as much
 
 /// "R↑ would be 2.1 µm instead of 9.7 µm", of the parameter that changes most; "" where none does.
-std::string without_text(const Case& c, const AxisParameters& without) {
+Message without_text(const Case& c, const AxisParameters& without) {
   const ParameterInfo* most = nullptr;
   double largest = least_change;
   for (const ParameterInfo& parameter : parameters) {
     const auto& before = c.evaluation.parameters.*parameter.member;
     const auto& after = without.*parameter.member;
     if (!before || !after || !(std::abs(before->in_native()) > 0.0)) continue;
-    if (deviation_text(c, after->in_native()) == deviation_text(c, before->in_native())) continue;  // of rounding
+    if (size_text(after->in_native()) == size_text(before->in_native())) continue;  // of rounding
     const double change = std::abs(after->in_native() / before->in_native() - 1.0);
     if (change > largest && parameter.member != &AxisParameters::B_mean) largest = change, most = &parameter;
   }
   if (most == nullptr) return "";
-  return fmt::format("{} would be {} instead of {}", most->symbol,
-                     deviation_text(c, (without.*most->member)->in_native()),
-                     deviation_text(c, (c.evaluation.parameters.*most->member)->in_native()));
+  return message("{} would be {} instead of {}", most->symbol,
+                 deviation_message(c, (without.*most->member)->in_native()),
+                 deviation_message(c, (c.evaluation.parameters.*most->member)->in_native()));
 }
 
-std::string consequence(const Case& c, const AxisParameters& without, std::string_view of) {
-  const std::string text = without_text(c, without);
-  if (text.empty()) return fmt::format("no parameter depends on {} by more than 1 %", of);
-  return fmt::format("without {} {}", of, text);
+Message consequence(const Case& c, const AxisParameters& without, std::string_view of) {
+  const Message text = without_text(c, without);
+  if (text.text.empty()) return message("no parameter depends on {} by more than 1 %", of);
+  return message("without {} {}", of, text);
 }
 
 /// The position of an outlier as it would be without it.
@@ -58,13 +59,12 @@ PositionResult position_without(const Series& series, const OutlyingReading& out
 
 Finding outlier_finding(const Case& c, const OutlyingReading& outlier, const AxisParameters& without) {
   const double distance = outlier.distance.in_native();
-  return note(
-      "outlying-reading", "3.18",
-      fmt::format("found an outlier at {} {} run {}: a reading of {}, which lies {} {} what the other readings of "
-                  "target and run let expect ({}); {}, and nothing is removed",
-                  target_text(c, outlier.target), arrow(outlier.direction), outlier.run + 1,
-                  deviation_text(c, outlier.deviation.in_native()), deviation_text(c, std::abs(distance)),
-                  distance > 0.0 ? "above" : "below", format_chance(outlier.p), consequence(c, without, "it")));
+  return note("outlying-reading", "3.18",
+              message("found an outlier at {} {} run {}: a reading of {}, which lies {} {} what the other readings of "
+                      "target and run let expect ({}); {}, and nothing is removed",
+                      target_text(c, outlier.target), arrow(outlier.direction), outlier.run + 1,
+                      deviation_message(c, outlier.deviation.in_native()), deviation_message(c, std::abs(distance)),
+                      distance > 0.0 ? "above" : "below", format_chance(outlier.p), consequence(c, without, "it")));
 }
 
 /// The positions without those of the part that scatters more, for R of the rest.
@@ -91,13 +91,13 @@ std::string place_text(const Case& c, const UnevenScatter& uneven) {
 }
 
 /// "; s_i go from 1.0 µm to 51 µm", "" where an evaluation of means alone has none.
-std::string range_text(const Case& c) {
+Message range_text(const Case& c) {
   double least = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (const PositionResult& p : c.evaluation.positions)
     for (const auto& s : {p.s_up, p.s_down})
       if (s) least = std::min(least, s->in_native()), largest = std::max(largest, s->in_native());
   if (least > largest) return "";
-  return fmt::format("; s_i go from {} to {}", deviation_text(c, least), deviation_text(c, largest));
+  return message("; s_i go from {} to {}", deviation_message(c, least), deviation_message(c, largest));
 }
 
 Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
@@ -108,41 +108,40 @@ Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
     const AxisParameters& p = c.evaluation.parameters;
     return note(
         "uneven-scatter", "3.18",
-        fmt::format("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}{}",
-                    deviation_text(c, within), arrow(*uneven.direction), deviation_text(c, elsewhere),
-                    uneven.direction == Direction::up ? "↓" : "↑", chance, deviation_text(c, p.R_up->in_native()),
-                    deviation_text(c, p.R_down->in_native()), range_text(c)));
+        message("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}{}",
+                deviation_message(c, within), arrow(*uneven.direction), deviation_message(c, elsewhere),
+                uneven.direction == Direction::up ? "↓" : "↑", chance, deviation_message(c, p.R_up->in_native()),
+                deviation_message(c, p.R_down->in_native()), range_text(c)));
   }
-  const std::string times = elsewhere > 0.0 ? fmt::format("{} times as much as the {} elsewhere",
-                                                          size_text(within / elsewhere), deviation_text(c, elsewhere))
-                                            : std::string("where they do not scatter elsewhere");
+  const Message times = elsewhere > 0.0 ? message("{} times as much as the {} elsewhere", size_text(within / elsewhere),
+                                                  deviation_message(c, elsewhere))
+                                        : Message("where they do not scatter elsewhere");
   const std::string_view of = uneven.first == uneven.last ? "this target" : "these targets";
   return note("uneven-scatter", "3.18",
-              fmt::format("found readings that scatter by {} at {}, {} ({}){}; {}", deviation_text(c, within),
-                          place_text(c, uneven), times, chance, range_text(c), consequence(c, rest_of(c, uneven), of)));
+              message("found readings that scatter by {} at {}, {} ({}){}; {}", deviation_message(c, within),
+                      place_text(c, uneven), times, chance, range_text(c), consequence(c, rest_of(c, uneven), of)));
 }
 
 Finding shifts_finding(const Case& c, const RunShifts& shifts) {
-  const std::string effect =
+  const Message effect =
       consequence(c, evaluate(without_shifts(c.series)).parameters, shifts.ordered ? "this drift" : "these shifts");
-  const std::string within = deviation_text(c, shifts.within.in_native());
+  const Message within = deviation_message(c, shifts.within.in_native());
   if (shifts.ordered) {
     const double drift = shifts.drift.in_native();
-    return note(
-        "ordered-progression", progression_clause,
-        fmt::format("found the readings {} from run to run, by {} from the first run to the last, where they "
-                    "scatter by {} about target and run ({}): a sign that the machine was not thermally stable; "
-                    "{}, and nothing is removed",
-                    drift > 0.0 ? "rising" : "falling", deviation_text(c, std::abs(drift)), within,
-                    format_chance(shifts.p), effect));
+    return note("ordered-progression", progression_clause,
+                message("found the readings {} from run to run, by {} from the first run to the last, where they "
+                        "scatter by {} about target and run ({}): a sign that the machine was not thermally stable; "
+                        "{}, and nothing is removed",
+                        drift > 0.0 ? "rising" : "falling", deviation_message(c, std::abs(drift)), within,
+                        format_chance(shifts.p), effect));
   }
   const double shift = shifts.shift.in_native();
   return note("shifted-runs", "3.18",
-              fmt::format("found the readings of a run shifted as a whole, by {} from run to run (standard deviation), "
-                          "where they scatter by {} about target and run ({}); run {} lies {} {} the mean; {}, and "
-                          "nothing is removed",
-                          deviation_text(c, shifts.between.in_native()), within, format_chance(shifts.p),
-                          shifts.run + 1, deviation_text(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
+              message("found the readings of a run shifted as a whole, by {} from run to run (standard deviation), "
+                      "where they scatter by {} about target and run ({}); run {} lies {} {} the mean; {}, and "
+                      "nothing is removed",
+                      deviation_message(c, shifts.between.in_native()), within, format_chance(shifts.p), shifts.run + 1,
+                      deviation_message(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/standards/iso230_2/rules/uncertainty_findings.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <optional>
 
 #include "axiometry/base/rounded_text.h"
 #include "axiometry/standards/iso230_2/monte_carlo/noise.h"
+#include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 
@@ -22,18 +21,18 @@ std::optional<Finding> variation_against_readings(const Test& test) {
   const double p = within.probability_of(white);
   if (p >= refuted_below) return std::nullopt;
   const AxisKind kind = test.metadata.axis.kind;
-  const std::string found = fmt::format(
+  const rules::Message found = rules::message(
       "E_VE = {} as noise from reading to reading would scatter them by {} within runs, where they scatter by {} "
       "({})",
-      rules::deviation_text(kind, variation->in_native()), rules::deviation_text(kind, white),
-      rules::deviation_text(kind, within.sd()), format_chance(p));
+      rules::deviation_message(kind, variation->in_native()), rules::deviation_message(kind, white),
+      rules::deviation_message(kind, within.sd()), format_chance(p));
   if (test.metadata.gum.environment_kind == EnvironmentKind::white)
     return rules::missing("variation-against-readings", "A.2.5",
-                          fmt::format("{}: it cannot be the white noise that it is stated to be, and counts as "
-                                      "a slow drift or a random walk",
-                                      found));
+                          rules::message("{}: it cannot be the white noise that it is stated to be, and counts as "
+                                         "a slow drift or a random walk",
+                                         found));
   return rules::note("variation-against-readings", "A.2.5",
-                     fmt::format("{}: it is a slow variation, or much overstated", found));
+                     rules::message("{}: it is a slow variation, or much overstated", found));
 }
 
 std::optional<Finding> no_interval(const Assessment& assessment) {
