@@ -125,5 +125,30 @@ TEST(Phrases, AreFound) {
     }
 }
 
+/// With a number at each place that no other has: 70, 71, ….
+std::string filled(std::string_view text) {
+  std::string all;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    if (text[k] != '{') {
+      all += text[k];
+      continue;
+    }
+    all += "7";
+    all += text[k + 1];
+    k = text.find('}', k);
+  }
+  return all;
+}
+
+/// Many entries would fit a text; the one that is taken is its own, and what is at its places goes where it belongs.
+TEST(Phrases, AreTakenForTheirOwnTexts) {
+  for (const Language language : translated_languages())
+    for (const Phrase& phrase : phrases(language)) {
+      const std::string text = filled(phrase.english);
+      if (has_no_words(text)) continue;  // "{0#}: {1}" is an entry for words at its places
+      EXPECT_EQ(translated(text, language), filled(phrase.other)) << phrase.english;
+    }
+}
+
 }  // namespace
 }  // namespace axiometry::language
