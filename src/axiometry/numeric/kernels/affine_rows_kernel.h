@@ -76,8 +76,9 @@ template <size_t rows, size_t registers>
                                                  double* to, size_t to_stride) {
   constexpr size_t wide = registers * lanes<Doubles>;
   size_t t = 0;
-  for (; t + wide <= input.trials; t += wide)
-    subtract_block<Doubles, rows, registers>(factors, terms, input.values + t, input.stride, to + t, to_stride);
+  if constexpr (registers > 1)
+    for (; t + wide <= input.trials; t += wide)
+      subtract_block<Doubles, rows, registers>(factors, terms, input.values + t, input.stride, to + t, to_stride);
   for (; t + lanes<Doubles> <= input.trials; t += lanes<Doubles>)
     subtract_block<Doubles, rows, 1>(factors, terms, input.values + t, input.stride, to + t, to_stride);
   for (; t < input.trials; ++t)
@@ -86,13 +87,17 @@ template <size_t rows, size_t registers>
         to[r * to_stride + t] -= factors[r * terms + term] * input.values[term * input.stride + t];
 }
 
+/// Five sums at once: sums that wait for each other would take four times as long. They are those of five rows, the runs
+/// of the standard programme (5.3.2), where registers are so wide that loads take the time: a number of the sources
+/// is loaded once for all of them, which counts twice where it lies in two lines of the cache. Of 16 bytes it seldom
+/// does, and there are too few registers for sums and factors.
 void subtract(const double* factors, size_t terms, size_t rows, AffineInput<double> input, double* to, size_t stride) {
-  constexpr size_t many = 5;       // as many sums do not wait for each other; runs of the standard programme, 5.3.2
-  constexpr size_t registers = 2;  // for each of them, with sources, factor and product in 14
+  constexpr size_t sums = 5;
   size_t r = 0;
-  for (; r + many <= rows; r += many)
-    subtract_from<many, registers>(factors + r * terms, terms, input, to + r * stride, stride);
-  for (; r < rows; ++r) subtract_from<1, many>(factors + r * terms, terms, input, to + r * stride, stride);
+  if constexpr (register_bytes > 16)
+    for (; r + sums <= rows; r += sums)
+      subtract_from<sums, 1>(factors + r * terms, terms, input, to + r * stride, stride);
+  for (; r < rows; ++r) subtract_from<1, sums>(factors + r * terms, terms, input, to + r * stride, stride);
 }
 
 }  // namespace
