@@ -87,10 +87,10 @@ template <size_t rows, size_t registers>
         to[r * to_stride + t] -= factors[r * terms + term] * input.values[term * input.stride + t];
 }
 
-/// Five sums at once: sums that wait for each other would take four times as long. They are those of five rows, the runs
-/// of the standard programme (5.3.2), where registers are so wide that loads take the time: a number of the sources
-/// is loaded once for all of them, which counts twice where it lies in two lines of the cache. Of 16 bytes it seldom
-/// does, and there are too few registers for sums and factors.
+/// Five sums at once: sums that wait for each other would take four times as long. They are those of five rows, the
+/// runs of the standard programme (5.3.2), where registers are so wide that loads take the time: a number of the
+/// sources is loaded once for all of them, which counts twice where it lies in two lines of the cache. Of 16 bytes it
+/// seldom does, and there are too few registers for sums and factors.
 void subtract(const double* factors, size_t terms, size_t rows, AffineInput<double> input, double* to, size_t stride) {
   constexpr size_t sums = 5;
   size_t r = 0;
