@@ -40,11 +40,19 @@ void AffineRows::apply(Rows<const float> sources, Rows<float> rows, std::size_t 
                                         rows.stride);
 }
 
+void subtract_products(std::span<const double> factors, Rows<const double> sources, Rows<double> rows,
+                       std::size_t trials, VectorTarget target) {
+  const std::size_t count = rows.stride == 0 ? 0 : rows.values.size() / rows.stride;
+  if (count == 0) return;
+  const std::size_t terms = factors.size() / count;
+  AXIOMETRY_CONTRACT(terms * count == factors.size() && sources.hold(terms, trials) && rows.hold(count, trials));
+  affine_kernel_of(target).subtract(factors.data(), terms, count, {sources.values.data(), sources.stride, trials},
+                                    rows.values.data(), rows.stride);
+}
+
 void subtract_products(std::span<const double> factors, Rows<const double> sources, std::span<double> row,
                        VectorTarget target) {
-  AXIOMETRY_CONTRACT(sources.hold(factors.size(), row.size()));
-  affine_kernel_of(target).subtract(factors.data(), factors.size(), {sources.values.data(), sources.stride, row.size()},
-                                    row.data());
+  subtract_products(factors, sources, Rows<double>{row, row.size()}, row.size(), target);
 }
 
 }  // namespace axiometry::numeric

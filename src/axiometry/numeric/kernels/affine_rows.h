@@ -55,4 +55,9 @@ class AffineRows {
 void subtract_products(std::span<const double> factors, Rows<const double> sources, std::span<double> row,
                        VectorTarget target = best_vector_target());
 
+/// The same of every row of a table, the factors of a row after those of the one before. Contract: whole rows, as many
+/// factors for each, and both tables hold so many trials.
+void subtract_products(std::span<const double> factors, Rows<const double> sources, Rows<double> rows,
+                       std::size_t trials, VectorTarget target = best_vector_target());
+
 }  // namespace axiometry::numeric

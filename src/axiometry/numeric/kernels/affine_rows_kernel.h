@@ -51,29 +51,53 @@ void apply_single(const AffineMapView<float>& map, AffineInput<float> input, flo
   apply_all<Floats>(map, input, rows, stride);
 }
 
-template <size_t registers>
-[[gnu::always_inline]] inline void subtract_some(const double* factors, size_t terms, const double* sources,
-                                                 size_t stride, double* row) {
-  Doubles left[registers];
-  for (size_t k = 0; k < registers; ++k) left[k] = load<Doubles>(row + k * lanes<Doubles>);
+/// Some registers of some rows: a number of the sources is then loaded once for all these rows, a factor once for all
+/// registers of its row.
+template <typename Vector, size_t rows, size_t registers>
+[[gnu::always_inline]] inline void subtract_block(const double* factors, size_t terms, const double* sources,
+                                                  size_t stride, double* to, size_t to_stride) {
+  Vector left[rows][registers];
+  for (size_t r = 0; r < rows; ++r)
+    for (size_t k = 0; k < registers; ++k) left[r][k] = load<Vector>(to + r * to_stride + k * lanes<Vector>);
   for (size_t term = 0; term < terms; ++term) {
-    const Doubles factor = all<Doubles>(factors[term]);
-    for (size_t k = 0; k < registers; ++k)
-      left[k] -= factor * load<Doubles>(sources + term * stride + k * lanes<Doubles>);
+    Vector source[registers];
+    for (size_t k = 0; k < registers; ++k) source[k] = load<Vector>(sources + term * stride + k * lanes<Vector>);
+    for (size_t r = 0; r < rows; ++r) {
+      const Vector factor = all<Vector>(factors[r * terms + term]);
+      for (size_t k = 0; k < registers; ++k) left[r][k] -= factor * source[k];
+    }
   }
-  for (size_t k = 0; k < registers; ++k) store(row + k * lanes<Doubles>, left[k]);
+  for (size_t r = 0; r < rows; ++r)
+    for (size_t k = 0; k < registers; ++k) store(to + r * to_stride + k * lanes<Vector>, left[r][k]);
 }
 
-void subtract(const double* factors, size_t terms, AffineInput<double> input, double* row) {
-  constexpr size_t registers = 5;  // sums that wait for each other would take four times as long
+template <size_t rows, size_t registers>
+[[gnu::always_inline]] inline void subtract_from(const double* factors, size_t terms, AffineInput<double> input,
+                                                 double* to, size_t to_stride) {
   constexpr size_t wide = registers * lanes<Doubles>;
   size_t t = 0;
-  for (; t + wide <= input.trials; t += wide)
-    subtract_some<registers>(factors, terms, input.values + t, input.stride, row + t);
+  if constexpr (registers > 1)
+    for (; t + wide <= input.trials; t += wide)
+      subtract_block<Doubles, rows, registers>(factors, terms, input.values + t, input.stride, to + t, to_stride);
   for (; t + lanes<Doubles> <= input.trials; t += lanes<Doubles>)
-    subtract_some<1>(factors, terms, input.values + t, input.stride, row + t);
+    subtract_block<Doubles, rows, 1>(factors, terms, input.values + t, input.stride, to + t, to_stride);
   for (; t < input.trials; ++t)
-    for (size_t term = 0; term < terms; ++term) row[t] -= factors[term] * input.values[term * input.stride + t];
+    for (size_t r = 0; r < rows; ++r)
+      for (size_t term = 0; term < terms; ++term)
+        to[r * to_stride + t] -= factors[r * terms + term] * input.values[term * input.stride + t];
+}
+
+/// Five sums at once: sums that wait for each other would take four times as long. They are those of five rows, the
+/// runs of the standard programme (5.3.2), where registers are so wide that loads take the time: a number of the
+/// sources is loaded once for all of them, which counts twice where it lies in two lines of the cache. Of 16 bytes it
+/// seldom does, and there are too few registers for sums and factors.
+void subtract(const double* factors, size_t terms, size_t rows, AffineInput<double> input, double* to, size_t stride) {
+  constexpr size_t sums = 5;
+  size_t r = 0;
+  if constexpr (register_bytes > 16)
+    for (; r + sums <= rows; r += sums)
+      subtract_from<sums, 1>(factors + r * terms, terms, input, to + r * stride, stride);
+  for (; r < rows; ++r) subtract_from<1, sums>(factors + r * terms, terms, input, to + r * stride, stride);
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ struct AffineInput {
 struct AffineKernel {
   void (*apply)(const AffineMapView<double>& map, AffineInput<double> input, double* rows, std::size_t stride);
   void (*apply_single)(const AffineMapView<float>& map, AffineInput<float> input, float* rows, std::size_t stride);
-  void (*subtract)(const double* factors, std::size_t terms, AffineInput<double> input, double* row);
+  void (*subtract)(const double* factors, std::size_t terms, std::size_t rows, AffineInput<double> input, double* to,
+                   std::size_t stride);
 };
 
 /// The one for this target; contract: it is available.

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -98,6 +100,36 @@ TEST(AffineRows, TakeProductsAwayOneAfterTheOtherOnEveryTarget) {
           left -= product;
         }
         EXPECT_EQ(row[t], left) << vector_target_name(target);
+      }
+    }
+  }
+}
+
+/// Tables of more and fewer rows than are taken at once; a row without readings stays one, the others as alone.
+TEST(AffineRows, TakeProductsAwayFromManyRowsAsFromEach) {
+  constexpr std::size_t terms = 7;
+  for (std::size_t rows : {0u, 1u, 3u, 5u, 7u, 11u}) {
+    std::vector<double> factors(rows * terms);
+    fill_normal({1, 6, rows}, factors);
+    for (std::size_t trials : {1u, 7u, 16u, 33u, 80u, 100u}) {
+      const std::size_t stride = trials + 3;
+      std::vector<double> x(terms * stride), y(rows * stride);
+      fill_normal({1, 7, trials}, x);
+      fill_normal({1, 8, trials}, y);
+      if (rows > 3) std::fill_n(y.begin() + static_cast<std::ptrdiff_t>(2 * stride), trials, std::nan(""));
+      const Rows<const double> sources{x, stride};
+      for (VectorTarget target : available_vector_targets()) {
+        std::vector<double> expected = y, found = y;
+        for (std::size_t r = 0; r < rows; ++r)
+          subtract_products(std::span(factors).subspan(r * terms, terms), sources,
+                            Rows<double>{expected, stride}.row(r, trials), VectorTarget::plain);
+        subtract_products(factors, sources, Rows<double>{found, stride}, trials, target);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          if (std::isnan(expected[k]))
+            EXPECT_TRUE(std::isnan(found[k]));
+          else
+            EXPECT_EQ(found[k], expected[k]) << vector_target_name(target) << ", " << rows << " rows, " << trials;
+        }
       }
     }
   }

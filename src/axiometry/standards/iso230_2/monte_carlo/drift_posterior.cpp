@@ -36,6 +36,15 @@ std::vector<double> turned(std::span<const double> shapes, const numeric::Princi
   return result;
 }
 
+/// What all shapes have at one place after the other: shapes one after the other would be far apart.
+std::vector<double> by_place(std::span<const double> shapes, std::size_t count) {
+  const std::size_t places = shapes.size() / count;
+  std::vector<double> result(shapes.size());
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t r = 0; r < places; ++r) result[r * count + k] = shapes[k * places + r];
+  return result;
+}
+
 double product(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
@@ -252,7 +261,9 @@ SeenModes::SeenModes(const Series& series, const EnvironmentModes& modes, Machin
 
 DriftPosterior::DriftPosterior(const Series& series, const EnvironmentModes& modes, VariationSize size,
                                MachineRuns machine_runs)
-    : seen_(series, modes, machine_runs) {
+    : seen_(series, modes, machine_runs),
+      factors_of_readings_(by_place(seen_.of_readings, seen_.count)),
+      factors_of_means_(by_place(seen_.of_means, seen_.count)) {
   AXIOMETRY_CONTRACT(size.range > 0.0);
   consider_hypotheses(size);
 }
@@ -334,33 +345,25 @@ DriftPosterior::Drawn DriftPosterior::draw(numeric::RandomKey key, std::size_t t
   return coordinates;
 }
 
-/// Of all rows that there are, which belong to the places from the first on.
-void DriftPosterior::subtract(const Drawn& drawn, std::span<const double> shapes, std::size_t first,
+/// Of all rows that there are, which belong to the places from the first on; what is no reading stays none.
+void DriftPosterior::subtract(const Drawn& drawn, std::span<const double> factors, std::size_t first,
                               numeric::Rows<double> rows) const {
   const std::size_t trials = rows.stride, count = rows.values.size() / trials;
-  const std::size_t places = shapes.size() / seen_.count;
-  std::vector<double> factors(seen_.count * count);  // shapes one after the other would be far apart
-  for (std::size_t k = 0; k < seen_.count; ++k)
-    for (std::size_t r = 0; r < count; ++r) factors[r * seen_.count + k] = shapes[k * places + first + r];
-  for (std::size_t r = 0; r < count; ++r) {
-    const auto row = rows.row(r, trials);
-    if (std::isnan(row[0])) continue;  // no reading here
-    numeric::subtract_products(std::span(factors).subspan(r * seen_.count, seen_.count),
-                               numeric::Rows<const double>{drawn, trials}, row);
-  }
+  numeric::subtract_products(factors.subspan(first * seen_.count, count * seen_.count),
+                             numeric::Rows<const double>{drawn, trials}, rows, trials);
 }
 
 void DriftPosterior::subtract_from_readings(numeric::RandomKey key, numeric::Rows<double> readings) const {
-  subtract(draw(key, readings.stride), seen_.of_readings, 0, readings);
+  subtract(draw(key, readings.stride), factors_of_readings_, 0, readings);
 }
 
 void DriftPosterior::subtract_from_cell(const Drawn& drawn, std::size_t cell, numeric::Rows<double> readings) const {
   const std::size_t runs = readings.values.size() / readings.stride;
-  subtract(drawn, seen_.of_readings, cell * runs, readings);
+  subtract(drawn, factors_of_readings_, cell * runs, readings);
 }
 
 void DriftPosterior::subtract_from_means(numeric::RandomKey key, numeric::Rows<double> means) const {
-  subtract(draw(key, means.stride), seen_.of_means, 0, means);
+  subtract(draw(key, means.stride), factors_of_means_, 0, means);
 }
 
 }  // namespace axiometry::iso230_2

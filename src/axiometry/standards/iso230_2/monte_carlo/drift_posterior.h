@@ -81,10 +81,11 @@ class DriftPosterior {
     std::vector<double> sd;
   };
   void consider_hypotheses(VariationSize size);
-  void subtract(const Drawn& drawn, std::span<const double> shapes, std::size_t first,
+  void subtract(const Drawn& drawn, std::span<const double> factors, std::size_t first,
                 numeric::Rows<double> rows) const;
 
   SeenModes seen_;
+  std::vector<double> factors_of_readings_, factors_of_means_;  ///< the shapes at each place, one place after the other
   double relative_size_ = 1.0;
   std::vector<Hypothesis> hypotheses_;
   numeric::WeightedChoice choice_;
