@@ -29,6 +29,8 @@ std::string told_fault(std::string_view text) {
   return report::printable(std::string(text.substr(0, begin)) + in_language_of_faults(text.substr(begin)));
 }
 
+std::string in_language_asked(std::string_view text) { return report::printable(in_language_of_faults(text)); }
+
 void tell(const Error& error) {
   Error told = error;
   told.message = in_language_of_faults(error.message);
