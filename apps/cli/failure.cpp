@@ -22,6 +22,8 @@ std::string in_language_of_faults(std::string_view text) { return language::tran
 
 void tell_faults_in(language::Language language) { language_of_faults() = language; }
 
+language::Language language_asked() { return language_of_faults(); }
+
 std::string told_fault(std::string_view text) {
   const std::size_t colon = text.find(": "), space = text.find(' ');
   const bool names_option = colon != text.npos && colon < space;

@@ -9,14 +9,15 @@
 namespace axiometry::formats {
 namespace {
 
-constexpr std::string_view zone_heads[] = {
-    "timezone",   "time zone",  "tz",          "zone",        "utc offset",   "offset utc",     "utcoffset", "gmt offset",
-    "tz offset",  "zeitzone",   "utc versatz", "utc-versatz", "zeitversatz",  "fuseau horaire", "fuseau",    "décalage utc",
-    "decalage utc"};
+constexpr std::string_view zone_heads[] = {"timezone",     "time zone",   "tz",          "zone",           "utc offset",
+                                           "offset utc",   "utcoffset",   "gmt offset",  "tz offset",      "zeitzone",
+                                           "utc versatz",  "utc-versatz", "zeitversatz", "fuseau horaire", "fuseau",
+                                           "décalage utc", "decalage utc"};
 
 bool is_zone_head(std::string_view head) {
   std::string lower = text::to_lower(text::trim(head));
-  std::ranges::replace_if(lower, [](char c) { return c == '_' || c == '-'; }, ' ');
+  std::ranges::replace_if(
+      lower, [](char c) { return c == '_' || c == '-'; }, ' ');
   for (const std::string_view unit : {" (h)", " [h]", " (min)", " [min]", " (hh:mm)", " [hh:mm]"})
     if (lower.ends_with(unit)) lower.resize(lower.size() - unit.size());
   return text::is_one_of(lower, zone_heads);

@@ -58,8 +58,8 @@ LogHead log_head(std::span<const unsigned char> bytes) {
   head.sum = {word_big(bytes.subspan(24, 4)), word_big(bytes.subspan(28, 4))};
   const bool is_page = head.page_bytes >= smallest_page && head.page_bytes <= largest_page &&
                        (head.page_bytes & (head.page_bytes - 1)) == 0;
-  head.is_whole = (magic == magic_little || magic == magic_big) && is_page &&
-                  summed_on({}, bytes.first(24), head.big) == head.sum;
+  head.is_whole =
+      (magic == magic_little || magic == magic_big) && is_page && summed_on({}, bytes.first(24), head.big) == head.sum;
   return head;
 }
 

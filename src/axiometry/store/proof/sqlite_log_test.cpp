@@ -31,8 +31,7 @@ class StoreLogTest : public BothStores {
     must(reader->begin_read());
     must(reader->query("SELECT count(*) FROM audit"));
     const auto store = must(Store::open(address));
-    for (const char* title : {"one", "two", "three"})
-      must(store->add(PlanRecord{title, 1, sha256("abc")}, by_anna));
+    for (const char* title : {"one", "two", "three"}) must(store->add(PlanRecord{title, 1, sha256("abc")}, by_anna));
     for (const char* end : {"", "-wal"}) std::filesystem::copy_file(address + end, copy + end);
     return copy;
   }
