@@ -20,6 +20,9 @@ RULED_OUT = {
     "fr": ["trajet mort", "graine", "échauffement", "contributeur", "axe rotatif"],
 }
 
+# Of two things that stand near each other: what the English text speaks of, of which other thing alone the word is.
+NOT_OF = {"de": [("instrument|measuring device", "equipment", "Messmittel"), ("equipment", "instrument|device", "Messgerät")]}
+
 
 def plain(text):
     text = text.replace("\u00a0", " ").replace("\u202f", " ")
@@ -46,9 +49,18 @@ def ruled_out(tag):
             for text in sorted(said) for word in RULED_OUT.get(tag, ()) if re.search(rf"\b{word}", text, re.I)]
 
 
+def of_another(tag):
+    """The word of a thing where the English text speaks of the other one alone."""
+    said = language_pairs.program_pairs(tag) | language_pairs.page_pairs(tag)
+    return [f'{tag}: "{english}" is "{other}": "{word}" is another thing (docs/terms.md)'
+            for english, other in sorted(said.items()) for thing, owner, word in NOT_OF.get(tag, ())
+            if word in other and re.search(thing, english, re.I) and not re.search(owner, english, re.I)]
+
+
 def main():
     results = [differences(tag) for tag in language_pairs.TAGS]
-    found = [line for _, lines in results for line in lines] + [line for tag in language_pairs.TAGS for line in ruled_out(tag)]
+    found = [line for _, lines in results for line in lines] + [line for tag in language_pairs.TAGS for line in
+                                                                     [*ruled_out(tag), *of_another(tag)]]
     for line in found:
         print(line)
     compared = min(count for count, _ in results)

@@ -27,7 +27,7 @@ HEADER_OF = {name: header for header, names in {
     "algorithm": "max min max_element none_of upper_bound find", "array": "array", "bit": "bit_ceil", "cmath": "abs exp hypot isfinite isnan nearbyint",
     "cstddef": "size_t", "cstdint": "int64_t uint32_t uint64_t uintptr_t", "deque": "deque", "expected": "expected unexpected",
     "functional": "function", "initializer_list": "initializer_list", "iterator": "size", "limits": "numeric_limits",
-    "map": "map", "memory": "make_unique_for_overwrite shared_ptr unique_ptr", "optional": "nullopt optional", "set": "set",
+    "map": "map", "memory": "make_unique_for_overwrite shared_ptr unique_ptr", "optional": "nullopt optional", "set": "set", "stop_token": "stop_token",
     "source_location": "source_location", "span": "span", "string": "string", "string_view": "string_view",
     "utility": "exchange move pair", "variant": "monostate variant", "vector": "vector"}.items() for name in names.split()}
 # Headers that the standard says bring a name along.

@@ -16,6 +16,7 @@ import json
 import pathlib
 import re
 import sqlite3
+import struct
 import sys
 from decimal import Decimal
 
@@ -216,6 +217,46 @@ def is_signed(message, signature, public_key):
     return not any((left[i] * right[2] - right[i] * left[2]) % PRIME for i in (0, 1))
 
 
+def sum_on(total, data, order):
+    """The sum of SQLite's log (sqlite.org/fileformat2.html, 4.2) over these bytes too."""
+    a, b = total
+    words = struct.unpack(f"{order}{len(data) // 4}I", data)
+    for k in range(0, len(words), 2):
+        a = (a + words[k] + b) & 0xFFFFFFFF
+        b = (b + words[k + 1] + a) & 0xFFFFFFFF
+    return a, b
+
+
+def check_log(path):
+    """SQLite passes over what stands in a log behind a page that is not as it was written, and says nothing. A page that
+    is the last of a change has a size; a change is begun when the one in front of it is on the disk, so that one alone,
+    the last, may be half written. Pages with other salts are those of an earlier log."""
+    log = path.read_bytes()
+    head = log[:32]
+    if len(log) <= 32 or not any(head):
+        return
+    magic, _, size, _, *salts_and_sum = struct.unpack(">8I", head)
+    salts, total = tuple(salts_and_sum[:2]), tuple(salts_and_sum[2:])
+    order = "<" if magic == 0x377f0682 else ">"
+    if magic not in (0x377f0682, 0x377f0683) or sum_on((0, 0), head[:24], order) != total:
+        raise ValueError(f"found the head of {path.name} altered, expected it as it was written: the changes in it are "
+                         "passed over")
+    altered, is_surely, changes = None, False, 0
+    for number, at in enumerate(range(32, len(log) - 24 - size + 1, 24 + size), 1):
+        _, end, *stated = struct.unpack(">6I", log[at:at + 24])
+        is_ours = tuple(stated[:2]) == salts
+        if altered is None:
+            total = sum_on(sum_on(total, log[at:at + 8], order), log[at + 24:at + 24 + size], order)
+            fits = total == tuple(stated[2:])
+            if fits and is_ours:
+                continue
+            altered, is_surely = number, fits
+        changes += is_ours and end != 0
+    if is_surely or changes > 1:
+        raise ValueError(f"found page {altered} of {path.name} altered, expected it as it was written: what changed from "
+                         f"there on is passed over, {changes} finished changes behind it too")
+
+
 class Archive:
     def __init__(self, path):
         # Of the file as it is, so that nothing is written beside it; a log beside it would have to be merged first, and
@@ -225,6 +266,8 @@ class Archive:
                              ("-journal", "found a change that {} is to take back, expected that the program has done so")):
             beside = path.with_name(path.name + ending)
             if beside.exists() and beside.stat().st_size:
+                if ending == "-wal":
+                    check_log(beside)
                 raise ValueError(said.format(beside.name))
         self.bytes = path.stat().st_size
         self.database = sqlite3.connect(path.as_uri() + "?immutable=1", uri=True)

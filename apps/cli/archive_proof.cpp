@@ -12,6 +12,7 @@
 #include "axiometry/base/counted.h"
 #include "axiometry/base/json.h"
 #include "axiometry/report/drawing/utf8.h"
+#include "cli/failure.h"
 #include "cli/seal_stamp.h"
 
 namespace axiometry::cli {
@@ -121,16 +122,22 @@ json::Value json_of(const store::Verification& found, const std::string& locatio
 }
 
 void print(const store::Verification& found, const std::string& location, const std::vector<std::string>& not_proved) {
-  for (const std::string& problem : found.problems) fmt::print("{}\n", printable(problem));
-  for (const std::string& note : found.notes) fmt::print("noted: {}\n", printable(note));
-  for (const std::string& extra : found.extras) fmt::print("noted: {}\n", printable(extra));
-  for (const std::string& sentence : found.proved) fmt::print("proved: {}\n", printable(sentence));
-  for (const std::string& sentence : not_proved) fmt::print("not proved: {}\n", printable(sentence));
-  if (found.head.entries > 0) fmt::print("head: entry {}, {}\n", found.head.entries, found.head.sha256);
-  fmt::print(
-      "{}: contents {}, tests {}, lines of audit trail {}: {}\n", printable(location), found.contents, found.tests,
-      found.entries,
-      found.problems.empty() ? "all that is there is as it was written" : counted(found.problems.size(), "problem"));
+  const auto say = [](std::string_view what, const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences)
+      fmt::print("{}\n", in_language_asked(fmt::format("{}{}", what, sentence)));
+  };
+  say("", found.problems);
+  say("noted: ", found.notes);
+  say("noted: ", found.extras);
+  say("proved: ", found.proved);
+  say("not proved: ", not_proved);
+  if (found.head.entries > 0)
+    fmt::print("{}\n", in_language_asked(fmt::format("head: entry {}, {}", found.head.entries, found.head.sha256)));
+  fmt::print("{}: {}\n", printable(location),
+             in_language_asked(fmt::format("contents {}, tests {}, lines of audit trail {}: {}", found.contents,
+                                           found.tests, found.entries,
+                                           found.problems.empty() ? "all that is there is as it was written"
+                                                                  : counted(found.problems.size(), "problem"))));
 }
 
 /// A seal with a stamp beside it is replaced by none without: the stamp would be another's.

@@ -22,12 +22,16 @@ std::string in_language_of_faults(std::string_view text) { return language::tran
 
 void tell_faults_in(language::Language language) { language_of_faults() = language; }
 
+language::Language language_asked() { return language_of_faults(); }
+
 std::string told_fault(std::string_view text) {
   const std::size_t colon = text.find(": "), space = text.find(' ');
   const bool names_option = colon != text.npos && colon < space;
   const std::size_t begin = names_option ? colon + 2 : 0;
   return report::printable(std::string(text.substr(0, begin)) + in_language_of_faults(text.substr(begin)));
 }
+
+std::string in_language_asked(std::string_view text) { return report::printable(in_language_of_faults(text)); }
 
 void tell(const Error& error) {
   Error told = error;

@@ -17,6 +17,12 @@ void tell_faults_in(language::Language language);
 /// "--out: found …".
 std::string told_fault(std::string_view text);
 
+/// That language; English where none was asked for.
+language::Language language_asked();
+
+/// The same of a sentence of what was done, for the standard output; what a file or a person said in it stays.
+std::string in_language_asked(std::string_view text);
+
 /// Says it on the standard error, in that language. The name of a file and the place in it stay.
 void tell(const Error& error);
 

@@ -372,6 +372,31 @@ def check_clock(program, good, folder):
             yield f"{who}: of a clock that went back it says {code}, {said}"
 
 
+def check_log(program, good, folder):
+    """A bit of the log beside the file, behind which SQLite passes over finished changes, is found by both."""
+    path = folder / "logged.db"
+    shutil.copy(good, path)
+    reader, writer = (sqlite3.connect(path, isolation_level=None) for _ in range(2))
+    for sql in ("BEGIN", "SELECT count(*) FROM audit"):  # for whom the log stays
+        reader.execute(sql).fetchall()
+    for _ in range(3):
+        writer.execute("UPDATE test_list SET withdrawn = withdrawn")
+    log = path.with_name(path.name + "-wal").read_bytes()
+    writer.close(), reader.close()
+    altered = "altered, expected it as it was written"
+    for at, found in ((None, False), (32 + 24 + 5, True), (3, True)):
+        left = folder / "left_log.db"
+        shutil.copy(path, left)
+        beside = left.with_name(left.name + "-wal")
+        beside.write_bytes(log if at is None else log[:at] + bytes([log[at] ^ 1]) + log[at + 1:])
+        for who, call, code in (("script", [sys.executable, VERIFIER, left], 2),
+                                ("program", [program, "store", "verify", left], 3 if found else 0)):
+            done = subprocess.run(call, capture_output=True, text=True)
+            if done.returncode != code or found != (altered in done.stdout + done.stderr):
+                yield f"{who}: of a log with the byte {at} altered it says {done.returncode}, {done.stdout}{done.stderr}"
+        beside.unlink()
+
+
 def check_unfinished(program, backup, folder):
     """A change that was begun and killed: who only reads says that it is still to be taken back, and is right afterwards."""
     begun, left = folder / "begun.db", folder / "left.db"
@@ -470,7 +495,8 @@ def main():
         if unseen != NOT_PROVED:
             failures.append(f"columns that are changed unseen, by whom, and whether that is told: {unseen}")
         failures += [*check_early_entries(program, good, folder), *check_sealing(program, good, folder),
-                     *check_clock(program, good, folder), *check_unfinished(program, backup, folder)]
+                     *check_clock(program, good, folder), *check_unfinished(program, backup, folder),
+                     *check_log(program, good, folder)]
     for failure in failures:
         print(failure)
     if failures:

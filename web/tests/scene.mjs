@@ -115,6 +115,22 @@ export const scene_tests = {
     assert.equal(drawn({ box: extent, arrows }).strokes.length, 9, 'without a scale there are none');
   },
 
+  async 'a scene of very many points: the one that is farthest off is drawn and named, wherever it stands'() {
+    const coordinates = fileURLToPath(new URL('../src/pages/tracking/', import.meta.url));
+    const made = await build({ stdin: { contents: "export * from './coordinates_scene';", resolveDir: coordinates, loader: 'ts' }, bundle: true, format: 'esm', write: false,
+      outdir: '/', jsx: 'automatic', jsxImportSource: 'preact', loader: { '.css': 'empty' } });
+    const { coordinates_scene } = await import(`data:text/javascript;base64,${Buffer.from(made.outputFiles[0].text).toString('base64')}`);
+    for (const far of [0, 1, 777, 999]) {
+      const points = Array.from({ length: 1000 }, (_, k) => ({ name: `P${k}`, position_mm: [k, k % 7, 0], deviation_um: [k === far ? 90 : 1, 0, 0] }));
+      const { model, most_um, farthest } = coordinates_scene({ points, stations: [] }, 'off');
+      assert.equal(farthest, `P${far}`);
+      assert.equal(most_um, 90);
+      assert.equal(model.points.length, 300);
+      assert.deepEqual(model.points.flatMap(({ label }) => label ?? []), [`P${far}`]);
+      assert.equal(Math.max(...model.arrows.map(({ value }) => value)), 90);
+    }
+  },
+
   async 'a scene: words keep off each other and within the picture'() {
     const words = Array.from({ length: 6 }, (_, k) => ({ key: `${k}`, text: 'xyz', at: [100 + k, 100], kind: 'name' }));
     const placed = scene.placed_words([...words, { key: 'edge', text: 'a long name', at: [798, 4], kind: 'name' }], size);
@@ -122,5 +138,21 @@ export const scene_tests = {
     assert.equal(new Set(places).size, 6);
     const edge = placed.at(-1);
     assert.ok(edge.anchor === 'end' && edge.y > 10);
+  },
+
+  async 'a scene: ends of travels cover no other word, however flat the box is and from where it is seen'() {
+    const number = (mm) => mm.toFixed(1);
+    const boxes = [extent, { low: [-1234.5, -987.6, -20], high: [1234.5, 987.6, 20] }, { low: [-60, -1500, -40], high: [60, 1500, 40] }];
+    for (const box of boxes)
+      for (let azimuth = -180; azimuth < 180; azimuth += 15)
+        for (let elevation = -75; elevation <= 75; elevation += 15) {
+          const frames = scene.drawing_of({ box }, { azimuth, elevation, zoom: 1 }, [420, 320], number).words.map(({ x, y, anchor, text }) => {
+            assert.equal(anchor, 'middle');
+            return { text, left: x - 3.4 * text.length, right: x + 3.4 * text.length, top: y - 11, bottom: y + 3 };
+          });
+          for (const [k, a] of frames.entries())
+            for (const b of frames.slice(k + 1))
+              assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${a.text} covers ${b.text} from ${azimuth}, ${elevation}`);
+        }
   },
 };

@@ -23,8 +23,8 @@ export const word_tests = {
   async 'a page calls flags by its fields, and leaves those in brackets out that it has no field for'() {
     const words = words_by((flag) => ({ zero: 'Zero', 'stops keys': 'a key' })[flag]);
     assert.equal(words('the sign differs (--zero, --datum): look at it'), 'the sign differs (“Zero”): look at it');
-    assert.equal(words('say which part it is (--parts), if it is one'), 'say which part it is, if it is one');
-    assert.equal(words('expected --stops keys, or (--curves legendre needs fewer)'), 'expected “a key”, or (--curves legendre needs fewer)');
+    assert.equal(words('say which part it is (--elsewhere), if it is one'), 'say which part it is, if it is one');
+    assert.equal(words('expected --stops keys, or (--elsewhere legendre needs fewer)'), 'expected “a key”, or (--elsewhere legendre needs fewer)');
     assert.equal(page_words('which has runs (--part)'), 'which has runs');
   },
 };

@@ -33,7 +33,7 @@ void print_figures(const app::CheckReport& report) {
   std::size_t width = 0;
   for (const app::CaseComparison& c : report.comparisons) width = std::max(width, c.expectation.size());
   for (const app::CaseComparison& c : report.comparisons)
-    fmt::print("  {:<{}}  {}{}\n", c.expectation, width, c.got, c.met ? "" : "  NOT MET");
+    fmt::print("  {:<{}}  {}{}\n", c.expectation, width, c.got, c.met ? "" : "  " + in_language_asked("NOT MET"));
 }
 
 int check(const std::vector<std::string>& names, bool figures) {
@@ -49,11 +49,14 @@ int check(const std::vector<std::string>& names, bool figures) {
       continue;
     }
     passed += report->passed();
-    for (const app::CaseComparison& failure : report->failures()) fmt::print("{}: {}\n", name, app::to_string(failure));
-    if (report->passed()) fmt::print("{}: {} met\n", name, counted(report->comparisons.size(), "expectation"));
+    for (const app::CaseComparison& failure : report->failures())
+      fmt::print("{}: {}\n", name, in_language_asked(app::to_string(failure)));
+    if (report->passed())
+      fmt::print("{}: {}\n", name,
+                 in_language_asked(fmt::format("{} met", counted(report->comparisons.size(), "expectation"))));
     if (figures) print_figures(*report);
   }
-  fmt::print("{} passed, {} failed\n", passed, names.size() - passed);
+  fmt::print("{}\n", in_language_asked(fmt::format("{} passed, {} failed", passed, names.size() - passed)));
   return bad ? exit_bad_input : passed == names.size() ? exit_done : exit_exceeded;
 }
 

@@ -106,7 +106,7 @@ class RuleSummary {
       evidence = row.evidence;
       all += row_text(row);
     }
-    return all;
+    return all + "  " + terminal_.faint(wrapped(said(rule.remark), terminal_.width(), 2)) + "\n";
   }
 
   /// "4.1 µm = 0.00024 % T", the numbers under each other.
@@ -124,7 +124,7 @@ class RuleSummary {
     if (interval_width_ > 0) line += "   " + left(said(row.interval), interval_width_);
     if (!row.counterpart_value.empty())
       line += "   " + terminal_.faint(
-                          fmt::format("{} {}", left(row.counterpart, 2), right(row.counterpart_value, other_width_)));
+                          fmt::format("{} = {}", left(row.counterpart, 2), right(row.counterpart_value, other_width_)));
     if (!row.difference.empty()) line += "   " + right(row.difference, difference_width_);
     if (!row.relative.empty()) line += fmt::format(" ({})", row.relative);
     line.resize(line.find_last_not_of(' ') + 1);

@@ -83,7 +83,10 @@ Response error_response(const Error& error, language::Language language) {
 
 Response refusal(int status, std::string_view message, language::Language language) {
   json::Value inner = json::Value::object();
-  inner.add("kind", status == 404 ? "not_found" : status == 503 ? "unavailable" : "refused");
+  inner.add("kind", status == 404   ? "not_found"
+                    : status == 422 ? "bad_input"
+                    : status == 503 ? "unavailable"
+                                    : "refused");
   inner.add("message", language::translated(message, language));
   for (const char* place : {"file", "line", "column"}) inner.add(place, {});
   json::Value value = json::Value::object();

@@ -172,8 +172,10 @@ Result<std::vector<SentFile>> files_of(const Request& request) {
   const std::string_view type = request.header("content-type").value_or("");
   std::vector<SentFile> files;
   if (!is_form(type)) {
-    if (request.body.empty()) return fail("found a request without a body, expected the bytes of a file");
     AXIOMETRY_TRY(std::string name, sent_name(request));
+    if (request.body.empty() && !name.empty())
+      return fail(fmt::format("found the file {} empty, expected one with content", text::quoted(name)));
+    if (request.body.empty()) return fail("found a request without a body, expected the bytes of a file");
     files.push_back({std::move(name), std::string(type), request.body});
     return files;
   }

@@ -55,6 +55,13 @@ class AssemblyRoutes : public RouteTest {
   Value usual() const { return value_of(send(form(usual_files, usual_singles))); }
 };
 
+TEST_F(AssemblyRoutes, end_when_nobody_waits_any_more) {
+  std::stop_source gone;
+  gone.request_stop();
+  stop = gone.get_token();
+  EXPECT_THAT(refusal(send(form(usual_files, usual_singles)), 503), HasSubstr("stopped before it was done"));
+}
+
 TEST_F(AssemblyRoutes, make_the_model_that_the_command_line_makes) {
   const Value made = usual();
   const testing_support::TemporaryFolder folder;

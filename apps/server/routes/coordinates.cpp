@@ -70,7 +70,7 @@ Result<CoordinatesForm> coordinates_form(const Request& request, std::string_vie
 Result<std::unique_ptr<app::Multilaterated>> multilaterated(const Request& request) {
   AXIOMETRY_TRY(const CoordinatesForm form, coordinates_form(request, "ranges"));
   if (form.readings.size() > 1) return fail("found two files ranges, expected one");
-  return app::multilaterate_given({form.readings.front(), form.points}, form.options);
+  return app::multilaterate_given({form.readings.front(), form.points, request.stop}, form.options);
 }
 
 Result<Response> multilateration(const Request& request) {
@@ -98,7 +98,7 @@ Result<Response> multilateration_residuals(const Request& request) {
 
 Result<std::unique_ptr<app::PolarResult>> adjusted(const Request& request) {
   AXIOMETRY_TRY(const CoordinatesForm form, coordinates_form(request, "readings"));
-  return app::adjust_polar_given({form.readings, form.points}, form.options);
+  return app::adjust_polar_given({form.readings, form.points, request.stop}, form.options);
 }
 
 Result<Response> polar(const Request& request) {

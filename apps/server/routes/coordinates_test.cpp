@@ -18,6 +18,7 @@ namespace axiometry::server {
 namespace {
 
 using json::Value;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -49,6 +50,24 @@ std::string without_sources(const Value& result) {
   for (const auto& [name, member] : result.members())
     if (!name.contains("source")) rest.add(name, member);
   return json::dump(rest);
+}
+
+TEST_F(CoordinatesRoutes, speak_of_no_flag_of_the_command_line) {
+  EXPECT_THAT(refused("multilateration", {{"ranges", lee_ranges()}}),
+              AllOf(HasSubstr("in a file of their own"), Not(HasSubstr("--"))));
+  EXPECT_THAT(refused("polar", {{"readings", lee_tracker()}}, R"({"ranging": "leica-at901"})"),
+              AllOf(HasSubstr("found an instrument"), Not(HasSubstr("--"))));
+}
+
+TEST_F(CoordinatesRoutes, end_when_nobody_waits_any_more) {
+  std::stop_source gone;
+  gone.request_stop();
+  stop = gone.get_token();
+  EXPECT_THAT(refusal(send("multilateration", {{"ranges", lee_ranges()}, {"points", lee_nominal()}}), 503),
+              HasSubstr("stopped before it was done"));
+  EXPECT_THAT(
+      refusal(send("polar", {{"readings", lee_tracker()}}, R"({"ranging": "20um+1um/m", "angles": "4arcsec"})"), 503),
+      HasSubstr("stopped before it was done"));
 }
 
 TEST_F(CoordinatesRoutes, multilaterate_as_the_command_line_does) {

@@ -113,6 +113,9 @@ TEST_F(DynamicRoutes, refuse_options_and_recordings_with_what_was_found) {
   EXPECT_THAT(refusal(send(recording, R"({"stream_axis": 0})")), StartsWith("stream_axis: found 0, expected"));
   EXPECT_THAT(refusal(send(recording, R"({"stream": "x"})")), HasSubstr("found the unknown stream \"x\""));
   EXPECT_THAT(refusal(send(recording, R"({"window_s": 1})")), HasSubstr("found a window of 1 s"));
+  EXPECT_EQ(refusal(send("")), "found the file \"run.csv\" empty, expected one with content");
+  EXPECT_EQ(refusal(send("", "", "", language::Language::german)),
+            "Datei \"run.csv\" ist leer; erwartet: eine mit Inhalt");
   EXPECT_EQ(refusal(send(recorded(63))), "found 63 samples, expected 64 at least");
   EXPECT_THAT(refusal(send("no recording")), HasSubstr("expected one of"));
   EXPECT_THAT(refusal(send(recording, "", "/report.docx")), HasSubstr("docx"));
@@ -124,7 +127,7 @@ TEST_F(DynamicRoutes, tell_remarks_in_the_language_of_the_reader) {
   const Value german = value_of(send(recorded(2000), "", "", language::Language::german));
   std::string all;
   for (const Value& remark : german.find("remarks")->items()) all += remark.text();
-  EXPECT_THAT(all, HasSubstr("der verlangte Vorschub ist nicht angegeben (--feed)"));
+  EXPECT_THAT(all, HasSubstr("der verlangte Vorschub ist nicht angegeben: Wie"));
 }
 
 TEST_F(DynamicRoutes, write_reports_and_tables) {

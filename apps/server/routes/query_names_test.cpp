@@ -48,6 +48,7 @@ TEST(Router, refuses_what_a_query_may_not_have) {
   EXPECT_EQ(refused.status, 422);
   EXPECT_THAT(refused.body,
               testing::HasSubstr(R"(found the query parameter \"verdickt\", expected one of text, machine)"));
+  EXPECT_THAT(refused.body, testing::HasSubstr(R"("kind":"bad_input")")) << "as all that is to be mended";
   EXPECT_EQ(asked(router, "HEAD", {{"oder", "name"}}).status, 422);
   EXPECT_THAT(asked(router, "GET", {{"limit", "0"}, {"limit", "5"}}).body,
               testing::HasSubstr("more than once, expected it once"));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,7 @@ class RouteTest : public testing::Test {
     request.body = std::move(body);
     request.actor = "A. Tester";
     request.language = language;
+    request.stop = stop;
     return router.answer(request);
   }
 
@@ -56,6 +58,7 @@ class RouteTest : public testing::Test {
   }
 
   DescribedRouter router;
+  std::stop_token stop;  ///< of what asks
 
  private:
   std::string below_;

@@ -236,7 +236,8 @@ Job Router::read(std::shared_ptr<Request> request) const {
 }
 
 Response Router::answer(Request request) const {
-  return read(std::make_shared<Request>(std::move(request))).answer({});
+  const std::stop_token stop = request.stop;
+  return read(std::make_shared<Request>(std::move(request))).answer(stop);
 }
 
 std::vector<Router::Route> Router::routes() const {

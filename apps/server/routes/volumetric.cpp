@@ -170,7 +170,7 @@ Result<app::Assembled> assembled(const Request& request) {
   for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_assembly_part(form, part));
   if (!form.machine) return fail("found no file machine, expected one");
   if (!form.options) return fail("found no options, expected them: they say which errors are given");
-  return app::assemble_presentable({std::move(form.errors), *form.machine}, *form.options);
+  return app::assemble_presentable({std::move(form.errors), *form.machine, request.stop}, *form.options);
 }
 
 Result<Response> assembly(const Request& request) {

@@ -492,7 +492,7 @@ export interface components {
             change: components["schemas"]["Change"];
         };
         /**
-         * @description What a program can do about it; `refused` is said of the request itself.
+         * @description What a program can do about it. `bad_input`: a word, a number or a file that was given is to be mended, always with the status 422; `refused` is said of the request itself, whatever it asks for.
          * @enum {string}
          */
         ErrorKind: "bad_input" | "not_found" | "conflict" | "read_only" | "full" | "unavailable" | "damaged" | "refused";

@@ -14,7 +14,7 @@ const t = texts({
   again: 'Try again',
 });
 
-/** What went wrong, in words, and a way on. */
+/** What went wrong, in words, and a way on. What was asked wrongly is answered the same however often it is asked. */
 export function FailureNotice({ error, message = error.message, retry }: { error: ApiError; message?: string; retry?: () => void }) {
   const heading =
     error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' || error.kind === 'kept' ? t(error.kind) : null;
@@ -25,7 +25,7 @@ export function FailureNotice({ error, message = error.message, retry }: { error
         {error.kind === 'offline' ? t('offline') : page_words(message)}
         {error.place !== '' && <span class="quiet"> ({t('line', { place: error.place })})</span>}
       </p>
-      {retry && <button type="button" onClick={retry}>{t('again')}</button>}
+      {retry && error.kind !== 'bad_input' && <button type="button" onClick={retry}>{t('again')}</button>}
     </div>
   );
 }

@@ -52,6 +52,14 @@ constexpr store::Opening to_look{.create = false, .read_only = true};
 
 json::Value number(std::int64_t value) { return static_cast<double>(value); }
 
+/// "machines" as a line of numbers calls them; what is meant stands behind it where a language is looked up.
+std::string counted_name(std::string_view name) {
+  constexpr std::string_view meaning = " [counted]";
+  std::string said = in_language_asked(fmt::format("{}{}", name, meaning));
+  if (said.ends_with(meaning)) said.resize(said.size() - meaning.size());
+  return said;
+}
+
 Result<int> info(const StoreArguments& arguments) {
   AXIOMETRY_TRY(const auto archive, opened(arguments, {.create = false}));
   AXIOMETRY_TRY(const store::Counts counts, archive->counts());
@@ -77,11 +85,12 @@ Result<int> info(const StoreArguments& arguments) {
     fmt::print("{}\n", json::dump(root));
     return exit_done;
   }
-  fmt::print("{}\n{}, schema {}, {}\n", report::printable(about.location),
-             about.kind == "sqlite" ? "SQLite" : "PostgreSQL", about.schema,
-             about.writable ? "can be written" : fmt::format("can only be read: {}", about.why_not));
+  const std::string access = about.writable ? "can be written" : fmt::format("can only be read: {}", about.why_not);
+  fmt::print("{}\n{}, {}, {}\n", report::printable(about.location), about.kind == "sqlite" ? "SQLite" : "PostgreSQL",
+             in_language_asked(fmt::format("schema {}", about.schema)), in_language_asked(access));
   for (const auto& [name, count] : numbers)
-    fmt::print("  {}{}\n", left(name == std::string_view("content_bytes") ? "bytes measured" : name, 16), count);
+    fmt::print("  {}{}\n", left(counted_name(name == std::string_view("content_bytes") ? "bytes measured" : name), 16),
+               count);
   return exit_done;
 }
 
@@ -91,7 +100,8 @@ std::string figure_text(const store::TestRow& row, std::string_view letter) {
   for (const auto& [suffix, arrow] : senses)
     for (const store::FigureRecord& figure : row.figures)
       if (figure.parameter == fmt::format("{}{}", letter, suffix))
-        return fmt::format("{}{} {} {}", letter, arrow, format_fixed(figure.value, 1),
+        return fmt::format("{}{} {} {}", letter, arrow,
+                           format_fixed(figure.value, 1, language::usual_numbers(language_asked())),
                            row.unit == "arcsec" ? "″" : "µm");
   return fmt::format("{} –", letter);
 }
@@ -105,9 +115,9 @@ Result<int> list(const StoreArguments& arguments) {
   for (const store::TestRow& row : page.rows)
     fmt::print("{} {} {} {} {} {} {}\n", left(fmt::format("{}", row.id), 7),
                left(report::printable(row.measured_on), 11), left(report::printable(row.machine_name), 24),
-               left(report::printable(row.axis_name), 5), left(figure_text(row, "A"), 13), left(row.verdict, 17),
-               report::printable(row.title));
-  fmt::print("{} of {}\n", page.rows.size(), page.total);
+               left(report::printable(row.axis_name), 5), left(figure_text(row, "A"), 13),
+               left(in_language_asked(row.verdict), 17), report::printable(row.title));
+  fmt::print("{}\n", in_language_asked(fmt::format("{} of {}", page.rows.size(), page.total)));
   return exit_done;
 }
 
@@ -136,8 +146,8 @@ Result<int> backup(const StoreArguments& arguments) {
   AXIOMETRY_TRY(const std::string address, app::store_address(arguments.address));
   const auto refused_with_call = [&](Error error) {
     if (!arguments.address.empty()) return std::unexpected(std::move(error));
-    error.message += fmt::format("; the call is: axiometry store backup NEW_FILE --store {}",
-                                 store::Store::open(arguments.file, to_look) ? arguments.file : "STORE");
+    error.message = fmt::format("{}; the call is: axiometry store backup NEW_FILE --store {}", error.message,
+                                store::Store::open(arguments.file, to_look) ? arguments.file : "STORE");
     return std::unexpected(std::move(error));
   };
   const auto archive = store::Store::open(address, {.create = false});
@@ -150,11 +160,12 @@ Result<int> backup(const StoreArguments& arguments) {
   AXIOMETRY_TRY(const auto copy, store::Store::open(arguments.file, to_look));
   AXIOMETRY_TRY(const store::Counts counts, copy->counts());
   for (const std::string& lost : made->missing_indexes)
-    fmt::print("noted: {}; 'axiometry store restore' makes it anew\n", report::printable(lost));
-  for (const std::string& extra : made->extras) fmt::print("noted: {}\n", report::printable(extra));
-  for (const std::string& note : made->notes) fmt::print("noted: {}\n", report::printable(note));
-  fmt::print("{}: tests {}, machines {}; prove it with: axiometry store verify {}\n", report::printable(arguments.file),
-             counts.tests, counts.machines, report::printable(arguments.file));
+    fmt::print("{}\n", in_language_asked(fmt::format("noted: {}; 'axiometry store restore' makes it anew", lost)));
+  for (const auto* notes : {&made->extras, &made->notes})
+    for (const std::string& note : *notes) fmt::print("{}\n", in_language_asked("noted: " + note));
+  fmt::print("{}: {}: axiometry store verify {}\n", report::printable(arguments.file),
+             in_language_asked(fmt::format("tests {}, machines {}; prove it with", counts.tests, counts.machines)),
+             report::printable(arguments.file));
   return exit_done;
 }
 

@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
-#include "axiometry/app/files/go_on_unless.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/raw_times.h"
 #include "axiometry/base/counted.h"
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recording.h"
@@ -44,8 +44,8 @@ class EvenSamples {
       if (options_.to_s && s.time_s > *options_.to_s) continue;
       if (positions_.size() == options_.samples_most)
         return fail(
-            fmt::format("found more than {} samples, expected fewer: a part of the recording can be asked for "
-                        "(--from, --to)",
+            fmt::format("found more than {} samples, expected fewer: a part of the recording can be asked for: "
+                        "from one time to another",
                         options_.samples_most));
       positions_.push_back(options_.reverse ? -s.position : s.position);
       stamps_.push_back(s.time_s);
@@ -173,8 +173,7 @@ void add_limits(DynamicMotion& motion) {
       "nor "
       "a reversal error can be told");
   if (!motion.feed)
-    motion.remarks.push_back(
-        "the feed that was asked for is not stated (--feed): how far the axis is from it is not known");
+    motion.remarks.push_back("the feed that was asked for is not stated: how far the axis is from it is not known");
 }
 
 Result<DynamicMotion> measured(Source source, const DynamicOptions& options) {

@@ -80,6 +80,7 @@ Result<void> take_polar(const Value& options, PolarRequest& request) {
 Result<std::unique_ptr<Multilaterated>> multilaterate_given(const RangesGiven& files, const Value& options) {
   MultilaterateRequest request;
   AXIOMETRY_TRY(request.options, range_options_from(options));
+  request.options.stop = files.stop;
   request.ranges = files.ranges.name;
   request.ranges_bytes = files.ranges.bytes;
   request.stations_most = range_stations_most;
@@ -95,6 +96,7 @@ Result<std::unique_ptr<PolarResult>> adjust_polar_given(const PolarGiven& files,
     return fail(fmt::format("found {} files of readings, expected at most {}", files.readings.size(),
                             tracking::polar_stations_most));
   PolarRequest request;
+  request.stop = files.stop;
   for (const GivenFile& file : files.readings) {
     request.files.push_back(file.name);
     request.bytes.push_back(file.bytes);

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "axiometry/app/files/given_file.h"
@@ -20,6 +21,7 @@ inline constexpr std::size_t range_stations_most = 100;  ///< the work grows wit
 struct RangesGiven {
   GivenFile ranges;
   std::optional<GivenFile> points;
+  std::stop_token stop{};  ///< nobody waits for the answer any more
 };
 
 /// Options: {"scale": "fixed", "common" or "free", "scale_prior_ppm": 0.1, "ranging": "0.2um+0.3um/m", "repeatability":
@@ -31,6 +33,7 @@ Result<std::unique_ptr<Multilaterated>> multilaterate_given(const RangesGiven& f
 struct PolarGiven {
   std::vector<GivenFile> readings;
   std::optional<GivenFile> points;
+  std::stop_token stop{};  ///< nobody waits for the answer any more
 };
 
 /// Options: {"instruments": ["leica-at901", "TR=etalon-lasertracer"], "ranging": "20um+1um/m", "angles": "4arcsec",

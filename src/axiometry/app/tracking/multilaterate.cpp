@@ -52,7 +52,7 @@ Result<void> read_inputs(Multilaterated& result, const MultilaterateRequest& req
   if (request.points.empty()) {
     if (!result.ranges.nominal_mm.empty()) return {};
     return in_file(Result<void>(fail("found no columns x_mm, y_mm, z_mm, expected the nominal points there or in a "
-                                     "file of their own (--points)")),
+                                     "file of their own")),
                    request.ranges);
   }
   AXIOMETRY_TRY(const std::string points, bytes_at_hand(request.points_bytes, request.points, limit_bytes));

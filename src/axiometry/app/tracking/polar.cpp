@@ -231,7 +231,10 @@ Result<void> put_tracker(std::string_view text, PolarRequest& request) {
 Result<void> put_polar_lengths(std::string_view text, PolarRequest& request) {
   // A name would have to say whether it means distances or their changes: --instrument knows by the station.
   AXIOMETRY_TRY(const auto kind, tracking::find_tracker(text, tracking::LengthMode::absolute));
-  if (kind) return fail("found an instrument, expected A+B such as 20um+1um/m; names go to --instrument");
+  if (kind)
+    return fail(
+        "found an instrument, expected A+B such as 20um+1um/m; the name of an instrument "
+        "is given for itself, not as an uncertainty");
   AXIOMETRY_TRY(request.stated.length, parse_ranging(text));
   return {};
 }
@@ -255,6 +258,7 @@ Result<std::unique_ptr<PolarResult>> adjust_polar_files(const PolarRequest& requ
   result->options.datum =
       result->nominal_mm.empty() || request.in_station ? tracking::PolarDatum::station : tracking::PolarDatum::nominal;
   result->options.nominal_mm = result->nominal_mm;
+  result->options.stop = request.stop;
   result->options.station_names = result->stations;
   result->options.point_names = result->points;
   const auto adjust = [&] {

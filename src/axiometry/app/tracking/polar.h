@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,6 +34,7 @@ struct PolarRequest {
   /// for then.
   std::vector<std::string_view> bytes{};
   std::optional<std::string_view> points_bytes{};
+  std::stop_token stop{};   ///< nobody waits for it any more
   bool in_station = false;  ///< whether coordinates are those of the first station with angles, with nominal points too
 };
 

@@ -169,9 +169,8 @@ class PolarDocument {
     table.notes = {
         plain(nominal ? "u (k = 1) relative to the points as a whole." : "u (k = 1) in the station's frame.")};
     if (shown < fit_.points_mm.size())
-      table.notes.push_back(plain(
-          fmt::format("The first {} of {} points; all are in the JSON (--json) and in the table of points (--out).",
-                      shown, fit_.points_mm.size())));
+      table.notes.push_back(plain(fmt::format(
+          "The first {} of {} points; all are in the JSON and in the table of points.", shown, fit_.points_mm.size())));
     table.dense = true;
     return {"points", "Points", true, {std::move(table)}};
   }

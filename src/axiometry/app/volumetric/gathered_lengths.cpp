@@ -107,7 +107,7 @@ class Gathering {
   Result<void> take_recording(Source& source) {
     if (plan_ == nullptr)
       return fail(
-          "found a continuous recording, expected the plan that was driven beside it (--plan), or a table of "
+          "found a continuous recording, expected the plan that was driven beside it, or a table of "
           "lengths");
     std::optional<PartRange> said;
     if (!request_.parts.empty()) {
@@ -148,7 +148,7 @@ class Gathering {
       if (is_new || times_said_[run] > 1) continue;
       return fail(
           fmt::format("found lengths of {}, which {} has too, expected each part in one file; where a "
-                      "recording goes on with a part that another began, say the part of each (--parts)",
+                      "recording goes on with a part that another began, say the part of each",
                       part_text(*plan_, {run + 1, run + 1}), name_of(at->second)));
     }
     return {};

@@ -32,7 +32,7 @@ struct KnownMachine {
 
 /// The machine of its own file counts before that of the plan.
 Result<KnownMachine> known_machine(const std::optional<GivenFile>& own, const std::optional<GivenFile>& plan_file) {
-  if (!own && !plan_file) return fail("found neither a machine nor a plan, expected --machine or --plan");
+  if (!own && !plan_file) return fail("found neither a machine nor a plan, expected one of them");
   std::optional<volumetric::CalibrationPlan> plan;
   std::string plan_sha256;
   if (plan_file) {

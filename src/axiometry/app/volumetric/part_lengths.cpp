@@ -58,7 +58,7 @@ Result<PartRange> chosen_parts(const CalibrationPlan& plan, std::optional<PartRa
   const auto next = std::ranges::find_if(all, [&](const Explanation& e) { return !overlap(e.parts, best.parts); });
   if (next != all.end() && next->cost < best.cost + far_better)
     return fail(
-        fmt::format("found {} {} about as well as {}, expected those of one: say which part it is (--parts), if it "
+        fmt::format("found {} {} about as well as {}, expected those of one: say which part it is, if it "
                     "is one of this plan at all",
                     fitting, part_text(plan, best.parts), part_text(plan, next->parts)));
   return best.parts;

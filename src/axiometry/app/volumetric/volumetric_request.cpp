@@ -174,7 +174,8 @@ Result<Assembled> assemble_presentable(const AssembleFiles& files, const Value& 
   AXIOMETRY_TRY(const formats::MachineFile machine, in_file(formats::read_machine(own.bytes), own.name));
   AXIOMETRY_TRY_VOID(in_file(check_names(machine.machine), own.name));
   AXIOMETRY_TRY_VOID(in_file(check_count("tools", machine.machine.tools.size(), most_tools_found), own.name));
-  AXIOMETRY_TRY(const AssembleRequest request, assemble_request_from(options, files));
+  AXIOMETRY_TRY(AssembleRequest request, assemble_request_from(options, files));
+  request.stop = files.stop;
   return assemble_singles(request);
 }
 

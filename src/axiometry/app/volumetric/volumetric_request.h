@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,7 @@ Result<IdentifiedMachine> identify_presentable(const IdentifyFiles& files, const
 struct AssembleFiles {
   std::vector<GivenFile> errors;  ///< files that its options name
   GivenFile machine;
+  std::stop_token stop{};  ///< nobody waits for the answer any more
 };
 
 /// Options: {"errors": ["EXX=x.csv", "C0Y=-12.5,1.2"], "at": ["X=0,300:up,-200:down@T1"], "instruments":

@@ -8,10 +8,10 @@
 #include <stop_token>
 #include <string>
 
-#include "axiometry/app/files/go_on_unless.h"
 #include "axiometry/app/files/recent.h"
 #include "axiometry/app/workbench/measured_file.h"
 #include "axiometry/app/workbench/workbench.h"
+#include "axiometry/base/go_on_unless.h"
 
 /// What the sources of the workbench share.
 namespace axiometry::app {

@@ -190,7 +190,8 @@ TEST(MotionCsv, RefusesKeysThatAreMisspelt) {
   EXPECT_THAT(with("instrument.gian: 1.1"), HasSubstr("expected perhaps instrument.gain"));
   EXPECT_THAT(with("machine.nickname: Otto"), HasSubstr("found the unknown key \"machine.nickname\""));
   for (const char* comment : {"position: left of the table", "mirror: at the spindle", "sensor: LVDT 3", "v1.2: first",
-                              "Note: in the evening", "http://example.org"})
+                              "Note: in the evening", "http://example.org", "Error 1: spike at 300 mm",
+                              "Errors 2+3: none", "error-log: kept"})
     EXPECT_EQ(with(comment), "") << comment;
 }
 

@@ -23,10 +23,12 @@ bool begins_like_a_field(std::string_view key) {
          });
 }
 
-/// Of the two words that change what the readings are; what else may stand there and looks like one is none.
+/// Of the two words that change what the readings are; what else may stand there and looks like one is none: "Error 1"
+/// counts something, and no slip of a finger adds a number.
 std::optional<std::string_view> word_meant(std::string_view key) {
   constexpr std::string_view shortest = "errors";
-  if (key.size() < shortest.size()) return std::nullopt;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  if (key.size() < shortest.size() || !std::ranges::all_of(key, is_letter)) return std::nullopt;
   const auto near = text::nearest(text::to_lower(key), {"error", "positive", "position", "mirror"});
   return near == "error" || near == "positive" ? near : std::nullopt;
 }

@@ -14,6 +14,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/recordings/time_text.h"
+#include "axiometry/formats/temperatures/log_zone.h"
 #include "axiometry/formats/temperatures/sensor_role.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/formats/text/name_words.h"
@@ -314,6 +315,21 @@ Result<void> settle_letters(std::vector<Head>& heads, const auto& is_candidate, 
   return {};
 }
 
+/// Clocks of the log and of the test can be compared when both tell their zone or neither does; one that stands apart
+/// from its moment would be lost. Times without a clock have none.
+Result<void> check_zone_of(const std::vector<std::string_view>& cells, std::string_view header,
+                           const LogColumns& columns) {
+  const auto heads = log_cells(header, columns.delimiter);
+  const auto moment = moment_of(cells[columns.time]);
+  const auto place = column_of_zone(cells, heads);
+  if (columns.kind == LogTime::number || (moment && moment->zoned) || !place) return {};
+  if (!dates_readings(cells, columns.time, columns.delimiter)) return {};
+  return fail(fmt::format(
+      "found the time zone {} in a column of its own ({}), expected it behind the time, such as 2026-03-02T09:00+01:00",
+      text::quoted(text::trim(cells[*place])),
+      *place < heads.size() ? text::quoted(text::trim(heads[*place])) : fmt::format("column {}", *place + 1)));
+}
+
 }  // namespace
 
 Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string_view header) {
@@ -338,6 +354,7 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
                             text::quoted(*behind_moment(*zone)), text::quoted(*zone)));
   auto columns = time_columns(cells, heads, delimiter);
   if (!columns) return std::nullopt;
+  AXIOMETRY_TRY_VOID(check_zone_of(cells, header, *columns));
   const auto is_number = [&](std::size_t k) { return k < cells.size() && log_number(cells[k], delimiter).has_value(); };
   const auto is_possible = [&](std::size_t k) { return is_number(k) || k >= cells.size() || has_no_value(cells[k]); };
   const auto tells_another = [&](const Head& head) {

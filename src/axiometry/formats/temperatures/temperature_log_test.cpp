@@ -73,6 +73,15 @@ TEST(TemperatureLogs, SayWhichTimeZoneIsNotRead) {
         fmt::format("line 2:1: found \"{}\" behind the time in \"{}\", expected nothing, or a time zone such as Z or "
                     "+01:00",
                     zone, moment));
+  for (const char* log :
+       {"time;timezone;Air [°C]\n2026-03-02 09:00:00;CET;20,5\n",
+        "time;UTC offset;Air [°C]\n2026-03-02 09:00:00;1;20,5\n",
+        "date;time;x;Air [°C]\n2026-01-01;10:00:00;+01:00;20,1\n", "2026-01-01 10:00:00;+01:00;20,1\n"})
+    EXPECT_THAT(refusal(log), HasSubstr("in a column of its own")) << log;
+  for (const char* log : {"time;timezone;Air [°C]\n2026-03-02T09:00:00Z;CET;20,5\n",
+                          "time;timezone;Air [°C]\n2026-03-02 09:00:00;;20,5\n", "time_s;zone;Air [°C]\n0;1;20,5\n",
+                          "start;2026-03-02 09:00;UTC\ntime;Air [°C]\n2026-03-02 09:00;20,5\n"})
+    EXPECT_EQ(refusal(log), "read") << log;
   EXPECT_EQ(refusal("Exported 2026-03-02 09:00 CET\ntime;Air [°C]\n2026-03-02 09:00;20,5\n"), "read");
 }
 

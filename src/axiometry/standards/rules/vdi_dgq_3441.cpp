@@ -89,7 +89,9 @@ extern const AxisRule vdi_dgq_3441_axis_rule;
 const AxisRule vdi_dgq_3441_axis_rule = {
     .id = "vdi-dgq-3441",
     .name = "VDI/DGQ 3441",
-    .remark = "P and P_s hold 6 s in all, where A and R of ISO 230-2:2014 hold 4 s",
+    .remark =
+        "P and P_s hold 6 s in all, where A and R of ISO 230-2:2014 hold 4 s; U is the reversal error, no uncertainty, "
+        "and U_mean leaves out the signs that B̄ has",
     .linear_only = false,
     .figures = vdi_figures,
     .findings = vdi_findings,

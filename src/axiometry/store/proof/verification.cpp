@@ -15,6 +15,7 @@
 #include "axiometry/store/proof/audit_trail.h"
 #include "axiometry/store/proof/id_walk.h"
 #include "axiometry/store/proof/problems.h"
+#include "axiometry/store/proof/sqlite_log.h"
 #include "axiometry/store/proof/sqlite_pages.h"
 #include "axiometry/store/proof/storage_classes.h"
 #include "axiometry/store/proof/test_verification.h"
@@ -91,6 +92,7 @@ Result<Verification> Verifier::run() {
 }
 
 Result<void> Verifier::everything() {
+  if (connection_.is_sqlite()) AXIOMETRY_TRY_VOID(verify_sqlite_log(connection_, found_));
   AXIOMETRY_TRY_VOID(schema());
   AXIOMETRY_TRY_VOID(database());
   if (expected_.schema) AXIOMETRY_TRY_VOID(verify_storage_classes(connection_, *expected_.schema, found_.problems));

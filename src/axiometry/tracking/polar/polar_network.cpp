@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/polar/polar_reduction.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
@@ -38,6 +39,7 @@ class PolarAdjustment {
     AXIOMETRY_TRY_VOID(check_points());
     to_datum();
     AXIOMETRY_TRY_VOID(check_nominal());
+    AXIOMETRY_TRY_VOID(go_on_unless(options_.stop));
     fill();
     return std::move(fit_);
   }
@@ -155,6 +157,7 @@ class PolarAdjustment {
   Result<void> solve() {
     double move_mm = 0.0;
     for (fit_.iterations = 1; fit_.iterations <= options_.iterations_most; ++fit_.iterations) {
+      AXIOMETRY_TRY_VOID(go_on_unless(options_.stop));
       inverse_ = invert_polar(system_, station_gauge(layout_, state_, middle()));
       if (inverse_.null_directions > 0)
         return fail(

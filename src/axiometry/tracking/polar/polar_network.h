@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct PolarOptions {
   /// where no station sees three of them off one line.
   std::span<const Vector3> nominal_mm = {};
   std::size_t iterations_most = 50;
-  bool checks = true;  ///< residuals over their own uncertainty, findings
+  bool checks = true;         ///< residuals over their own uncertainty, findings
+  std::stop_token stop = {};  ///< nobody waits for it any more: fails, as unavailable
   std::span<const std::string> station_names = {};
   std::span<const std::string> point_names = {};
 };

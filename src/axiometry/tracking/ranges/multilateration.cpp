@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/tracking/ranges/multilateration_findings.h"
 #include "axiometry/tracking/ranges/range_covariance.h"
 #include "axiometry/tracking/ranges/range_input.h"
@@ -33,10 +34,12 @@ class Multilateration {
       AXIOMETRY_TRY(starts_, start_all(in_, false));
       AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, segments()));
     }
+    AXIOMETRY_TRY_VOID(go_on_unless(in_.options.stop));
     lay_out_start();
     AXIOMETRY_TRY_VOID(check_rank(reduce(problem().input(), state_, std::nullopt, 0.0), 1.0));
     AXIOMETRY_TRY_VOID(solve());
     if (in_.options.find_breaks) AXIOMETRY_TRY_VOID(look_for_breaks());
+    AXIOMETRY_TRY_VOID(go_on_unless(in_.options.stop));
     finish();
     AXIOMETRY_TRY_VOID(check_rank(run_.system, fit_.variance_factor()));
     fill(counts);
@@ -56,7 +59,8 @@ class Multilateration {
             free_ ? in_.options.scale_prior : 0.0,
             free_ && with_size_,
             in_.options.iterations_most,
-            point_chunks(layout_.points, layout_.columns(), in_.options.threads)};
+            point_chunks(layout_.points, layout_.columns(), in_.options.threads),
+            in_.options.stop};
   }
 
   /// Everything about the mean of the nominal points, so that no digits are lost far from the origin.
@@ -84,6 +88,7 @@ class Multilateration {
 
   Result<void> solve() {
     run_ = iterate(problem(), state_);
+    AXIOMETRY_TRY_VOID(go_on_unless(in_.options.stop));
     if (run_.converged) return {};
     return fail(fmt::format(
         "the solution does not settle within {} iterations (points still move by {:.3g} mm), expected "
@@ -137,6 +142,7 @@ class Multilateration {
   Result<void> look_for_breaks() {
     constexpr std::size_t breaks_most = 8;
     for (std::size_t k = 0; k < breaks_most; ++k) {
+      AXIOMETRY_TRY_VOID(go_on_unless(in_.options.stop));
       if (layout_.readings() < fit_.rank.unknowns + 4) return {};
       const auto found = find_residual_step(in_, residuals(), starts_.segments);
       if (!found) return {};

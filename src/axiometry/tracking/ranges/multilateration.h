@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct MultilaterationOptions {
   bool point_covariances = true;                    ///< also residuals over their own standard uncertainty
   bool find_breaks = true;                          ///< look for breaks of the beam that the readings do not state
   std::size_t threads = 0;                          ///< 0: as many as there are cores. The result does not depend on it
+  std::stop_token stop = {};                        ///< nobody waits for it any more: fails, as unavailable
   std::span<const std::string> station_names = {};  ///< names for messages; numbers from 1 when empty
   std::span<const std::string> point_names = {};
 };

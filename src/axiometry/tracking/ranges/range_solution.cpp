@@ -37,7 +37,7 @@ RangeIteration iterate(const RangeProblem& problem, RangeState& state) {
   const auto readings = static_cast<double>(problem.layout.readings());
   RangeIteration run{reduce(input, state, std::nullopt, 0.0)};
   double damping = 0.0;
-  while (run.iterations < problem.iterations_most && !run.converged) {
+  while (run.iterations < problem.iterations_most && !run.converged && !problem.stop.stop_requested()) {
     ++run.iterations;
     const std::vector<double> y = reduced_step(run.system, problem.gauge(state));
     RangeState next = moved(problem, state, y);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct RangeProblem {
   bool size_free = false;    ///< no length and no prior tells the size of the solution's unknowns
   std::size_t iterations_most = 50;
   PointChunks chunks;
+  std::stop_token stop{};  ///< no iteration begins any more
 
   ReductionInput input() const { return {layout, weighting, scale_prior, chunks}; }
   GaugeDirections gauge(const RangeState& state) const {

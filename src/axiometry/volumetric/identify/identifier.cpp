@@ -190,7 +190,7 @@ Result<void> Identifier::choose_first_sizes() {
     if (supported_[a].empty())
       return fail(
           fmt::format("found {} at too few places of {} for its curves, expected at least 10 in all, at "
-                      "4 or more places (--curves legendre needs fewer)",
+                      "4 or more places (Legendre curves need fewer)",
                       counted(lengths_.readings.size(), "reading"), axis_text(a)));
     const auto above = std::ranges::upper_bound(supported_[a], first_size);
     sizes[a] = above == supported_[a].begin() ? *above : *std::prev(above);

@@ -28,20 +28,27 @@ const around: readonly (readonly [x: number, y: number, anchor: PlacedWord['anch
   [18, -16, 'start'], [-18, -16, 'end'], [18, 26, 'start'], [-18, 26, 'end'],
 ];
 
-/** Those that come first choose first; each is within the picture and off the others, as far as there is room. */
+/** Where the name of an axis, or an end of its travel, may stand instead: lines up and down, half its width and more aside. */
+function near_by({ text }: Word): Flat[] {
+  const aside = width_of(text) / 2 + 6;
+  return [[0, 0], [0, height], [0, -height], [aside, 0], [-aside, 0], [aside, height], [-aside, height], [aside, -height], [-aside, -height],
+          [0, 2 * height], [0, -2 * height], [2 * aside, 0], [-2 * aside, 0]];
+}
+
+/** Those that come first choose first; each is within the picture and off the others, as far as there is room. An end of a
+ *  travel that would cover another word is left out. */
 export function placed_words(words: readonly Word[], size: Flat): PlacedWord[] {
   const taken: Frame[] = [];
-  return words.map((word) => {
+  return words.flatMap((word) => {
     const [x, y] = word.at;
     const places: PlacedWord[] = word.kind === 'name'
       ? around.map(([dx, dy, anchor]) => ({ ...word, x: x + dx, y: y + dy, anchor }))
-      : [{ ...word, x, y: y + 4, anchor: 'middle' }];
-    const cost = (placed: PlacedWord) => {
-      const frame = frame_of(placed);
-      return taken.reduce((sum, other) => sum + overlap(frame, other), 0) + 20 * beyond(frame, size);
-    };
+      : near_by(word).map(([dx, dy]) => ({ ...word, x: x + dx, y: y + dy + 4, anchor: 'middle' }));
+    const covered = (placed: PlacedWord) => taken.reduce((sum, other) => sum + overlap(frame_of(placed), other), 0);
+    const cost = (placed: PlacedWord) => covered(placed) + 20 * beyond(frame_of(placed), size);
     const best = places.reduce((chosen, one) => (cost(one) < cost(chosen) - 1e-9 ? one : chosen));
+    if (word.kind === 'end' && covered(best) > 0) return [];
     taken.push(frame_of(best));
-    return best;
+    return [best];
   });
 }

@@ -71,15 +71,15 @@ function Figures({ result }: { result: Coordinates }) {
 }
 
 function Picture({ result }: { result: Coordinates }) {
-  const { model, enlarged, most_um } = useMemo(() => coordinates_scene(result, t('off')), [result, language.value]);
+  const { model, enlarged, most_um, farthest } = useMemo(() => coordinates_scene(result, t('off')), [result, language.value]);
   const told = [
     t('picture_told', { points: count(result.points.length), stations: result.stations.map(({ name, position_mm }) => `${name} (${position_mm.map((mm) => shortest(mm, 1)).join('; ')})`).join(', ') }),
-    ...(most_um > 0 ? [t('picture_off', { n: count(enlarged), most: fixed(most_um, decimals_for(most_um, 3)) })] : []),
+    ...(most_um > 0 ? [t('picture_off', { n: count(enlarged), name: farthest, most: fixed(most_um, decimals_for(most_um, 3)) })] : []),
   ].join(' ');
   return (
     <div class="field-picture">
       <Scene model={model} name={t('picture')} description={told} />
-      {most_um > 0 && <p class="quiet small">{t('picture_off', { n: count(enlarged), most: fixed(most_um, decimals_for(most_um, 3)) })}</p>}
+      {most_um > 0 && <p class="quiet small">{t('picture_off', { n: count(enlarged), name: farthest, most: fixed(most_um, decimals_for(most_um, 3)) })}</p>}
     </div>
   );
 }

@@ -52,7 +52,7 @@ export const t = texts({
   in_nominal: 'Coordinates of the nominal points, onto which all is moved and turned by least squares; standard uncertainties (k = 1) relative to the points as a whole.',
   picture: 'Stations and points',
   picture_told: '{points} points from {stations}.',
-  picture_off: 'Arrows from the nominal points to those found, enlarged {n} times; the longest is {most} µm.',
+  picture_off: 'Arrows from the nominal points to those found, enlarged {n} times; the longest, at {name}, is {most} µm.',
   off: 'off nominal',
   point: 'Point',
   station: 'Station',

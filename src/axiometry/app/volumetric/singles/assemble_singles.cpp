@@ -13,6 +13,7 @@
 #include "axiometry/app/volumetric/errors_json.h"
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/app/volumetric/singles/single_reading.h"
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -168,7 +169,7 @@ Result<Assembled> assemble_singles(const AssembleRequest& request) {
     AXIOMETRY_TRY(bytes, whole_file(request.machine));
   }
   AXIOMETRY_TRY(formats::MachineFile machine, in_file(formats::read_machine(bytes), request.machine));
-  AXIOMETRY_TRY(ReadSingles read, read_singles(request.items, request.reversal));
+  AXIOMETRY_TRY(ReadSingles read, read_singles(request.items, request.reversal, request.stop));
   volumetric::SingleErrors& errors = read.errors;
   read.remarks.insert(read.remarks.begin(), machine.remarks.begin(), machine.remarks.end());
   for (std::size_t a = 0; a < 3; ++a) {
@@ -183,6 +184,7 @@ Result<Assembled> assemble_singles(const AssembleRequest& request) {
     errors.places[a] =
         volumetric::SinglePlace{request.stands[a]->axes_mm, tools[*tool].offset_mm, request.stands[a]->approaches};
   }
+  AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(volumetric::SingleModel made, volumetric::model_of_singles(std::move(machine.machine), errors));
   return Assembled{request, sha256(bytes), std::move(read.items), std::move(read.remarks), std::move(made)};
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,6 +38,7 @@ struct AssembleRequest {
   std::array<std::optional<SingleStand>, 3> stands{};            ///< places of X, Y, Z
   volumetric::Reversal reversal = volumetric::Reversal::curves;  ///< how directions are modelled; none: means of both
   std::optional<std::string_view> machine_bytes{};               ///< likewise, those of `machine`
+  std::stop_token stop{};                                        ///< nobody waits for it any more
 };
 
 struct AssembledItem {

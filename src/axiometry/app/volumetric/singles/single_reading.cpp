@@ -14,6 +14,7 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/volumetric/singles/single_means.h"
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/base/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/motions/motion_result.h"
@@ -205,13 +206,13 @@ Result<volumetric::SquareLine> square_line(const MotionResult& result) {
 
 Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, volumetric::Squareness which) {
   if (!formats::looks_like_motion_result(bytes))
-    return fail("found no JSON, expected what axiometry squareness writes with --json");
+    return fail("found no JSON, expected a result of squareness as axiometry squareness writes it");
   AXIOMETRY_TRY(const formats::MotionResults results, formats::read_motion_result(bytes));
   if (results.result != "squareness")
     return fail(fmt::format("found the result {}, expected squareness as {} is", results.result, item.name));
   if (!results.location)
     return fail(
-        fmt::format("found a squareness without its sign in the machine, expected one made with --positive: "
+        fmt::format("found a squareness without its sign in the machine, expected one with it: "
                     "nothing states which way its readings are positive, so {} is not known",
                     item.name));
   const formats::LocationResult& location = *results.location;
@@ -264,13 +265,14 @@ std::optional<volumetric::Squareness> squareness_named(std::string_view name) {
   return static_cast<volumetric::Squareness>(found - volumetric::squareness_names.begin());
 }
 
-Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, Reversal reversal) {
+Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, Reversal reversal, const std::stop_token& stop) {
   ReadSingles all;
   all.errors.reversal = reversal;
   std::vector<std::pair<std::size_t, volumetric::SquareMeasurement>> squares;  // each with its place in the list
   std::string of_unknown_sense, of_one_direction;
   std::array<LostReversal, 2> lost_reversal;  // of displacements, of rotations
   for (const SingleItem& item : items) {
+    AXIOMETRY_TRY_VOID(go_on_unless(stop));
     if (std::ranges::find(all.items, item.name, &AssembledItem::name) != all.items.end())
       return fail(fmt::format("found {} twice, expected each error once", item.name));
     const auto remark = [&](const std::vector<std::string>& texts) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +33,8 @@ struct ReadSingles {
   std::vector<AssembledItem> items;
   std::vector<std::string> remarks;
 };
-Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, volumetric::Reversal reversal);
+Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, volumetric::Reversal reversal,
+                                 const std::stop_token& stop);
 
 /// C0Y, B0Z, A0Z.
 std::optional<volumetric::Squareness> squareness_named(std::string_view name);

@@ -5,7 +5,7 @@
 
 #include "axiometry/base/result.h"
 
-namespace axiometry::app {
+namespace axiometry {
 
 /// Fails, as unavailable, once nobody waits for the answer any more: what keeps nothing asks between its steps.
 inline Result<void> go_on_unless(const std::stop_token& stop) {
@@ -13,4 +13,4 @@ inline Result<void> go_on_unless(const std::stop_token& stop) {
   return fail(ErrorKind::unavailable, "stopped before it was done; nothing was kept");
 }
 
-}  // namespace axiometry::app
+}  // namespace axiometry
