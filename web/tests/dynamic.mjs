@@ -27,7 +27,7 @@ export const dynamic = {
     await shows(page.locator('main'), /4\.001?\s*0\.4003\s*4\.9988/);
     assert.equal(await page.locator('main canvas').count(), 5, 'position, velocity, acceleration, straying, spectrum');
     await shows(page.locator('main'), 'whether the day or the month stands first it does not say');
-    await shows(page.locator('main'), 'not stated (“Feed asked for”)');
+    await shows(page.locator('main'), 'The feed that was asked for is not stated:');
     await page.getByLabel('Feed asked for, mm/min').fill('1000');
     await shows(page.locator('main'), /less that asked for \/ %[\s\S]*20\.000/);
     assert.equal(await page.getByText('not stated').count(), 0);
