@@ -16,9 +16,9 @@
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/text/json_members.h"
 #include "server/http/request_values.h"
-#include "server/routes/adder.h"
 #include "server/routes/routes.h"
 #include "server/routes/test_filter.h"
+#include "server/routing/adder.h"
 
 namespace axiometry::server {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/routes/query_names.h"
+#include "server/routing/query_names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/http/multipart.h"
+#include "server/forms/multipart.h"
 
 #include <algorithm>
 #include <optional>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "server/http/http.h"
-#include "server/routes/query_names.h"
+#include "server/routing/query_names.h"
 #include "server/work/job.h"
 #include "server/work/load.h"
 

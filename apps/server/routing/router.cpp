@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "server/routes/router.h"
+#include "server/routing/router.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "server/routes/router.h"
+#include "server/routing/router.h"
 
 namespace axiometry::server {
 
