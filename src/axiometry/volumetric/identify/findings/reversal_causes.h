@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/volumetric/identify/tried_fit.h"
+#include "axiometry/volumetric/identify/findings/tried_fit.h"
 
 /// What directions in which axes came to rest make of residuals, where less or none was asked for. For readings that
 /// are not in rows: what is no noise tells no chance. Internal to identify().

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/residual_causes.h"
+#include "axiometry/volumetric/identify/findings/residual_causes.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
-#include "axiometry/volumetric/identify/reversal_causes.h"
-#include "axiometry/volumetric/identify/tried_fit.h"
+#include "axiometry/volumetric/identify/findings/reversal_causes.h"
+#include "axiometry/volumetric/identify/findings/tried_fit.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {

@@ -9,7 +9,7 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/volumetric/identify/findings.h"
+#include "axiometry/volumetric/identify/findings/findings.h"
 
 namespace axiometry::volumetric::detail {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/mixed_days.h"
+#include "axiometry/volumetric/identify/findings/mixed_days.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/volumetric/identify/tried_fit.h"
+#include "axiometry/volumetric/identify/findings/tried_fit.h"
 
 namespace axiometry::volumetric::detail {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/mixed_days.h"
+#include "axiometry/volumetric/identify/findings/mixed_days.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/volumetric/identify/finding_test_support.h"
+#include "axiometry/volumetric/identify/findings/finding_test_support.h"
 
 namespace axiometry::volumetric {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/reversal_causes.h"
+#include "axiometry/volumetric/identify/findings/reversal_causes.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/tried_fit.h"
+#include "axiometry/volumetric/identify/findings/tried_fit.h"
 
 #include <algorithm>
 #include <map>

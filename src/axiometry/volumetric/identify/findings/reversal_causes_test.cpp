@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/reversal_causes.h"
+#include "axiometry/volumetric/identify/findings/reversal_causes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "axiometry/volumetric/identify/finding_test_support.h"
+#include "axiometry/volumetric/identify/findings/finding_test_support.h"
 
 namespace axiometry::volumetric {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axiometry/volumetric/field/volume_statistics.h"
-#include "axiometry/volumetric/identify/finding_test_support.h"
+#include "axiometry/volumetric/identify/findings/finding_test_support.h"
 
 namespace axiometry::volumetric {
 namespace {

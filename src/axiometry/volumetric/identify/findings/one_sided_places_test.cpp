@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/one_sided_places.h"
+#include "axiometry/volumetric/identify/findings/one_sided_places.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/volumetric/identify/findings.h"
+#include "axiometry/volumetric/identify/findings/findings.h"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@
 #include "axiometry/base/text.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
-#include "axiometry/volumetric/identify/mixed_days.h"
-#include "axiometry/volumetric/identify/one_sided_places.h"
-#include "axiometry/volumetric/identify/residual_causes.h"
-#include "axiometry/volumetric/identify/reversal_causes.h"
-#include "axiometry/volumetric/identify/tried_fit.h"
+#include "axiometry/volumetric/identify/findings/mixed_days.h"
+#include "axiometry/volumetric/identify/findings/one_sided_places.h"
+#include "axiometry/volumetric/identify/findings/residual_causes.h"
+#include "axiometry/volumetric/identify/findings/reversal_causes.h"
+#include "axiometry/volumetric/identify/findings/tried_fit.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
