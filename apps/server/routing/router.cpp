@@ -77,7 +77,7 @@ Response answered(const Handler& handler, const Request& request, bool keeps) {
   return guarded(request, keeps, answer, [](Response failed) { return failed; });
 }
 
-Job job_of(const std::shared_ptr<Request>& request, Reading reading, bool keeps = false) {
+Job job_of(const std::shared_ptr<Request>& request, ReadRequest reading, bool keeps = false) {
   return {.load = reading.load,
           .key = std::move(reading.key),
           .answer = [request, keeps, handler = std::move(reading.answer)](const std::stop_token& stop) {
@@ -107,8 +107,8 @@ Load load_by_size(const Request& request) { return request.body.size() > light_b
 
 /// Of a route that needs no reading.
 RouteReader without_reading(Handler handler, Weight weight) {
-  return [handler = std::move(handler), weight](const Request& request) -> Result<Reading> {
-    Reading reading{.answer = handler};
+  return [handler = std::move(handler), weight](const Request& request) -> Result<ReadRequest> {
+    ReadRequest reading{.answer = handler};
     if (weight == Weight::edit) reading.load = Load::edit;
     if (weight == Weight::heavy) reading.load = Load::heavy;
     if (weight == Weight::by_size) reading.load = load_by_size(request);

@@ -22,13 +22,13 @@ namespace axiometry::server {
 using Handler = std::function<Result<Response>(const Request&)>;
 
 /// A request that was read: what it costs by its values, and what answers it.
-struct Reading {
+struct ReadRequest {
   Load load = Load::light;
   std::string key{};  ///< as Job::key
   Handler answer;     ///< given the same request
 };
 /// Reads a request, which is all that it should cost.
-using RouteReader = std::function<Result<Reading>(const Request&)>;
+using RouteReader = std::function<Result<ReadRequest>(const Request&)>;
 
 /// How the load of a request is known.
 enum class Weight {

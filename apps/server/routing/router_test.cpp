@@ -67,9 +67,9 @@ TEST(Router, tells_what_computes_for_long) {
   router.add("GET", "/api/tests", none);
   router.add("POST", "/api/tests", none, Weight::by_size);
   router.add("POST", "/api/withdraw", none, Weight::edit);
-  router.add_read("POST", "/api/evaluations", [&](const Request& request) -> Result<Reading> {
+  router.add_read("POST", "/api/evaluations", [&](const Request& request) -> Result<ReadRequest> {
     AXIOMETRY_TRY(const json::Value body, json_body(request));
-    return Reading{.load = body.find("lone") ? Load::lone : Load::edit, .answer = none};
+    return ReadRequest{.load = body.find("lone") ? Load::lone : Load::edit, .answer = none};
   });
   router.add("GET", "/api/tests/{id}/report.{extension}", none, Weight::heavy);
   const auto load = [&](std::string method, std::string path, std::string body = "") {
