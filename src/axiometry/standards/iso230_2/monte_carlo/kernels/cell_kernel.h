@@ -4,7 +4,7 @@
 // What posterior.h and trials.h do with the cells of many trials, for one target; compiled once for each
 // (numeric/vector_target.h). Operation by operation in the order that is written here.
 #include "axiometry/numeric/kernels/lanes.h"
-#include "axiometry/standards/iso230_2/monte_carlo/cell_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/kernels/cell_kernel_types.h"
 
 namespace axiometry::iso230_2::AXIOMETRY_VECTOR_TARGET {
 namespace {

@@ -5,7 +5,7 @@
 // operation in the order that is written here.
 #include "axiometry/numeric/kernels/lanes.h"
 #include "axiometry/numeric/random/logarithm_lanes.h"
-#include "axiometry/standards/iso230_2/monte_carlo/moment_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/kernels/moment_kernel_types.h"
 
 namespace axiometry::iso230_2::AXIOMETRY_VECTOR_TARGET {
 namespace {

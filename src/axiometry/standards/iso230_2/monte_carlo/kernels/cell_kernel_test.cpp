@@ -7,7 +7,7 @@
 
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
-#include "axiometry/standards/iso230_2/monte_carlo/cell_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/kernels/cell_kernel_types.h"
 
 namespace axiometry::iso230_2 {
 namespace {

@@ -10,7 +10,7 @@
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
-#include "axiometry/standards/iso230_2/monte_carlo/moment_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/kernels/moment_kernel_types.h"
 
 namespace axiometry::iso230_2 {
 namespace {
