@@ -92,7 +92,7 @@ struct Incoming {
 struct Evaluation {
   std::vector<Incoming> files;
   std::vector<Taken> taken;
-  std::optional<Outcome> first;  ///< of the first test
+  std::optional<Outcome> first;  ///< outcome of the first test
 };
 
 Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, const Answers& answers,

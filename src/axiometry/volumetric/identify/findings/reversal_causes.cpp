@@ -243,7 +243,7 @@ class Variations {
   }
 
   const Coefficients& curves_;
-  std::vector<Eigen::Index> first_;  ///< of each error
+  std::vector<Eigen::Index> first_;  ///< first unknown of each error
   Eigen::VectorXd found_, score_;
   Eigen::MatrixXd covariance_, information_;
 };
