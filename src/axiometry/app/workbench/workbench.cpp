@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/app/workbench/axis_limits.h"
-#include "axiometry/app/workbench/machine_remarks.h"
+#include "axiometry/app/workbench/from_archive/axis_limits.h"
+#include "axiometry/app/workbench/from_archive/machine_remarks.h"
 #include "axiometry/app/workbench/same_answer.h"
 #include "axiometry/app/workbench/test_of_file.h"
 #include "axiometry/app/workbench/test_state.h"

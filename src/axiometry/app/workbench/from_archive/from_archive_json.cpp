@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/app/workbench/from_archive.h"
+#include "axiometry/app/workbench/from_archive/from_archive.h"
 #include "axiometry/base/text.h"
 #include "axiometry/formats/text/json_members.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/axis_limits.h"
+#include "axiometry/app/workbench/from_archive/axis_limits.h"
 
 #include <fmt/format.h>
 

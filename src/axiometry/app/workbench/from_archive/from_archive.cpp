@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/from_archive.h"
+#include "axiometry/app/workbench/from_archive/from_archive.h"
 
 #include <fmt/format.h>
 

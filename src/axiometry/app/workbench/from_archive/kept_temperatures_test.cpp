@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/kept_temperatures.h"
+#include "axiometry/app/workbench/from_archive/kept_temperatures.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

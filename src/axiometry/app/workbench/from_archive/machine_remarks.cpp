@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "axiometry/app/workbench/machine_remarks.h"
+#include "axiometry/app/workbench/from_archive/machine_remarks.h"
 
 #include <fmt/format.h>
 
