@@ -31,7 +31,7 @@ SOURCES = [
     "report/temperatures/temperature_document.cpp", "report/temperatures/temperature_figure.cpp", "report/figures/mean_deviations.cpp",
     "standards/environment/environment.cpp", "standards/iso230_2/rules/environment_findings.cpp",
     "formats/temperatures/log_columns.cpp", "formats/temperatures/temperature_log.cpp",
-    "app/temperatures/evaluated_temperatures.cpp", "app/workbench/kept_temperatures.cpp",
+    "app/temperatures/evaluated_temperatures.cpp", "app/workbench/from_archive/kept_temperatures.cpp",
     "compensation/compensated_positions.cpp", "report/sections/known_positions.cpp",
     "standards/iso230_2/plan/rules.cpp", "standards/iso230_2/programme.cpp",
     "standards/iso230_2/rules/conditions.cpp", "standards/iso230_2/rules/lines.cpp",

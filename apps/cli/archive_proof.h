@@ -12,10 +12,10 @@
 namespace axiometry::cli {
 
 struct ProofFlags {
-  std::vector<std::string> seals;  ///< files
+  std::vector<std::string> seals;  ///< files of seals
   std::string public_key;          ///< key by which the seals must be made; empty: not asked
   bool json = false;
-  std::vector<std::string> heads{};  ///< as reports say them
+  std::vector<std::string> heads{};  ///< heads of archives, as reports say them
   std::string authority{};           ///< file of certificates whose time stamps the seals must have; empty: not asked
 };
 

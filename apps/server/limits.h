@@ -28,7 +28,7 @@ struct Limits {
   std::chrono::seconds idle{30};     ///< time between two requests
   std::chrono::seconds shutdown{5};  ///< time for requests in flight when the server is to end
   /// From the moment a worker begins; then 503, and what computes is told to stop.
-  std::chrono::milliseconds light_deadline{20'000};  ///< also of edits
+  std::chrono::milliseconds light_deadline{20'000};  ///< time of light requests and of edits
   std::chrono::milliseconds heavy_deadline{60'000};
   std::chrono::milliseconds lone_deadline{180'000};  ///< Monte Carlo
   /// From there, of what may have begun to keep something and does not end: 504, and nobody knows.

@@ -3,7 +3,7 @@
 // A Content-Type on the first line and a body: the parts of a form lie within the body, in their order, without
 // overlap.
 #include "described.h"
-#include "server/http/multipart.h"
+#include "server/forms/multipart.h"
 
 using namespace axiometry;
 

@@ -171,7 +171,7 @@ std::string findings(const app::EvaluatedLines& e, const report::Options& option
 /// What of the tests departs from their standard, each once with its lines.
 std::string departures_text(const app::EvaluatedLines& e, const report::Options& options, const Terminal& terminal) {
   std::vector<iso230_2::Finding> all;
-  std::vector<std::vector<std::string>> lines;  // of each
+  std::vector<std::vector<std::string>> lines;  // ids of the lines that have each finding
   for (std::size_t k = 0; k < e.tests.size(); ++k) {
     const iso230_2::Assessment& assessment = e.tests[k].assessment;
     const AxisKind kind = e.tests[k].test.metadata.axis.kind;

@@ -24,7 +24,7 @@ namespace {
 
 using capture::StopSign;
 
-constexpr std::size_t kind_width = 17;  // of "target 12↑ run 10"
+constexpr std::size_t kind_width = 17;  // width of "target 12↑ run 10"
 
 class MotionDisplay {
  public:

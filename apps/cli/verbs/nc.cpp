@@ -49,7 +49,7 @@ unsigned m_code_in(const std::string& text) {
   std::string_view digits = text;
   if (digits.starts_with('M') || digits.starts_with('m')) digits.remove_prefix(1);
   const auto code = parse_count(digits);
-  constexpr unsigned long long code_most = 99'999;  // more than any control has
+  constexpr unsigned long long code_most = 99'999;  // a code higher than any control has
   if (code && *code <= code_most) return static_cast<unsigned>(*code);
   throw UsageError("--trigger",
                    fmt::format("found {}, expected the number of an M code, one of those that 'axiometry nc "

@@ -49,7 +49,7 @@ void await_more(tcp::socket& socket, std::function<void(bool)> then) {
 }  // namespace
 
 std::optional<std::size_t> client_hello_wanted(std::string_view come) {
-  std::string hello;  // its head
+  std::string hello;  // head of the handshake message
   std::size_t records = 0;
   std::size_t payload = 0;
   while (true) {

@@ -11,7 +11,7 @@
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "server/http/multipart.h"
+#include "server/forms/multipart.h"
 #include "server/http/target.h"
 
 namespace axiometry::server {
@@ -183,7 +183,9 @@ Result<std::vector<SentFile>> files_of(const Request& request) {
   const FormPart* profile = nullptr;
   for (FormPart& part : parts) {
     if (part.is_file) files.push_back({std::move(part.file_name), std::move(part.content_type), part.bytes});
-    if (!part.is_file && part.name == "profile") profile = &part;
+    if (part.is_file || part.name != "profile") continue;
+    if (profile != nullptr) return fail("found the part \"profile\" twice in the form, expected it once");
+    profile = &part;
   }
   if (files.empty()) return fail("found a form without a file, expected at least one part with a file name");
   if (profile == nullptr) return files;

@@ -70,7 +70,8 @@ struct SentFile {
 
 /// The only file of the body, named by X-File-Name (percent-encoded), Content-Disposition or ?name=; or the files of
 /// multipart/form-data, where a part "profile" without a file name may stand beside a single one. Fails on a malformed
-/// name or form, without a file, and on a profile of more than 64 KiB, beside several files, or as read_profile() does.
+/// name or form, without a file, and on a profile that stands
+/// there twice, of more than 64 KiB, beside several files, or as read_profile() does.
 Result<std::vector<SentFile>> files_of(const Request& request);
 /// The same of a single one.
 Result<SentFile> file_of(const Request& request);

@@ -15,11 +15,11 @@
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/text.h"
 #include "axiometry/store/kept/calibration_kinds.h"
-#include "server/http/multipart.h"
+#include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
-#include "server/routes/adder.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
+#include "server/routing/adder.h"
 
 namespace axiometry::server {
 namespace {
@@ -65,37 +65,24 @@ Result<store::CalibrationFilter> calibration_filter(const Request& request) {
   return filter;
 }
 
+constexpr std::array calibration_parts = {KnownPart{"kind", PartContent::text}, KnownPart{"about", PartContent::json},
+                                          KnownPart{"options", PartContent::json}, KnownPart{"", PartContent::files}};
+constexpr KnownForm calibration_form{"one with kind and files", "kind, about, options and files", calibration_parts};
+
 /// The parts kind, about and options, and the files by what they are for.
 struct CalibrationForm {
   std::string kind;
-  Value about = Value::object(), options = Value::object();
+  Value about, options;
   std::vector<app::CalibrationSource> files;
 };
 
-Result<void> take_calibration_part(CalibrationForm& form, const FormPart& part) {
-  if (part.is_file) {
-    AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
-    form.files.push_back({part.name, std::move(name), part.bytes});
-    return {};
-  }
-  if (part.name == "kind") {
-    form.kind = part.bytes;
-    return {};
-  }
-  if (part.name != "about" && part.name != "options")
-    return fail(
-        fmt::format("found the part {} in the form, expected kind, about, options and files", text::quoted(part.name)));
-  AXIOMETRY_TRY(Value value, parsed_options(part.bytes));
-  (part.name == "about" ? form.about : form.options) = std::move(value);
-  return {};
-}
-
 Result<CalibrationForm> calibration_form_of(const Request& request) {
-  const std::string_view type = request.header("content-type").value_or("");
-  if (!is_form(type)) return fail("found no form, expected one with kind and files");
-  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
-  CalibrationForm form;
-  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_calibration_part(form, part));
+  AXIOMETRY_TRY(const SentForm sent, sent_form(request, calibration_form));
+  CalibrationForm form{std::string(sent.text("kind")),
+                       sent.value("about").value_or(Value::object()),
+                       sent.value("options").value_or(Value::object()),
+                       {}};
+  for (const SentForm::File& file : sent.files) form.files.push_back({file.part, file.given.name, file.given.bytes});
   return form;
 }
 

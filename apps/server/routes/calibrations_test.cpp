@@ -418,6 +418,8 @@ TEST_F(CalibrationRoutes, refuse_what_cannot_be_evaluated_and_keep_nothing) {
   EXPECT_THAT(refusal(keep({{"lengths", "x"}}, {{"kind", "other"}})),
               HasSubstr("lines, volumetric, straightness, angles or squareness"));
   EXPECT_THAT(refusal(keep({{"photo", "x"}}, {{"kind", "lines"}})), HasSubstr("lengths, plan, station"));
+  EXPECT_THAT(refusal(keep({}, {{"kind", "lines"}, {"kind", "angles"}})), HasSubstr("the part \"kind\" twice"));
+  EXPECT_THAT(refusal(keep({}, {{"about", "{}"}, {"about", "{}"}})), HasSubstr("the part \"about\" twice"));
   EXPECT_THAT(refusal(keep_lines(R"({"name": "x"})")), HasSubstr("name"));
   EXPECT_THAT(refusal(keep_lines("{}", R"({"tolerances": ["Q=1um"]})")), HasSubstr("Q"));
   EXPECT_THAT(refusal(keep_volume(R"({"curves": "wavelets"})")), HasSubstr("b-spline"));

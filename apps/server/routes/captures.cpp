@@ -18,8 +18,8 @@
 #include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
 #include "server/http/request_values.h"
-#include "server/routes/adder.h"
 #include "server/routes/routes.h"
+#include "server/routing/adder.h"
 
 namespace axiometry::server {
 namespace {

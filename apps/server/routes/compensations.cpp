@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -16,11 +15,11 @@
 #include "axiometry/app/workbench/equipment_json.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/text.h"
-#include "server/http/multipart.h"
+#include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
-#include "server/routes/adder.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
+#include "server/routing/adder.h"
 
 namespace axiometry::server {
 namespace {
@@ -30,48 +29,25 @@ using json::Value;
 
 constexpr std::size_t table_bytes_max = std::size_t{1} << 20;
 
-/// The texts of a form and its only file.
-struct TableForm {
-  Value options = Value::object();
-  std::string notes;
-  std::optional<app::NamedTable> file;
-  std::set<std::string> seen;
-};
+constexpr std::array existing_parts = {KnownPart{"existing", PartContent::file},
+                                       KnownPart{"options", PartContent::json}, KnownPart{"notes", PartContent::text}};
+constexpr KnownForm existing_form{"one with options", "options, notes and one file existing", existing_parts};
+constexpr std::array read_parts = {KnownPart{"table", PartContent::file}, KnownPart{"options", PartContent::json},
+                                   KnownPart{"notes", PartContent::text}};
+constexpr KnownForm read_form{"one with options", "options, notes and one file table", read_parts};
 
-Result<void> take_table_part(TableForm& form, const FormPart& part, std::string_view file_part) {
-  if (!form.seen.insert(part.name).second)
-    return fail(fmt::format("found the part {} twice in the form, expected it once", text::quoted(part.name)));
-  if (part.name == file_part && part.is_file) {
-    AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
-    form.file = app::NamedTable{std::move(name), std::string(part.bytes)};
-    return {};
-  }
-  if (part.name == "options" && !part.is_file) {
-    AXIOMETRY_TRY(form.options, parsed_options(part.bytes));
-    return {};
-  }
-  if (part.name == "notes" && !part.is_file) {
-    AXIOMETRY_TRY(form.notes, app::given_text("notes", part.bytes));
-    return {};
-  }
-  return fail(fmt::format("found the part {} in the form, expected options, notes and one file {}",
-                          text::quoted(part.name), file_part));
-}
-
-Result<TableForm> table_form(const Request& request, std::string_view file_part) {
-  const std::string_view type = request.header("content-type").value_or("");
-  if (!is_form(type)) return fail("found no form, expected one with options");
-  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
-  TableForm form;
-  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_table_part(form, part, file_part));
-  return form;
+std::optional<app::NamedTable> table_of(const SentForm& form, std::string_view part) {
+  const auto file = form.file(part);
+  return file ? std::optional(app::NamedTable{file->name, std::string(file->bytes)}) : std::nullopt;
 }
 
 Result<app::NewCompensation> new_compensation_of(const Request& request) {
   AXIOMETRY_TRY(const store::Id test, id_of(request, "test"));
   AXIOMETRY_TRY(const auto version, version_of(request));
-  AXIOMETRY_TRY(TableForm form, table_form(request, "existing"));
-  return app::NewCompensation{test, version, std::move(form.options), std::move(form.file), std::move(form.notes)};
+  AXIOMETRY_TRY(const SentForm form, sent_form(request, existing_form));
+  AXIOMETRY_TRY(std::string notes, app::given_text("notes", form.text("notes")));
+  return app::NewCompensation{test, version, form.value("options").value_or(Value::object()),
+                              table_of(form, "existing"), std::move(notes)};
 }
 
 Result<Response> answer_compensation(const Result<app::KeptCompensation>& kept, const Request& request,
@@ -90,11 +66,12 @@ Result<Response> list_controls(Workbench&, const Request& request) {
 Result<Response> read_table(Workbench&, const Request& request) {
   const auto control = nc::axis_table_named(request.segment("control"));
   if (!control) return fail(ErrorKind::not_found, control.error().message);
-  AXIOMETRY_TRY(const TableForm form, table_form(request, "table"));
-  if (!form.file) return fail("found no file, expected a table");
-  AXIOMETRY_TRY(const auto options, app::table_reading_from(form.options));
-  AXIOMETRY_TRY(const Value read,
-                app::in_file(app::read_table_to_json(**control, options, form.file->text), form.file->name));
+  AXIOMETRY_TRY(const SentForm form, sent_form(request, read_form));
+  AXIOMETRY_TRY_VOID(app::given_text("notes", form.text("notes")));
+  const auto table = table_of(form, "table");
+  if (!table) return fail("found no file, expected a table");
+  AXIOMETRY_TRY(const auto options, app::table_reading_from(form.value("options").value_or(Value::object())));
+  AXIOMETRY_TRY(const Value read, app::in_file(app::read_table_to_json(**control, options, table->text), table->name));
   return json_response(read);
 }
 

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points from lengths of several stations, and from lengths with angles. Nothing is kept.
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <array>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/tracking/coordinates_request.h"
-#include "axiometry/base/text.h"
 #include "axiometry/language/language.h"
-#include "server/http/multipart.h"
+#include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
@@ -29,48 +23,18 @@ using json::Value;
 constexpr std::size_t ranges_bytes_max = std::size_t{8} << 20;
 constexpr std::size_t polar_bytes_max = std::size_t{2} << 20;
 
-/// What a form of readings holds, with or without nominal points.
-struct CoordinatesForm {
-  std::vector<app::GivenFile> readings;
-  std::optional<app::GivenFile> points;
-  Value options;
-};
-
-Result<void> take_coordinates_part(CoordinatesForm& form, const FormPart& part, std::string_view readings) {
-  if (part.name == "options" && !part.is_file) {
-    if (!form.options.is(json::Kind::null)) return fail("found options twice, expected them once");
-    AXIOMETRY_TRY(form.options, parsed_options(part.bytes));
-    return {};
-  }
-  const bool is_readings = part.name == readings;
-  if (!part.is_file || (!is_readings && part.name != "points"))
-    return fail(fmt::format("found the part {} in the form, expected the files {} and points, and options",
-                            text::quoted(part.name), readings));
-  AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
-  if (is_readings) {
-    form.readings.push_back({std::move(name), part.bytes});
-    return {};
-  }
-  if (form.points) return fail("found two files points, expected one");
-  form.points = app::GivenFile{std::move(name), part.bytes};
-  return {};
-}
-
-/// `readings` is what the files of readings are called.
-Result<CoordinatesForm> coordinates_form(const Request& request, std::string_view readings) {
-  const std::string_view type = request.header("content-type").value_or("");
-  if (!is_form(type)) return fail(fmt::format("found no form, expected one with the file {}", readings));
-  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
-  CoordinatesForm form;
-  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_coordinates_part(form, part, readings));
-  if (form.readings.empty()) return fail(fmt::format("found no file {}, expected one", readings));
-  return form;
-}
+constexpr std::array ranges_parts = {KnownPart{"ranges", PartContent::file}, KnownPart{"points", PartContent::file},
+                                     KnownPart{"options", PartContent::json}};
+constexpr KnownForm ranges_form{"one with the file ranges", "the files ranges and points, and options", ranges_parts};
+constexpr std::array polar_parts = {KnownPart{"readings", PartContent::files}, KnownPart{"points", PartContent::file},
+                                    KnownPart{"options", PartContent::json}};
+constexpr KnownForm polar_form{"one with the file readings", "the files readings and points, and options", polar_parts};
 
 Result<std::unique_ptr<app::Multilaterated>> multilaterated(const Request& request) {
-  AXIOMETRY_TRY(const CoordinatesForm form, coordinates_form(request, "ranges"));
-  if (form.readings.size() > 1) return fail("found two files ranges, expected one");
-  return app::multilaterate_given({form.readings.front(), form.points, request.stop}, form.options);
+  AXIOMETRY_TRY(const SentForm form, sent_form(request, ranges_form));
+  const auto ranges = form.file("ranges");
+  if (!ranges) return fail("found no file ranges, expected one");
+  return app::multilaterate_given({*ranges, form.file("points"), request.stop}, form.value("options").value_or(Value()));
 }
 
 Result<Response> multilateration(const Request& request) {
@@ -97,8 +61,10 @@ Result<Response> multilateration_residuals(const Request& request) {
 }
 
 Result<std::unique_ptr<app::PolarResult>> adjusted(const Request& request) {
-  AXIOMETRY_TRY(const CoordinatesForm form, coordinates_form(request, "readings"));
-  return app::adjust_polar_given({form.readings, form.points, request.stop}, form.options);
+  AXIOMETRY_TRY(const SentForm form, sent_form(request, polar_form));
+  const std::vector<app::GivenFile> readings = form.files_named("readings");
+  if (readings.empty()) return fail("found no file readings, expected one");
+  return app::adjust_polar_given({readings, form.file("points"), request.stop}, form.value("options").value_or(Value()));
 }
 
 Result<Response> polar(const Request& request) {

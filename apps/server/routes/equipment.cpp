@@ -11,8 +11,8 @@
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
 #include "server/http/request_values.h"
-#include "server/routes/adder.h"
 #include "server/routes/routes.h"
+#include "server/routing/adder.h"
 
 namespace axiometry::server {
 namespace {

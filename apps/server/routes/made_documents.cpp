@@ -10,19 +10,6 @@
 #include "server/http/request_values.h"
 
 namespace axiometry::server {
-namespace {
-
-constexpr std::size_t options_bytes_max = std::size_t{64} << 10;
-
-}  // namespace
-
-Result<json::Value> parsed_options(std::string_view text) {
-  if (text.size() > options_bytes_max)
-    return fail(fmt::format("found options of {} bytes, expected at most {}", text.size(), options_bytes_max));
-  auto value = json::parse(text);
-  if (!value) value.error().file = "options";
-  return value;
-}
 
 Result<report::Options> document_options_of(const Request& request) {
   if (!wants_json(request)) AXIOMETRY_TRY_VOID(app::document_writer(text::to_lower(request.segment("extension"))));

@@ -11,11 +11,8 @@
 #include "axiometry/report/report.h"
 #include "server/http/http.h"
 
-/// What routes have in common: options beside files, and what they make to look at or to take along.
+/// What routes have in common: what they make to look at or to take along.
 namespace axiometry::server {
-
-/// JSON of a form or of the query. Fails, with line and column, on what is none and on more than 64 KiB.
-Result<json::Value> parsed_options(std::string_view text);
 
 /// What the query asks of the document that the path's {extension} names. Fails where nothing writes such a one, before
 /// anything is computed for it.

@@ -45,7 +45,7 @@ struct PageFile {
   std::string_view bytes;
   std::string_view zipped;  ///< empty where there is no NAME.gz
   std::string_view type;
-  std::string tag;  ///< of the bytes: `"…"`
+  std::string tag;  ///< entity tag of the bytes: `"…"`
   bool is_immutable = false;
 };
 

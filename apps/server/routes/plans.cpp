@@ -168,13 +168,13 @@ Result<app::RequestedPlan> draft_of(const Value& body) {
 
 /// Of what is shown of a plan that was made or read already: its readings tell what that costs.
 template <typename Show>
-Reading reading_of(const Plan& plan, Show show) {
+ReadRequest reading_of(const Plan& plan, Show show) {
   constexpr std::size_t light_readings = 5'000;
   const Load load = app::planned_readings(plan) > light_readings ? Load::heavy : Load::light;
   return {.load = load, .answer = std::move(show)};
 }
 
-Result<Reading> read_draft_request(const Request& request) {
+Result<ReadRequest> read_draft_request(const Request& request) {
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(app::RequestedPlan plan, draft_of(body));
   AXIOMETRY_TRY(const Look look, look_of(request));
@@ -184,7 +184,7 @@ Result<Reading> read_draft_request(const Request& request) {
   });
 }
 
-Result<Reading> read_program_request(const Request& request) {
+Result<ReadRequest> read_program_request(const Request& request) {
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(app::RequestedPlan plan, app::requested_plan(body));
   AXIOMETRY_TRY(auto texts, options_member(body));
@@ -247,7 +247,7 @@ void add_reading_routes(Router& router, const store::Store& store) {
     AXIOMETRY_TRY(const auto plans, store.all<PlanRecord>());
     return json_response(rows_value("plans", plans));
   });
-  router.add_read("GET", "/api/plans/{id}", [&store](const Request& request) -> Result<Reading> {
+  router.add_read("GET", "/api/plans/{id}", [&store](const Request& request) -> Result<ReadRequest> {
     AXIOMETRY_TRY(Kept kept, kept_plan(store, request));
     AXIOMETRY_TRY(const Look look, look_of(request));
     const auto shared = std::make_shared<const Kept>(std::move(kept));
@@ -260,7 +260,7 @@ void add_reading_routes(Router& router, const store::Store& store) {
     AXIOMETRY_TRY(const auto versions, store.versions<PlanRecord>(id));
     return json_response(rows_value("versions", versions));
   });
-  router.add_read("GET", "/api/plans/{id}/plan.json", [&store](const Request& request) -> Result<Reading> {
+  router.add_read("GET", "/api/plans/{id}/plan.json", [&store](const Request& request) -> Result<ReadRequest> {
     AXIOMETRY_TRY(Kept kept, kept_plan(store, request));
     const auto shared = std::make_shared<const Kept>(std::move(kept));
     return reading_of(shared->plan.planned.plan, [shared](const Request&) -> Result<Response> {
@@ -275,7 +275,7 @@ void add_reading_routes(Router& router, const store::Store& store) {
         return sheet_response(kept.plan, request);
       },
       Weight::heavy);
-  router.add_read("GET", "/api/plans/{id}/program", [&store](const Request& request) -> Result<Reading> {
+  router.add_read("GET", "/api/plans/{id}/program", [&store](const Request& request) -> Result<ReadRequest> {
     AXIOMETRY_TRY(Kept kept, kept_plan(store, request));
     AXIOMETRY_TRY(const bool to_keep, flag_of(request, "download", false));
     const auto shared = std::make_shared<const Kept>(std::move(kept));

@@ -7,7 +7,7 @@
 #include "axiometry/base/embedded_file.h"
 #include "axiometry/store/store.h"
 #include "server/access/token.h"
-#include "server/routes/router.h"
+#include "server/routing/router.h"
 
 namespace axiometry::app {
 class Workbench;

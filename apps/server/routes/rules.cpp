@@ -114,10 +114,10 @@ Result<Response> report_of_rules(const Workbench& workbench, const Request& requ
 void add_rule_routes(Router& router, const Context& context) {
   Workbench& workbench = context.workbench;
   const auto add = [&](std::string_view pattern, auto handler) {
-    router.add_read("GET", pattern, [&workbench, handler](const Request& request) -> Result<Reading> {
+    router.add_read("GET", pattern, [&workbench, handler](const Request& request) -> Result<ReadRequest> {
       AXIOMETRY_TRY(const app::UncertaintyOptions uncertainty, trials_asked_for(request));
-      return Reading{.load = uncertainty.monte_carlo ? Load::lone : Load::heavy,
-                     .answer = [&workbench, handler](const Request& again) { return handler(workbench, again); }};
+      return ReadRequest{.load = uncertainty.monte_carlo ? Load::lone : Load::heavy,
+                         .answer = [&workbench, handler](const Request& again) { return handler(workbench, again); }};
     });
   };
   add("/api/tests/{id}/rules", test_by_rules);

@@ -16,9 +16,9 @@
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/text/json_members.h"
 #include "server/http/request_values.h"
-#include "server/routes/adder.h"
 #include "server/routes/routes.h"
 #include "server/routes/test_filter.h"
+#include "server/routing/adder.h"
 
 namespace axiometry::server {
 namespace {
@@ -81,17 +81,17 @@ Result<Response> evaluate(const Workbench& workbench, const Request& request, co
   return json_response(app::to_json(outcome, reader));
 }
 
-Result<Reading> read_evaluation(const Workbench& workbench, const Request& request) {
+Result<ReadRequest> read_evaluation(const Workbench& workbench, const Request& request) {
   app::Draft draft;
   if (const auto text = request.parameter("draft")) {
     AXIOMETRY_TRY(const Value value, json::parse(*text));
     AXIOMETRY_TRY(draft, app::draft_from(value));
   }
   const bool trials = draft.options.monte_carlo;
-  return Reading{.load = load_with(trials, Load::heavy),
-                 .answer = [&workbench, draft = std::move(draft)](const Request& again) {
-                   return evaluate(workbench, again, draft);
-                 }};
+  return ReadRequest{.load = load_with(trials, Load::heavy),
+                     .answer = [&workbench, draft = std::move(draft)](const Request& again) {
+                       return evaluate(workbench, again, draft);
+                     }};
 }
 
 Result<Response> receive(Workbench& workbench, const Request& request) {
@@ -135,12 +135,12 @@ Result<Response> one(const Workbench& workbench, const Request& request) {
 }
 
 /// What a test of many readings has found is megabytes, which take their time to be read and spelt anew.
-Result<Reading> read_one(const Workbench& workbench, const Request& request) {
+Result<ReadRequest> read_one(const Workbench& workbench, const Request& request) {
   constexpr std::size_t light_result_max = std::size_t{256} << 10;
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const auto version, version_of(request));
   AXIOMETRY_TRY(const store::TestRecord record, workbench.archive().test(id, version));
-  Reading reading{.answer = [&workbench](const Request& again) { return one(workbench, again); }};
+  ReadRequest reading{.answer = [&workbench](const Request& again) { return one(workbench, again); }};
   if (record.state.evaluation.result.size() <= light_result_max) return reading;
   reading.load = Load::heavy;
   AXIOMETRY_TRY(reading.key, key_of(workbench, request));
@@ -153,14 +153,14 @@ Result<Response> raw(const Workbench& workbench, const Request& request) {
   return kept_as_file(std::move(rendered));
 }
 
-Result<Reading> read_draft(const Workbench& workbench, const Request& request) {
+Result<ReadRequest> read_draft(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(app::Draft draft, app::draft_from(body));
   AXIOMETRY_TRY(std::string key, key_of(workbench, request));
   const bool trials = draft.options.monte_carlo;
-  return Reading{
+  return ReadRequest{
       .load = load_with(trials, Load::heavy),
       .key = std::move(key),
       .answer = [&workbench, id, reader, draft = std::move(draft)](const Request& again) -> Result<Response> {
@@ -169,16 +169,16 @@ Result<Reading> read_draft(const Workbench& workbench, const Request& request) {
       }};
 }
 
-Result<Reading> read_revision(Workbench& workbench, const Request& request) {
+Result<ReadRequest> read_revision(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const Value body, json_body(request));
   AXIOMETRY_TRY(app::Revision revision, app::revision_from(body));
   const bool trials = revision.draft.options.monte_carlo;
-  return Reading{.load = load_with(trials, Load::edit),
-                 .answer = [&workbench, id, revision = std::move(revision)](const Request& again) {
-                   return answer_test(workbench.revise(id, revision, by_of(again, revision.reason), again.stop), again,
-                                      201);
-                 }};
+  return ReadRequest{.load = load_with(trials, Load::edit),
+                     .answer = [&workbench, id, revision = std::move(revision)](const Request& again) {
+                       return answer_test(workbench.revise(id, revision, by_of(again, revision.reason), again.stop),
+                                          again, 201);
+                     }};
 }
 
 Result<Response> withdraw(Workbench& workbench, const Request& request, bool withdrawn) {
@@ -227,15 +227,15 @@ Result<Response> figure(const Workbench& workbench, const Request& request) {
 
 /// Of what is shown of a kept version: made once for all who ask at once. A report in JSON is what the version keeps.
 template <auto show>
-Result<Reading> read_view(const Workbench& workbench, const Request& request) {
+Result<ReadRequest> read_view(const Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "test"));
   AXIOMETRY_TRY(const auto version, version_of(request));
   AXIOMETRY_TRY(bool trials, workbench.runs_trials_for(id, version));
   trials = trials && !text::to_lower(request.path).ends_with("/report.json");
   AXIOMETRY_TRY(std::string key, key_of(workbench, request));
-  return Reading{.load = load_with(trials, Load::heavy),
-                 .key = std::move(key),
-                 .answer = [&workbench](const Request& again) { return show(workbench, again); }};
+  return ReadRequest{.load = load_with(trials, Load::heavy),
+                     .key = std::move(key),
+                     .answer = [&workbench](const Request& again) { return show(workbench, again); }};
 }
 
 /// A report that is to be kept.
@@ -277,17 +277,17 @@ Result<Issue> issue_of(const Request& request) {
   return Issue{id, version, std::move(wanted), std::move(reason)};
 }
 
-Result<Reading> read_issue(Workbench& workbench, const Request& request) {
+Result<ReadRequest> read_issue(Workbench& workbench, const Request& request) {
   AXIOMETRY_TRY(Issue issue, issue_of(request));
   AXIOMETRY_TRY(const bool trials, workbench.runs_trials_for(issue.test, issue.version));
-  return Reading{.load = load_with(trials, Load::heavy),
-                 .answer = [&workbench, issue = std::move(issue)](const Request& again) -> Result<Response> {
-                   app::ReportRequest wanted = issue.wanted;
-                   wanted.stop = again.stop;
-                   AXIOMETRY_TRY(const store::DocumentRecord document,
-                                 workbench.issue(issue.test, issue.version, wanted, by_of(again, issue.reason)));
-                   return kept_response(app::to_json(document), {.id = document.id}, 201);
-                 }};
+  return ReadRequest{.load = load_with(trials, Load::heavy),
+                     .answer = [&workbench, issue = std::move(issue)](const Request& again) -> Result<Response> {
+                       app::ReportRequest wanted = issue.wanted;
+                       wanted.stop = again.stop;
+                       AXIOMETRY_TRY(const store::DocumentRecord document,
+                                     workbench.issue(issue.test, issue.version, wanted, by_of(again, issue.reason)));
+                       return kept_response(app::to_json(document), {.id = document.id}, 201);
+                     }};
 }
 
 Result<Response> attach(Workbench& workbench, const Request& request) {

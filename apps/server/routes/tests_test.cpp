@@ -158,6 +158,8 @@ TEST_F(Routes, SayWhereAnImportProfileIsWrong) {
   EXPECT_EQ(number(unknown, "line"), 2.0);
   EXPECT_GT(number(unknown, "column"), 1.0);
   EXPECT_THAT(text(refusal(std::string(70'000, ' ')), "message"), HasSubstr("70000 bytes, expected at most 65536"));
+  EXPECT_THAT(text(refusal("{}", "\r\n--x\r\nContent-Disposition: form-data; name=\"profile\"\r\n\r\n{}"), "message"),
+              HasSubstr("found the part \"profile\" twice"));
 }
 
 TEST_F(Routes, TakeAFileAndGiveItBack) {

@@ -2,7 +2,6 @@
 // The tracking interferometer: where it stands, its lines, and what was measured along them. Nothing is kept.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -19,7 +18,7 @@
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/tracking.h"
-#include "server/http/multipart.h"
+#include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
@@ -139,44 +138,25 @@ Result<Response> program(const Request& request) {
   return made_text_response(std::move(program), to_keep, stem + std::string(dialect->extension));
 }
 
-/// What a form for an evaluation holds.
-struct EvaluationForm {
-  std::optional<app::GivenFile> lengths, plan, station, tolerances;
-  app::TrackingEvaluateOptions options;
-};
-
-Result<void> take_part(EvaluationForm& form, const FormPart& part) {
-  if (part.name == "options" && !part.is_file) {
-    AXIOMETRY_TRY(const Value value, parsed_options(part.bytes));
-    AXIOMETRY_TRY(form.options, app::evaluate_options_from(value));
-    return {};
-  }
-  const std::array files = {std::pair{std::string_view("lengths"), &form.lengths},
-                            std::pair{std::string_view("plan"), &form.plan},
-                            std::pair{std::string_view("station"), &form.station},
-                            std::pair{std::string_view("tolerances"), &form.tolerances}};
-  const auto row = std::ranges::find(files, std::string_view(part.name), [](const auto& file) { return file.first; });
-  if (row == files.end() || !part.is_file)
-    return fail(fmt::format(
-        "found the part {} in the form, expected the files lengths, plan, station and tolerances, and options",
-        text::quoted(part.name)));
-  if (row->second->has_value()) return fail(fmt::format("found two files {}, expected one", row->first));
-  AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
-  *row->second = app::GivenFile{std::move(name), part.bytes};
-  return {};
-}
+constexpr std::array evaluation_parts = {KnownPart{"lengths", PartContent::file}, KnownPart{"plan", PartContent::file},
+                                         KnownPart{"station", PartContent::file},
+                                         KnownPart{"tolerances", PartContent::file},
+                                         KnownPart{"options", PartContent::json}};
+constexpr KnownForm evaluation_form{"one with the files lengths and plan",
+                                    "the files lengths, plan, station and tolerances, and options", evaluation_parts};
 
 Result<app::EvaluatedLines> evaluated(const Request& request) {
-  const std::string_view type = request.header("content-type").value_or("");
-  if (!is_form(type)) return fail("found no form, expected one with the files lengths and plan");
-  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
-  EvaluationForm form;
-  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_part(form, part));
-  if (!form.lengths || !form.plan)
-    return fail(fmt::format("found a form without {}, expected the files lengths and plan",
-                            form.lengths ? "a plan" : "lengths"));
-  AXIOMETRY_TRY_VOID(app::take_tolerances(form.tolerances, form.options.tolerance));
-  return app::evaluate_presentable({*form.lengths, *form.plan, form.station}, form.options);
+  AXIOMETRY_TRY(const SentForm form, sent_form(request, evaluation_form));
+  app::TrackingEvaluateOptions options;
+  if (const auto given = form.value("options")) {
+    AXIOMETRY_TRY(options, app::evaluate_options_from(*given));
+  }
+  const auto lengths = form.file("lengths"), plan = form.file("plan");
+  if (!lengths || !plan)
+    return fail(
+        fmt::format("found a form without {}, expected the files lengths and plan", lengths ? "a plan" : "lengths"));
+  AXIOMETRY_TRY_VOID(app::take_tolerances(form.file("tolerances"), options.tolerance));
+  return app::evaluate_presentable({*lengths, *plan, form.file("station")}, options);
 }
 
 Result<Response> evaluation(const Request& request) {

@@ -2,14 +2,12 @@
 // The volumetric calibration: its plan, the errors that lengths tell, the field that they make. Nothing is kept.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "axiometry/app/files/file_name_part.h"
-#include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/nc_program.h"
 #include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/results/outputs.h"
@@ -20,7 +18,7 @@
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/volumetric.h"
-#include "server/http/multipart.h"
+#include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
@@ -73,48 +71,25 @@ Result<Response> volume_program(const Request& request) {
   return made_text_response(std::move(program), to_keep, stem + std::string(dialect->extension));
 }
 
-/// What a form with measured lengths holds.
-struct IdentificationForm {
-  app::IdentifyFiles files;
-  app::IdentifyChoices options;
-};
-
-Result<void> take_volume_part(IdentificationForm& form, const FormPart& part) {
-  if (part.name == "options" && !part.is_file) {
-    AXIOMETRY_TRY(const Value value, parsed_options(part.bytes));
-    AXIOMETRY_TRY(form.options, app::identify_choices_from(value));
-    return {};
-  }
-  const bool is_lengths = part.name == "lengths";
-  std::optional<app::GivenFile>* const target = part.name == "machine" ? &form.files.machine
-                                                : part.name == "plan"  ? &form.files.plan
-                                                                       : nullptr;
-  if ((!is_lengths && target == nullptr) || !part.is_file)
-    return fail(fmt::format("found the part {} in the form, expected the files lengths, machine and plan, and options",
-                            text::quoted(part.name)));
-  AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
-  if (is_lengths) {
-    form.files.lengths.push_back({std::move(name), part.bytes});
-    return {};
-  }
-  if (target->has_value()) return fail(fmt::format("found two files {}, expected one", part.name));
-  *target = app::GivenFile{std::move(name), part.bytes};
-  return {};
-}
+constexpr std::array identification_parts = {
+    KnownPart{"lengths", PartContent::files}, KnownPart{"machine", PartContent::file},
+    KnownPart{"plan", PartContent::file}, KnownPart{"options", PartContent::json}};
+constexpr KnownForm identification_form{"one with the files lengths and machine",
+                                        "the files lengths, machine and plan, and options", identification_parts};
 
 Result<app::IdentifiedMachine> identified(const Request& request) {
-  const std::string_view type = request.header("content-type").value_or("");
-  if (!is_form(type)) return fail("found no form, expected one with the files lengths and machine");
-  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
-  IdentificationForm form;
-  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_volume_part(form, part));
-  if (form.files.lengths.empty()) return fail("found no file lengths, expected one");
-  if (!form.files.machine && !form.files.plan)
-    return fail("found neither a file machine nor a file plan, expected one of them");
-  if (form.files.lengths.size() > app::files_of_lengths_most)
-    return fail(fmt::format("found {} files of lengths, expected at most {}", form.files.lengths.size(),
+  AXIOMETRY_TRY(const SentForm form, sent_form(request, identification_form));
+  app::IdentifyChoices choices;
+  if (const auto options = form.value("options")) {
+    AXIOMETRY_TRY(choices, app::identify_choices_from(*options));
+  }
+  const app::IdentifyFiles files{form.files_named("lengths"), form.file("machine"), form.file("plan")};
+  if (files.lengths.empty()) return fail("found no file lengths, expected one");
+  if (!files.machine && !files.plan) return fail("found neither a file machine nor a file plan, expected one of them");
+  if (files.lengths.size() > app::files_of_lengths_most)
+    return fail(fmt::format("found {} files of lengths, expected at most {}", files.lengths.size(),
                             app::files_of_lengths_most));
-  return app::identify_presentable(form.files, form.options);
+  return app::identify_presentable(files, choices);
 }
 
 Result<Response> identification(const Request& request) {
@@ -135,42 +110,18 @@ Result<Response> residuals(const Request& request) {
   return download(app::residuals_csv(found), app::media_type_of("csv"), "residuals.csv");
 }
 
-/// What a form with errors that were measured one by one holds.
-struct AssemblyForm {
-  std::vector<app::GivenFile> errors;
-  std::optional<app::GivenFile> machine;
-  std::optional<Value> options;
-};
-
-Result<void> take_assembly_part(AssemblyForm& form, const FormPart& part) {
-  if (part.name == "options" && !part.is_file) {
-    if (form.options) return fail("found options twice, expected them once");
-    AXIOMETRY_TRY(form.options, parsed_options(part.bytes));
-    return {};
-  }
-  const bool is_error = part.name == "errors";
-  if (!part.is_file || (!is_error && part.name != "machine"))
-    return fail(fmt::format("found the part {} in the form, expected the files errors and machine, and options",
-                            text::quoted(part.name)));
-  AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
-  if (is_error) {
-    form.errors.push_back({std::move(name), part.bytes});
-    return {};
-  }
-  if (form.machine) return fail("found two files machine, expected one");
-  form.machine = app::GivenFile{std::move(name), part.bytes};
-  return {};
-}
+constexpr std::array assembly_parts = {KnownPart{"errors", PartContent::files}, KnownPart{"machine", PartContent::file},
+                                       KnownPart{"options", PartContent::json}};
+constexpr KnownForm assembly_form{"one with the file machine, files errors and options",
+                                  "the files errors and machine, and options", assembly_parts};
 
 Result<app::Assembled> assembled(const Request& request) {
-  const std::string_view type = request.header("content-type").value_or("");
-  if (!is_form(type)) return fail("found no form, expected one with the file machine, files errors and options");
-  AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
-  AssemblyForm form;
-  for (const FormPart& part : parts) AXIOMETRY_TRY_VOID(take_assembly_part(form, part));
-  if (!form.machine) return fail("found no file machine, expected one");
-  if (!form.options) return fail("found no options, expected them: they say which errors are given");
-  return app::assemble_presentable({std::move(form.errors), *form.machine, request.stop}, *form.options);
+  AXIOMETRY_TRY(const SentForm form, sent_form(request, assembly_form));
+  const auto machine = form.file("machine");
+  if (!machine) return fail("found no file machine, expected one");
+  const auto options = form.value("options");
+  if (!options) return fail("found no options, expected them: they say which errors are given");
+  return app::assemble_presentable({form.files_named("errors"), *machine, request.stop}, *options);
 }
 
 Result<Response> assembly(const Request& request) {

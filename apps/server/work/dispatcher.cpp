@@ -107,7 +107,7 @@ struct Dispatcher::Work {
   std::shared_ptr<Request> request;
   std::string who;
   language::Language language;
-  bool keeps = false;          // perhaps something
+  bool keeps = false;          // whether the job may keep something
   bool may_have_kept = false;  // set by the workers once they have begun to answer it
   Job job;                     // of the workers, one after another
   std::string key;             // of the job, once it is in by_key_

@@ -42,7 +42,7 @@ Room room_for(std::span<const ConnectionState> all, std::string_view peer, std::
 struct MemoryClaim {
   std::string_view peer{};
   std::size_t bytes = 0;
-  bool of_body = false;  ///< else of an answer
+  bool of_body = false;  ///< they are of a body, else of an answer
   std::size_t held = 0;  ///< bytes of the same body that have come before
 };
 

@@ -108,7 +108,7 @@ void Text::append_number(double x) {
   const bool whole = size < 1e15 && static_cast<double>(static_cast<long long>(size)) == size;
   char* at = room(longest);
   char* const end = at + longest;
-  if (whole && std::signbit(x)) *at++ = '-';  // of a zero too
+  if (whole && std::signbit(x)) *at++ = '-';  // the sign of a zero is written too
   if (whole)
     end_at(std::to_chars(at, end, static_cast<long long>(size)).ptr);
   else if (size >= 1e-3 && size < 1e15)

@@ -75,7 +75,7 @@ std::int64_t zone_minutes(Scanner& s) {
 struct WrittenStamp {
   unsigned year = 0;
   std::int64_t seconds = 0;   ///< whole ones since 1970-01-01 00:00 UTC
-  std::int64_t fraction = 0;  ///< of a second, in ns
+  std::int64_t fraction = 0;  ///< fraction of a second, in ns
   bool dashes = false;        ///< between the numbers of its date
   bool seconds_told = false;  ///< by its clock
 };

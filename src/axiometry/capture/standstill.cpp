@@ -12,7 +12,7 @@ namespace axiometry::capture {
 namespace {
 
 constexpr std::size_t cells_per_window = 4;
-constexpr std::size_t fewest_samples = 4;  // of a cell
+constexpr std::size_t fewest_samples = 4;  // least samples of a cell
 constexpr std::size_t noise_memory = 5;
 constexpr std::size_t steps_looked_at = 64;
 constexpr double noise_factor = 6.0;

@@ -52,7 +52,7 @@ struct Standstill {
   std::size_t count = 0;     ///< samples averaged
   std::size_t rejected = 0;  ///< outliers among them, left out
   Position position{};       ///< their mean, as the instrument shows it
-  Position spread{};         ///< their standard deviation s
+  Position spread{};         ///< standard deviation s of these samples
   Position drift{};          ///< slope of a straight line through the means of the cells, times the time averaged
   Position threshold{};      ///< T when it stopped
   std::optional<Direction> arrival{};  ///< the way it came from; nothing when that was not seen

@@ -50,7 +50,7 @@ struct StopOutcome {
 /// A place where the dead path changed.
 struct SegmentBegin {
   std::size_t segment = 0;  ///< the new one
-  std::size_t stop = 0;     ///< its first
+  std::size_t stop = 0;     ///< first stop of that segment
   double time_s = 0.0;      ///< when it came to rest there
   bool untold = false;      ///< only the lengths tell: neither are samples missing nor is another station expected
   bool planned = false;     ///< the plan has another beam from there on, or from a stop before that was left out

@@ -18,13 +18,13 @@ constexpr double cost_outside = 0.5;   // before the first stop, and behind the 
 constexpr double cost_short = 0.2;     // one too short to be a stop; it may be that of a stop in vain
 constexpr double cost_short_match = 0.3;
 constexpr double cost_missed = 3.0;      // the first of stops left out
-constexpr double cost_doubling = 1.0;    // of their number
+constexpr double cost_doubling = 1.0;    // cost each time the number of stops left out doubles
 constexpr double cost_told_break = 0.5;  // samples are missing, and the length is as before
 constexpr double cost_told_jump = 1.0;   // samples are missing, and the length is another
 constexpr double cost_untold_break = 6.0;
 
 constexpr double cost_most = 16.0;  // more than the best: given up
-constexpr double coverage = 4.0;    // of standard uncertainties
+constexpr double coverage = 4.0;    // so many standard uncertainties are allowed for
 constexpr std::size_t states_most = 256;
 constexpr std::size_t stops_ahead = 16;  // so many stops are tried at least, and as many as the time has room for
 constexpr std::size_t links_to_collect = 4096;

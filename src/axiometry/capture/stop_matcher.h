@@ -47,7 +47,7 @@ class StopMatcher {
 
   /// The likeliest explanation as far as it has come.
   std::vector<StopMatch> matches() const;
-  std::size_t matched() const;  ///< how many that has
+  std::size_t matched() const;  ///< how many matches that explanation has
   /// The stop that comes next in it; nothing when the last one has come.
   std::optional<std::size_t> due() const;
   bool complete() const { return !due(); }

@@ -76,7 +76,7 @@ struct CompensatedPositions {
 
 struct TableInControl {
   const AxisCorrection& added;              ///< what the file makes the control add, as its own rule reads it
-  const AxisCorrection& unrounded;          ///< as it was fitted
+  const AxisCorrection& unrounded;          ///< correction as it was fitted
   const AxisCorrection* removed = nullptr;  ///< what was active during the test; may be none
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double tie = 0.02;  // ρ
 constexpr std::size_t folds_most = 10;
-constexpr double decade_lowest = 1e-4, decade_highest = 1e8;  // of λ
+constexpr double decade_lowest = 1e-4, decade_highest = 1e8;  // bounds of λ
 
 /// The wanted correction at a target of one direction: −x̄_i, with its number of readings.
 struct Wanted {

@@ -76,8 +76,8 @@ std::vector<RetestChange> changes_of(const Series& before, const Series& after, 
 /// Least squares of found = γ·w + a, with sums about the means: w of what should be, f of what was found.
 struct ChangeLine {
   double ww = 0.0, wf = 0.0, ff = 0.0;
-  double variance = 0.0;           ///< of f, summed
-  double variance_of_share = 0.0;  ///< of γ, by that
+  double variance = 0.0;           ///< variance of all f together
+  double variance_of_share = 0.0;  ///< variance of γ by that of f
   double count = 0.0;
 
   double gamma() const { return wf / ww; }

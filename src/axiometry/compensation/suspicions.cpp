@@ -19,7 +19,7 @@ namespace {
 
 constexpr double per_travel_most = 0.01;
 constexpr double printed = 1e-3;      // mm or °: what positions in a file may lie beside
-constexpr double much_beyond = 0.05;  // of the measured travel
+constexpr double much_beyond = 0.05;  // much, as a share of the measured travel
 constexpr double near_known = 0.02;   // relative, of a slope that has a name
 
 /// Of all means over the targets, position per position: 0.0001 is 0.1 µm in a mm.

@@ -99,7 +99,7 @@ bool has_no_words(std::string_view text) {
       at += length;
       ++letters;
     }
-    const bool index = start >= 2 && text[start - 1] == '_';  // of a symbol: U_EVE, x_ij
+    const bool index = start >= 2 && text[start - 1] == '_';  // as in U_EVE, x_ij
     const bool exponent = start > 0 && is_digit(text[start - 1]) && letters == 1;
     if (!index && !exponent && !is_symbol(text.substr(start, at - start), letters)) return false;
   }

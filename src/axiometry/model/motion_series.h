@@ -40,7 +40,7 @@ Result<MotionName> motion_name(std::string_view text);
 /// Which way a reading is positive, in axes of the machine: towards +Y or −Y of a displacement; of a rotation +A by the
 /// right-hand rule about X, −A against it.
 struct ReadingSense {
-  char coordinate = 'Y';  ///< as that of MotionName
+  char coordinate = 'Y';  ///< X, Y or Z, as the coordinate of a MotionName
   bool negative = false;
 
   std::string text() const { return {negative ? '-' : '+', coordinate}; }
@@ -55,7 +55,7 @@ Result<ReadingSense> reading_sense(std::string_view text);
 struct MotionReading {
   double position_mm = 0.0;
   Direction direction = Direction::up;
-  std::size_t run = 1;  ///< as the file counts
+  std::size_t run = 1;  ///< number of the run, as the file counts
   double value = 0.0;   ///< deviation in the unit of the series
   TextPosition at{};    ///< place in the file where it stands
 };

@@ -28,7 +28,7 @@ struct StatedItem {
 
 /// What is not named here is stated by the file.
 struct StatedItems {
-  std::vector<StatedItem> items;  ///< each key once
+  std::vector<StatedItem> items;  ///< items, each key once
 
   const StatedItem* find(std::string_view key) const {
     const auto found = std::ranges::find(items, key, &StatedItem::key);

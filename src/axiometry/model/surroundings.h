@@ -15,7 +15,7 @@ inline constexpr double hottest_hall_C = 100.0;  ///< °C; also of °C/h and of 
 /// The surroundings over the whole test, as who tested states them (4.1): what a log of temperatures would find.
 struct StatedEnvironment {
   std::optional<Temperature> lowest;                      ///< lowest temperature of the air during the test
-  std::optional<Temperature> highest;                     ///< likewise
+  std::optional<Temperature> highest;                     ///< highest temperature of the air during the test
   std::optional<double> rate;                             ///< °C/h, largest during the test
   std::optional<double> rate_before;                      ///< °C/h, largest in the twelve hours before it
   std::optional<TemperatureDifference> machine_gradient;  ///< largest between places on the machine

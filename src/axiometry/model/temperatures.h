@@ -15,7 +15,7 @@ struct TemperatureCourse {
   std::string role;      ///< "machine", "equipment" or "air"
   std::string location;  ///< the sensor's name
   std::vector<double> times_s;
-  std::vector<double> celsius;  ///< one for each time
+  std::vector<double> celsius;  ///< a temperature for each time
 };
 
 struct TemperatureLog {

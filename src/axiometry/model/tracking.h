@@ -119,7 +119,7 @@ struct LocationPoint {
 
 /// One measured length of a line.
 struct LengthReading {
-  std::string line;  ///< id
+  std::string line;  ///< id of the line
   Approach approach;
   double length_difference_mm = 0.0;  ///< as shown: since the instrument was set to zero
   /// Readings of one segment share a dead path; a beam that was broken begins another. As stated by the file; 0 first.

@@ -58,7 +58,7 @@ struct WordControl {
   Lines stop = {"M0 ({message})"};              ///< {message}
   Lines declare = {};                           ///< lines before the start when there are loops, never numbered
   Lines loop_begin = {};       ///< {loop} = 1, 2, …, {times}, {more} = times − 1, {label}, {end_label}
-  Lines loop_end = {};         ///< likewise
+  Lines loop_end = {};         ///< end of the loop, with the same words in braces
   unsigned label_highest = 0;  ///< labels of the loops are numbers below it
   Lines end = {};              ///< numbered
   Lines tail = {};             ///< lines after it, never numbered

@@ -48,7 +48,7 @@ enum class CurveForm { axes, states };
 
 struct NoisyCurve {
   std::span<const double> places;      ///< ascending, all different
-  std::span<const double> values;      ///< as many
+  std::span<const double> values;      ///< a value for each place
   double noise_variance = 0.0;         ///< v ≥ 0; without noise the curve is what was seen
   std::size_t trend_terms = 2;         ///< 1 constant, 2 straight line; m ≥ 1 places
   std::optional<CurveForm> form = {};  ///< the quicker one unless said; states need more places than terms

@@ -42,7 +42,7 @@ struct KnownPositions {
 };
 
 struct CompensationSubject {
-  const Test& test;  ///< as it was measured
+  const Test& test;  ///< test as it was measured
   ControlWords control;
   const AxisCorrection& applied;   ///< what the file makes the control add, as it reads it
   const AxisCorrection* existing;  ///< active while the test was measured; may be none

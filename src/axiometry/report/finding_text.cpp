@@ -9,7 +9,7 @@
 namespace axiometry::report {
 namespace {
 
-constexpr int significant_digits = 3;  // as the messages have
+constexpr int significant_digits = 3;  // as many as the messages have
 
 std::string with_unit(std::string number, std::string_view unit) {
   return number.append(unit == "°" ? "" : " ").append(unit);

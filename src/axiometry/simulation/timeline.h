@@ -17,7 +17,7 @@ namespace axiometry::simulation {
 
 /// How a machine does not follow its plan.
 struct Departures {
-  std::vector<Approach> missed;            ///< never made
+  std::vector<Approach> missed;            ///< approaches that were never made
   std::vector<Approach> doubled;           ///< made, left by an overrun, and made once more
   std::vector<std::size_t> reversed_runs;  ///< j − 1; begun at the last target: ↓ first, then ↑ (standard cycle only)
 };
@@ -45,7 +45,7 @@ struct Leg {
   double to = 0.0;
   std::array<Phase, 4> phases;  ///< faster, at feed, slower, at rest; an absent one lasts no time
   std::optional<Approach> approach;
-  bool extra = false;  ///< a second time (Departures::doubled)
+  bool extra = false;  ///< made a second time (Departures::doubled)
 
   double towards() const { return to < from ? -1.0 : 1.0; }
 };

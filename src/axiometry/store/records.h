@@ -112,7 +112,7 @@ struct CalibrationRecord {
   std::optional<Id> machine;
   std::optional<Id> instrument;
   std::optional<int> instrument_version;  ///< as it was known then; present with `instrument`
-  std::string measured_on;                ///< as of a test
+  std::string measured_on;                ///< date as of a test
   std::string notes;
   bool withdrawn = false;  ///< kept, but out of lists
   std::vector<KeptFile> files;

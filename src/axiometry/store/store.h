@@ -129,7 +129,7 @@ class Store {
 
   Result<DocumentRecord> add_document(const DocumentRecord& document, std::string_view bytes, const By& by);
   Result<std::vector<DocumentRecord>> documents(Id test) const;
-  Result<DocumentRecord> document(Id id) const;  ///< its bytes: content(sha256)
+  Result<DocumentRecord> document(Id id) const;  ///< without its bytes, which content(sha256) gives
 
   Result<std::vector<AuditEntry>> audit(const std::string& subject, std::int64_t before, std::int64_t limit) const;
 

@@ -24,7 +24,7 @@ class Correlation {
   double operator()(std::size_t i, std::size_t j) const { return matrix_[i * size_ + j]; }
 
   bool any() const;                      ///< a coefficient off the diagonal is not 0
-  bool correlated(std::size_t i) const;  ///< … in this row
+  bool correlated(std::size_t i) const;  ///< any() of row i
 
   /// Row i of the lower triangular L with L Lᵀ = R, its first i + 1 numbers. Where R is singular, columns of L vanish.
   /// Correlated standard normal numbers are L z of independent ones z.

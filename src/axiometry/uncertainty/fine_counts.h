@@ -43,7 +43,7 @@ struct ValueMoments {
   double max = 0.0;
 
   static ValueMoments of(std::span<const double> values, double near_mean,
-                         numeric::VectorTarget target = numeric::best_vector_target());  ///< the same on all targets
+                         numeric::VectorTarget target = numeric::best_vector_target());  ///< moments are equal on all
   void add(const ValueMoments& other);  ///< pairwise; the order counts in the last bits
   double sd() const;                    ///< divisor count − 1
 };

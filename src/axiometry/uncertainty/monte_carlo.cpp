@@ -19,13 +19,13 @@
 namespace axiometry::uncertainty {
 namespace {
 
-constexpr std::size_t first_blocks = 10;    // of an adaptive run
+constexpr std::size_t first_blocks = 10;    // blocks with which an adaptive run begins
 constexpr std::size_t round_blocks = 1024;  // blocks of a round; their figures are held until they are added in order
 
 /// What one block says about one output.
 struct BlockFigures {
   ValueMoments moments;
-  Interval symmetric;  // only in adaptive runs
+  Interval symmetric;  // computed only in adaptive runs
 };
 
 /// A value that no figure can be made from.
@@ -301,7 +301,7 @@ class Run {
   std::atomic<std::size_t> next_ = 0;
   std::atomic<std::size_t> finished_ = 0;
   std::atomic<bool> stop_ = false;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members that follow
   std::condition_variable all_left_;
   std::size_t working_ = 0;
   std::optional<Spoiled> spoiled_;

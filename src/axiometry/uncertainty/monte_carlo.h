@@ -34,7 +34,7 @@ struct BlockOutputs {
 using BlockModel = std::function<void(std::uint64_t block, BlockOutputs outputs)>;
 
 struct Progress {
-  std::size_t trials = 0;         ///< done
+  std::size_t trials = 0;         ///< trials that are done
   std::optional<std::size_t> of;  ///< how much there is to do, where that is known
 };
 

@@ -124,7 +124,7 @@ struct BudgetLine {
 
 /// What enters the combination of all lines.
 struct ExactSum {
-  Interval squares = 0;  ///< of all but U_EVE
+  Interval squares = 0;  ///< squares of all contributions but U_EVE
   Exact eve;
   Exact probing;
   bool any = false;

@@ -45,9 +45,9 @@ struct Allowed {
 /// One row and what its decision is made from.
 struct Case {
   Parameter parameter = Parameter::A;
-  Interval y;  ///< with its sign
+  Interval y;  ///< value with its sign
   Interval T;
-  double limit = 0.0;  ///< the same
+  double limit = 0.0;  ///< T as a double
   std::optional<double> u;
   std::optional<double> degrees_of_freedom;  ///< Student's t, else normal
   std::string_view method;

@@ -259,7 +259,7 @@ Interval student_t_distribution(const Interval& z, double degrees_of_freedom) {
 }
 
 Interval coverage_factor(double degrees_of_freedom) {
-  constexpr double beyond_two = 0.02275013194817921;  // of the standard normal distribution
+  constexpr double beyond_two = 0.02275013194817921;  // probability of a standard normal value above 2
   const boost::math::students_t_distribution<double> t(degrees_of_freedom);
   return Interval::of(boost::math::quantile(boost::math::complement(t, beyond_two)));
 }

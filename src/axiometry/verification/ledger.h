@@ -15,7 +15,7 @@ namespace axiometry::verification {
 /// Where what was printed is not what was found again.
 struct Difference {
   std::string place;    ///< "E in the table of parameters"
-  std::string printed;  ///< as it stands there
+  std::string printed;  ///< figure as it stands there
   std::string right;    ///< what was found again
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t dynamic_block = std::size_t{256} << 10;
 constexpr std::size_t samples_least = 64, peaks_shown = 10;
-constexpr double uneven_most = 0.01;   // of an interval
+constexpr double uneven_most = 0.01;   // deviation as a share of an interval
 constexpr double written_to_s = 1e-6;  // to which times in a file of text are rounded
 
 Result<const formats::Recording*> layout_of(Source& source, const std::string& id) {

@@ -18,7 +18,7 @@ namespace axiometry::app {
 
 struct NcRequest {
   std::string plan = {};     ///< file, "-" for the standard input
-  std::string dialect = {};  ///< id
+  std::string dialect = {};  ///< id of the dialect
   /// 1 is the plan itself, 2 and more its further ones; of a volumetric plan its runs.
   std::size_t part = 1;
   std::string line = {};  ///< id of one line of a tracking plan; empty: all of them in one program

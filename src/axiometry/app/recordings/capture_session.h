@@ -22,7 +22,7 @@ namespace axiometry::app {
 
 /// What a recording does not say itself.
 struct CaptureOptions {
-  std::string plan;  ///< file
+  std::string plan;  ///< file of the plan
   std::optional<std::size_t>
       part;            ///< 1 is the plan itself, 2 the first of its further plans; of a volumetric plan a run
   std::string stream;  ///< id of the layout; empty: recognised by content

@@ -36,11 +36,7 @@ Result<CapturedLengths> captured_lengths(const TrackingPlan& plan, const Capture
                                       session.samples(), lengths.readings.size(), approaches.size()));
   const StopNames names{.group = [&](std::size_t k) { return "line " + plan.lines[approaches[k].line].id; },
                         .name = [&](std::size_t k) { return capture::approach_name(approaches[k].approach); }};
-  std::ranges::move(stop_notes(found, names), std::back_inserter(lengths.notes));
-  if (session.lost() > 0)
-    lengths.notes.push_back(
-        fmt::format("the stream shows {} lost of {} samples", session.lost(), session.samples() + session.lost()));
-  std::ranges::move(session.remarks(), std::back_inserter(lengths.notes));
+  std::ranges::move(recording_notes(session, found, names), std::back_inserter(lengths.notes));
   return lengths;
 }
 

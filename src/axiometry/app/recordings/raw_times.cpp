@@ -156,7 +156,7 @@ void remark_on(const ReadTimes& read, const std::vector<ReadStamp>& kept, std::s
     remarks.push_back(fmt::format("found {} of {} times in {} beyond the {} bytes of the recording, left them out",
                                   beyond, read.records, name, size));
   std::size_t damaged = read.records - beyond - kept.size();
-  if (!read.headed && damaged > 0) --damaged;  // that is the beginning
+  if (!read.headed && damaged > 0) --damaged;  // one of them is the beginning, which was told
   if (damaged > 0) {
     std::size_t first = 0;
     while (first < kept.size() && kept[first].number == first) ++first;

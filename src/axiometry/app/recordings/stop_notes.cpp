@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
+#include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/number_text.h"
 
@@ -115,6 +117,16 @@ class StopNoting {
 
 std::vector<std::string> stop_notes(const capture::StopLengths& lengths, const StopNames& names) {
   return StopNoting(lengths, names).run();
+}
+
+std::vector<std::string> recording_notes(const CaptureSession& session, const capture::StopLengths& lengths,
+                                         const StopNames& names) {
+  std::vector<std::string> notes = stop_notes(lengths, names);
+  if (session.lost() > 0)
+    notes.push_back(
+        fmt::format("the stream shows {} lost of {} samples", session.lost(), session.samples() + session.lost()));
+  std::ranges::move(session.remarks(), std::back_inserter(notes));
+  return notes;
 }
 
 }  // namespace axiometry::app

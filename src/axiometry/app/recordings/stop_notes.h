@@ -10,6 +10,8 @@
 
 namespace axiometry::app {
 
+class CaptureSession;
+
 /// How a person calls the stops of a plan.
 struct StopNames {
   std::function<std::string(std::size_t stop)> group;  ///< "line xy", "part 3"
@@ -20,5 +22,8 @@ struct StopNames {
 /// where the beam was broken though the plan does not expect it, rests that belong to no stop, and what is to be said
 /// of single lengths.
 std::vector<std::string> stop_notes(const capture::StopLengths& lengths, const StopNames& names);
+/// These, then how many samples are lost, and what the session remarks itself.
+std::vector<std::string> recording_notes(const CaptureSession& session, const capture::StopLengths& lengths,
+                                         const StopNames& names);
 
 }  // namespace axiometry::app

@@ -22,7 +22,7 @@ struct SimulationOutputs {
   std::string raw;            ///< .csv, .txt, .npy or .umd
   std::string truth;          ///< JSON
   std::string plan;           ///< plan that is read, and not to be overwritten
-  std::string pitch_table{};  ///< likewise
+  std::string pitch_table{};  ///< pitch table that is read, and not to be overwritten
 };
 
 /// Fails on an extension that nothing writes, a name given twice, and on a file that is read among the outputs.

@@ -73,7 +73,7 @@ struct StripModel {
     AXIOMETRY_CONTRACT(layout.outputs().size() == std::size(iso230_2::parameters));
     numeric::RandomStream stream({seed, 0, block});
     numeric::RowBuffer<Number> buffer(draws, strip);
-    numeric::RowBuffer<Number> result_buffer(layout.outputs().size(), strip);  // of single precision
+    numeric::RowBuffer<Number> result_buffer(layout.outputs().size(), strip);  // numbers of single precision
     for (std::size_t first = 0; first < outputs.trials; first += strip) {
       const std::size_t count = std::min(strip, outputs.trials - first);
       const numeric::Rows<Number> readings = buffer.rows();

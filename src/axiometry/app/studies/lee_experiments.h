@@ -74,7 +74,7 @@ Result<ProportionalError> proportional_error(const Fixture& fixture, Length nois
 struct SlopeRequest {
   Set set;
   std::size_t axis = 1;                                    ///< 0 to 2
-  RelativeLength base = RelativeLength::um_per_m(-30.0);   ///< of that axis before
+  RelativeLength base = RelativeLength::um_per_m(-30.0);   ///< slope of that axis before
   RelativeLength added = RelativeLength::um_per_m(100.0);  ///< "100.01 %": (1 + base)(1 + added)
   Vector3 origin_mm = {};                                  ///< origin of the scale
   Vector3 offset_mm = {};                                  ///< constant displacement, added with the error

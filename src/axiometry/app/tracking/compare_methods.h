@@ -20,9 +20,9 @@ struct CompareMethodsRequest {
   std::vector<Vector3> stations_mm;  ///< upright, their x along X
   /// Of the instrument with angles; needs them.
   tracking::ChosenTracker polar;
-  RangingUncertainty polar_changes;  ///< its lengths, taken alone
+  RangingUncertainty polar_changes;  ///< uncertainty of its lengths, taken alone
   RangingUncertainty ranging;        ///< uncertainty of the instrument that gives lengths alone
-  std::string ranging_name;          ///< as asked for
+  std::string ranging_name;          ///< name by which that instrument was asked for
   std::size_t trials = 1000;
   std::uint64_t seed = 1;
 };

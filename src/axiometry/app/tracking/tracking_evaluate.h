@@ -27,7 +27,7 @@ struct LineTolerance {
 };
 
 struct TrackingEvaluateOptions {
-  std::string plan;                                           ///< file
+  std::string plan;                                           ///< file of the plan
   std::string station;                                        ///< file of a located station; empty: the plan's
   std::vector<std::pair<std::string, std::string>> metadata;  ///< key and text, over what the file says
   bool reversed = false;                                      ///< lengths fall where the reflector recedes

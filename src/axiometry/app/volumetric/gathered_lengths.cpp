@@ -196,7 +196,7 @@ class Gathering {
   GatheredNames stations_, tools_, segments_;
   std::map<std::pair<std::string, std::string>, std::size_t> from_;   // file of a station and tool, the first
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> stops_;  // file of a run's stop
-  std::map<std::size_t, std::size_t> times_said_;                     // of a run
+  std::map<std::size_t, std::size_t> times_said_;                     // how often each run was said
   std::size_t recordings_ = 0;
 };
 

@@ -111,11 +111,7 @@ Result<PartLengths> part_lengths(const CalibrationPlan& plan, std::optional<Part
                                       stops.places.size()));
   const StopNames names{.group = [&](std::size_t k) { return fmt::format("part {}", stops.places[k].run + 1); },
                         .name = [&](std::size_t k) { return fmt::format("point {}", stops.places[k].stop + 1); }};
-  std::ranges::move(stop_notes(found, names), std::back_inserter(lengths.notes));
-  if (session.lost() > 0)
-    lengths.notes.push_back(
-        fmt::format("the stream shows {} lost of {} samples", session.lost(), session.samples() + session.lost()));
-  std::ranges::move(session.remarks(), std::back_inserter(lengths.notes));
+  std::ranges::move(recording_notes(session, found, names), std::back_inserter(lengths.notes));
   return lengths;
 }
 

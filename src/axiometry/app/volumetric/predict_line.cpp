@@ -46,7 +46,7 @@ struct TargetsOfFile {
   std::optional<SpatialLine> line;
   std::optional<MeasuredMeans> means;
   std::string axis_name;             ///< of a test, as it states it
-  std::optional<Vector3> offset_mm;  ///< of its tool, likewise
+  std::optional<Vector3> offset_mm;  ///< offset of the tool of a test, as it states it
 };
 
 /// The axis moves along the line: a place of its own is none.

@@ -34,7 +34,7 @@ struct MeasuredFile {
   std::string sha256;
   std::size_t size = 0;
   std::size_t memory = 0;           ///< bytes that the tests take, about; what stands above a table is in each of them
-  std::string format;               ///< id
+  std::string format;               ///< id of the format
   std::vector<MeasuredTest> tests;  ///< never empty
   /// About the table, where the test was read after one.
   std::optional<formats::Guess> guess{};

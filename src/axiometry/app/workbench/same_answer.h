@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/app/workbench/from_archive.h"
+#include "axiometry/app/workbench/from_archive/from_archive.h"
 
 /// Private to app/.
 namespace axiometry::app {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/evaluate/evaluate.h"
-#include "axiometry/app/workbench/from_archive.h"
+#include "axiometry/app/workbench/from_archive/from_archive.h"
 #include "axiometry/formats/table/import_profile.h"
 #include "axiometry/store/store.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/app/workbench/axis_limits.h"
+#include "axiometry/app/workbench/from_archive/axis_limits.h"
 
 namespace axiometry::app {
 namespace {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/app/workbench/axis_limits.h"
-#include "axiometry/app/workbench/machine_remarks.h"
+#include "axiometry/app/workbench/from_archive/axis_limits.h"
+#include "axiometry/app/workbench/from_archive/machine_remarks.h"
 #include "axiometry/app/workbench/same_answer.h"
 #include "axiometry/app/workbench/test_of_file.h"
 #include "axiometry/app/workbench/test_state.h"
@@ -92,7 +92,7 @@ struct Incoming {
 struct Evaluation {
   std::vector<Incoming> files;
   std::vector<Taken> taken;
-  std::optional<Outcome> first;  ///< of the first test
+  std::optional<Outcome> first;  ///< outcome of the first test
 };
 
 Result<Evaluation> evaluate_all(State& state, std::span<const Upload> uploads, const Answers& answers,

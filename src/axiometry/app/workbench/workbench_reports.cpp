@@ -11,7 +11,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/second_opinion.h"
-#include "axiometry/app/workbench/axis_limits.h"
+#include "axiometry/app/workbench/from_archive/axis_limits.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench_state.h"

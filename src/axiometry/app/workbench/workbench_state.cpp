@@ -9,8 +9,8 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/app/workbench/axis_limits.h"
-#include "axiometry/app/workbench/kept_temperatures.h"
+#include "axiometry/app/workbench/from_archive/axis_limits.h"
+#include "axiometry/app/workbench/from_archive/kept_temperatures.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/app/workbench/from_archive.h"
+#include "axiometry/app/workbench/from_archive/from_archive.h"
 #include "axiometry/app/workbench/test_options.h"
 #include "axiometry/base/json.h"
 #include "axiometry/base/result.h"

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double seconds_per_minute = 60.0;
 constexpr double soonest_share = 0.5;   // twice the feed is the most that an override of a control allows
-constexpr std::size_t paces_kept = 15;  // of the readings before
+constexpr std::size_t paces_kept = 15;  // number of latest paces that are kept
 
 /// Of every approach the dwell and the way to it from the approach before.
 std::vector<double> planned_times_s(const Plan& plan) {

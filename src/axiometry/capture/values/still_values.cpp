@@ -17,8 +17,8 @@ namespace axiometry::capture {
 namespace {
 
 constexpr std::size_t quarters = 4;
-constexpr double noise_share = 6.0;    // of s; derivation in docs/theory/capture.md
-constexpr double quantum_share = 1.5;  // of q
+constexpr double noise_share = 6.0;    // factor of the noise s; derivation in docs/theory/capture.md
+constexpr double quantum_share = 1.5;  // factor of the quantum q
 constexpr double greatest_share = 10.0;
 
 using Quarters = std::array<Cell, quarters>;

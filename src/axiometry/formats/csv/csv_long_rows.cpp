@@ -18,7 +18,7 @@
 namespace axiometry::formats {
 namespace {
 
-constexpr std::size_t reading_limit = 20'000'000;  // of one test; 480 MB
+constexpr std::size_t reading_limit = 20'000'000;  // most readings of one test; 480 MB
 constexpr double plain_limit = 1e9;
 
 bool is_native(const Unit& unit, std::string_view linear, std::string_view rotary) {

@@ -174,7 +174,7 @@ class LineWalk {
     return line;
   }
 
-  std::size_t number() const { return number_; }  ///< of the line last given
+  std::size_t number() const { return number_; }  ///< number of the line last given
   std::size_t offset() const { return offset_; }  ///< behind it
 
  private:

@@ -35,7 +35,7 @@ struct Assignment {
 };
 
 struct ReferencePosition {
-  std::size_t target = 0;  ///< its number in the file
+  std::size_t target = 0;  ///< number of the target in the file
   Direction direction = Direction::up;
   std::size_t cycle = 0;
   double value = 0.0;

@@ -127,7 +127,7 @@ class CurveReader {
   }
 
   std::vector<ErrorCurve> curves_;
-  std::map<std::string, std::size_t> numbers_;  ///< of the curves, by name
+  std::map<std::string, std::size_t> numbers_;  ///< numbers of the curves, by name
   std::vector<std::string> header_;
   std::size_t header_line_ = 0;
   std::vector<CurveColumns> columns_;

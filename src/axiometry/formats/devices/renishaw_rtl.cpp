@@ -59,7 +59,7 @@ struct Content {
   TextPosition targets_at;
   std::optional<Promise> target_count;
   std::optional<Promise> run_count;
-  std::optional<bool> unidirectional;  ///< as the flags say
+  std::optional<bool> unidirectional;  ///< whether the flags say that the test has one direction
   std::vector<RtlReading> rows;
 };
 

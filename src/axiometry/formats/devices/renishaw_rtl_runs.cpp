@@ -11,8 +11,8 @@ namespace {
 enum class Order { unknown, along, against, mixed };  ///< of the target numbers within a run, as they were measured
 
 struct Runs {
-  std::vector<Order> orders;        ///< of each run
-  std::vector<bool> all_zero;       ///< of each run
+  std::vector<Order> orders;        ///< order of each run
+  std::vector<bool> all_zero;       ///< whether all readings of a run are zero
   std::vector<TextPosition> first;  ///< where each run begins
 };
 

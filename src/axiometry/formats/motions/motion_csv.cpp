@@ -228,7 +228,7 @@ class MotionRows {
   MotionColumns columns_;
   NumberReader numbers_;
   const Plan* plan_;
-  std::vector<Approach> order_;  ///< of the plan
+  std::vector<Approach> order_;  ///< approaches of the plan in their order
   std::size_t next_ = 0;
   std::map<std::pair<double, Direction>, std::size_t> approaches_;
   MotionRowOrder order_of_rows_;

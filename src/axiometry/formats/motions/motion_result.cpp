@@ -18,7 +18,7 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr double largest_of_result = 1e9;  // as of readings
+constexpr double largest_of_result = 1e9;  // largest number of a result, as of readings
 
 /// nullptr where it is absent or null. Contract: `object` is one.
 const Value* member_of(const Value& object, std::string_view name) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr char first_byte = '\xAA', first_of_command = '\xB0';
 constexpr std::size_t data_at = 3, check_at = frame_size - 1;
-constexpr double steps_per_mm = 1e7;  // of 10⁻¹⁰ m
+constexpr double steps_per_mm = 1e7;  // a step is 10⁻¹⁰ m
 constexpr double steps_per_degree = 100.0, pascal_per_step = 10.0;
 
 /// Two's complement, the most significant byte first.

@@ -131,7 +131,7 @@ class RtxReader final : public RecordingReader {
   AxisKind kind_;
   std::optional<RtxHeader> header_;
   std::string begun_;  // the header, later less than a number, or what follows the last one
-  std::string last_number_;  // its bytes
+  std::string last_number_;  // bytes of the number read last
   std::size_t next_look_ = 1;
   bool interrupted_ = false;
   std::uint64_t taken_ = 0;

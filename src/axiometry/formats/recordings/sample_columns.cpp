@@ -34,8 +34,8 @@ std::string_view unquoted(std::string_view cell) {
 /// Name and unit of a header cell: "pos [mm]", "pos (mm)", "pos/mm", "pos_mm", "mm".
 struct Heading {
   std::string name;
-  std::optional<double> seconds;  // of a unit of time
-  const Unit* unit = nullptr;     // of a unit of position
+  std::optional<double> seconds;  // seconds of the unit where it is one of time
+  const Unit* unit = nullptr;     // the unit where it is one of a position
 };
 
 bool take_unit(Heading& heading, std::string_view unit) {

@@ -208,7 +208,7 @@ class UmdReader final : public LineReader {
   std::optional<std::int64_t> last_count_;  // samples since the first, lost ones included
   std::optional<std::int64_t> last_seq_;
   std::size_t rejected_counted_ = 0;
-  std::vector<Waiting> waiting_;  // until the rate is known
+  std::vector<Waiting> waiting_;  // what waits until the rate is known
   Environment environment_;
 };
 

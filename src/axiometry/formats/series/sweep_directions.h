@@ -18,7 +18,7 @@ struct Motion {
   bool is_sweeps = false;
   bool has_up = false;
   bool has_down = false;
-  std::vector<Direction> directions;  ///< one per row
+  std::vector<Direction> directions;  ///< a direction for each row
 };
 
 /// `ranks`: for every row the number of its target in ascending order, from 0. The direction of a row is that of the

@@ -14,7 +14,7 @@ struct ColumnFacts {
   std::vector<double> values;  ///< one per row; NaN where there is no number
   std::size_t numbers = 0;
   std::size_t missing = 0;
-  std::size_t words = 0;               ///< other cells
+  std::size_t words = 0;               ///< cells that are no numbers
   std::vector<std::string> spellings;  ///< spellings of the words, each once, at most five
   bool whole = true;                   ///< every number is whole
   std::size_t distinct = 0;            ///< different numbers

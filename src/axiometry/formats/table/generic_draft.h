@@ -18,7 +18,7 @@ namespace axiometry::formats::generic {
 struct Draft {
   TableShape shape;
   std::vector<Head> heads;         ///< one per column; all unknown without a header
-  std::vector<ColumnFacts> facts;  ///< likewise
+  std::vector<ColumnFacts> facts;  ///< one per column
   DefaultUnits stated;             ///< units for the whole file, above the table
   Guess guess;
 

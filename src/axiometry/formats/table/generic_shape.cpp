@@ -15,7 +15,7 @@
 namespace axiometry::formats::generic {
 namespace {
 
-constexpr std::size_t lines_weighed = 2000;  // to choose a delimiter
+constexpr std::size_t lines_weighed = 2000;  // lines that are weighed to choose a delimiter
 constexpr std::string_view comment_marks[] = {"#", "%", "//"};
 
 bool is_number(std::string_view cell) { return number_in(cell, '.') || number_in(cell, ',') || is_bad_number(cell); }

@@ -20,7 +20,7 @@ namespace axiometry::formats {
 namespace {
 
 constexpr std::size_t sensors_max = 64;
-constexpr std::size_t line_bytes_max = std::size_t{16} << 10;  // of 64 sensors 2 KiB
+constexpr std::size_t line_bytes_max = std::size_t{16} << 10;  // lines of 64 sensors have 2 KiB
 constexpr std::size_t preamble_max = 200;                      // lines above the readings
 constexpr double coldest = -60.0, hottest = 100.0;
 constexpr double day_s = 86400.0;

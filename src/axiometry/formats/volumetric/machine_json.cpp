@@ -23,7 +23,7 @@ using volumetric::MachineModel;
 
 constexpr double farthest_mm = 1e9;
 constexpr double travel_least_mm = 1.0;
-constexpr std::size_t names_most = 256;  // of tools, of stations
+constexpr std::size_t names_most = 256;  // most tools, and most stations
 
 Result<void> check_near(Vector3 at, const Value& value) {
   for (std::size_t k = 0; k < 3; ++k)

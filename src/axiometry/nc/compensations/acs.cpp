@@ -23,7 +23,7 @@ extern const AxisTable acs_axis_table;
 namespace acs {
 namespace {
 
-constexpr std::string_view before_axis = "Comp";  // of the array's name
+constexpr std::string_view before_axis = "Comp";  // stands before the axis in the name of the array
 constexpr std::string_view sign = "A positive number moves the axis in the positive direction: it is added.";
 
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {

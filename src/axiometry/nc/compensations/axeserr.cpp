@@ -48,7 +48,7 @@ Result<AxisCorrection> read(std::string_view text, const AxisTableOptions& optio
     } else {
       const auto numbers = numbers_of(line.text, ",");
       if (!numbers || numbers->size() != 3) return refused(line, "NOMINAL, ERROR, ERROR or [AXIS]");
-      if (!is_in_section) continue;  // of another axis
+      if (!is_in_section) continue;  // it belongs to another axis
       positions.push_back((*numbers)[0]);
       up.push_back(-1e3 * (*numbers)[1]);
       down.push_back(-1e3 * (*numbers)[2]);

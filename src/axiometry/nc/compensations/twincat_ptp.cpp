@@ -19,7 +19,7 @@ extern const AxisTable twincat_ptp_axis_table;
 namespace twincat_ptp {
 namespace {
 
-constexpr std::string_view behind_axis = "_Compensation";  // of the array's name
+constexpr std::string_view behind_axis = "_Compensation";  // stands behind the axis in the name of the array
 constexpr std::string_view sign = "A positive number moves the axis in the positive direction: it is added.";
 
 Result<std::string> write(const AxisCorrection& correction, const AxisTableOptions& options) {

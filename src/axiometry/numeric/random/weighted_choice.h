@@ -65,7 +65,7 @@ class WeightedChoice {
 
   std::vector<double> cumulative_;
   std::vector<std::uint32_t> starts_;
-  double parts_ = 0.0;  ///< how many
+  double parts_ = 0.0;  ///< how many parts there are
 };
 
 }  // namespace axiometry::numeric

@@ -17,7 +17,7 @@
 namespace axiometry::report {
 namespace {
 
-constexpr int place_decimals = 3;  // of coordinates, mm
+constexpr int place_decimals = 3;  // decimals of coordinates in mm
 constexpr std::size_t most_targets_of_line = 200;
 
 /// What the tables and the picture are made of.

@@ -75,7 +75,7 @@ void draw_zone(Operations& operations, const Rectangle& r, Zone zone) {
 struct Bar {
   const Judgement& judgement;
   double value = 0.0;
-  std::optional<uncertainty::Interval> interval;  ///< of record
+  std::optional<uncertainty::Interval> interval;  ///< interval of the uncertainty of record
   std::optional<double> accepted_to;              ///< below 0 where nothing is accepted; absent when not known
   std::optional<double> rejected_from;            ///< absent likewise
 };

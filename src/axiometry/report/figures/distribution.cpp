@@ -131,8 +131,8 @@ Range range_of(const Panel& panel, const Options& options) {
 
 /// Where one histogram stands on paper.
 struct Place {
-  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;  ///< of the plot
-  plot::Scale x;                                            ///< of native values
+  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;  ///< edges of the plot
+  plot::Scale x;                                            ///< scale of native values
 };
 
 /// The outline between two values, closed along the foot.

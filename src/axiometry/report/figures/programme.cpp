@@ -32,11 +32,11 @@ constexpr double height_per_move = 2.6;
 constexpr double least_height = 150.0;
 constexpr double most_height = 320.0;
 constexpr double least_pitch = 9.0;          // between labels
-constexpr double number_width = 11.0;        // of a target's number
+constexpr double number_width = 11.0;        // width of a target's number
 constexpr double least_gap = 0.1;            // between the lines of targets, which are 0.5 wide
-constexpr std::size_t most_readings = 1500;  // that are drawn as dots
+constexpr std::size_t most_readings = 1500;  // readings that are drawn as dots
 constexpr std::size_t most_legs = 20'000;    // beyond which a picture would be a black box of many megabytes
-constexpr double pad = 0.03;                 // of the reach, beside it
+constexpr double pad = 0.03;                 // free share of the reach beside it
 
 /// Where the axis is when; times in s.
 struct Station {
@@ -267,9 +267,9 @@ class ProgrammeDrawing {
   const Plan& plan_;
   const Options& options_;
   std::vector<Leg> legs_;
-  double low_ = 0.0, high_ = 0.0;  ///< of the reach
+  double low_ = 0.0, high_ = 0.0;  ///< ends of the reach
   plot::Scale x_, y_;
-  double top_ = 0.0, bottom_ = 0.0;  ///< of the plot on paper
+  double top_ = 0.0, bottom_ = 0.0;  ///< edges of the plot on paper
   Operations operations_;
 };
 

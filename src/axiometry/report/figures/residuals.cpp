@@ -28,8 +28,8 @@ double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::
 
 struct Bars {
   double width = 0.5;
-  double half = 4.0;           // of the range shown
-  std::vector<double> shares;  // of all, in %
+  double half = 4.0;           // half of the range shown
+  std::vector<double> shares;  // share of all that lies in each bar, in %
 
   double begin(std::size_t k) const { return -half + width * static_cast<double>(k); }
 };

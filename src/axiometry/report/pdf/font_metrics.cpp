@@ -13,8 +13,8 @@ namespace {
 constexpr char32_t first_character = 0x20;
 
 struct Face {
-  std::array<std::uint16_t, 992> dense;   // from `first_character` on
-  std::array<std::uint16_t, 131> sparse;  // of `sparse_characters`
+  std::array<std::uint16_t, 992> dense;   // widths from `first_character` on
+  std::array<std::uint16_t, 131> sparse;  // widths of `sparse_characters`
   std::uint16_t average;                  // of the small letters, for anything else
 };
 

@@ -60,7 +60,7 @@ double padding_right(const TableCell& cell, std::size_t longest, const Measure& 
 struct Grid {
   Measure measure;
   std::vector<double> left;           ///< of the content, from the page's edge
-  std::vector<double> width;          ///< of the content
+  std::vector<double> width;          ///< width of the content of each column
   std::vector<std::size_t> fraction;  ///< longest_fraction() of each column
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* family = "Liberation Sans, Arial, Helvetica, sans-serif";
 constexpr double script_scale = 0.72;
-constexpr double subscript_drop = 0.18;  // of the size
+constexpr double subscript_drop = 0.18;  // drop as a share of the size
 constexpr double superscript_rise = 0.33;
 constexpr double bar_above_small_letter = 0.61;
 constexpr double bar_above_capital = 0.79;

@@ -25,7 +25,7 @@ struct TextStyle {
 
 struct Line {
   double top = 0.0;       ///< distance from the top of the block
-  double baseline = 0.0;  ///< likewise
+  double baseline = 0.0;  ///< distance of its baseline from the top of the block
   double bottom = 0.0;
 };
 

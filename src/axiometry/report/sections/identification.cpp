@@ -93,7 +93,7 @@ std::size_t decimals_of(const Records& records, std::size_t column, const Option
   for (const auto& record : records)
     if (const auto* x = std::get_if<double>(&record[column]))
       decimals = std::max(decimals, fraction_length(shown_exact(*x, options)));
-  return decimals > 0 ? decimals - 1 : 0;  // without the mark
+  return decimals > 0 ? decimals - 1 : 0;  // decimals without the mark
 }
 
 Table record_table(const Field& field, const Records& records, const Options& options) {

@@ -103,7 +103,7 @@ struct LoggedEnvironment {
   std::string file;  ///< as the user gave it
   std::string sha256;
   std::string began;  ///< beginning of the test, as asked; may be empty
-  std::string ended;  ///< likewise
+  std::string ended;  ///< end of the test, as asked; may be empty
   TemperatureLog log;
   std::optional<TimeStretch> test;  ///< time of the test within the log; absent: all of it counts as the test
   TestEnvironment environment;

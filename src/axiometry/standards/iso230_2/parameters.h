@@ -47,7 +47,7 @@ struct PositionResult {
 struct AxisParameters {
   std::optional<Deviation> A;       ///< bidirectional positioning error, 3.27
   std::optional<Deviation> A_up;    ///< unidirectional positioning error, 3.26
-  std::optional<Deviation> A_down;  ///< likewise from above
+  std::optional<Deviation> A_down;  ///< unidirectional positioning error from above, 3.26
   std::optional<Deviation> E;       ///< bidirectional systematic positioning error, 3.24
   std::optional<Deviation> E_up;    ///< unidirectional systematic positioning error, 3.23
   std::optional<Deviation> E_down;

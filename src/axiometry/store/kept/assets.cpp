@@ -13,7 +13,7 @@
 namespace axiometry::store {
 namespace {
 
-constexpr std::size_t most_parameters = 600;  // of one INSERT
+constexpr std::size_t most_parameters = 600;  // parameters of one INSERT
 constexpr std::size_t own_columns = 6;        // id, version, at, actor, reason, sha256
 
 std::string fingerprint(Id id, int version, const Change& change, std::span<const Cell> cells) {

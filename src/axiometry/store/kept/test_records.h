@@ -74,7 +74,7 @@ struct NewTest {
 
 struct TestRecord {
   Id id = 0;
-  int version = 1;  ///< this one
+  int version = 1;  ///< number of this version
   int latest = 1;
   std::string sha256;
   std::string file_name;

@@ -27,7 +27,7 @@ Result<SchemaParts> expected_schema_parts(const Place& place);
 
 /// A sentence for each.
 struct SchemaDifferences {
-  std::vector<std::string> missing_indexes{};  ///< also among the problems
+  std::vector<std::string> missing_indexes{};  ///< indexes that are missing, which are among the problems too
   std::vector<std::string> problems;  ///< what is missing, altered, or extra and may change what is written or read
   std::vector<std::string> extras;    ///< tables, views and indexes of somebody's own that refuse no row
   bool of_tables = false;  ///< a table of ours is missing or altered: what is read of that name proves nothing

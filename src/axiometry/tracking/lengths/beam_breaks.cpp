@@ -15,7 +15,7 @@ constexpr double least_mm = 0.02;        // smaller jumps are the machine's, or 
 constexpr double weak_least_mm = 0.05;   // where only the mean slope of the machine is known
 constexpr double incomparable_mm = 1.0;  // neither a reversal error nor a single bad reading is as large
 constexpr double scatters = 8.0;         // so many robust standard deviations no noise reaches
-constexpr double sd_per_mad = 1.4826;    // of normal noise
+constexpr double sd_per_mad = 1.4826;    // σ of normal noise over its median absolute deviation
 constexpr std::size_t votes_most = 100;
 constexpr std::size_t jumps_most = 1000;
 
@@ -230,7 +230,7 @@ Jumps find_jumps(std::span<const LineSample> samples, std::span<const Position> 
   Jumps jumps;
   jumps.threshold_mm = limits.strong_mm;
   const std::vector<FoundJump> found = jumps_of(steps, limits);
-  bool first = true;  // of its segment
+  bool first = true;  // whether a jump is the first of its segment
   for (std::size_t k = 0; k < found.size(); ++k) {
     const bool single = first;
     first = !steps.exists(k);

@@ -11,7 +11,7 @@ namespace {
 
 struct Face {
   std::string_view name, first, second, term;
-  std::size_t a, b;  // its axes
+  std::size_t a, b;  // axes of the face
   double sign;       // of the term where the angle between the axes grows
 };
 constexpr std::array<Face, 3> faces = {{{"XY", "NN0-PP0", "NP0-PN0", "C0Y", 0, 1, 1.0},

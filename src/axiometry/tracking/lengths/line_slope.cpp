@@ -13,7 +13,7 @@ struct Mean {
   double position_mm = 0.0;
   double deviation_um = 0.0;
   double weight = 0.0;
-  double variance_um2 = 0.0;  // of the mean, from repetition
+  double variance_um2 = 0.0;  // variance of the mean, from repetition
 };
 
 double mean_variance(const std::optional<Deviation>& s, std::size_t count) {

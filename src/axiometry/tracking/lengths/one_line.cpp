@@ -319,7 +319,7 @@ class Course {
   LineGeometry geometry_;
   std::vector<double> excess_mm_;  // ΔL − d
   Jumps jumps_;
-  std::vector<std::size_t> stretch_;  // of each reading
+  std::vector<std::size_t> stretch_;  // stretch of each reading
   std::size_t stretches_ = 0;
   DeadPathFit fit_;
   double dead_path_mm_ = 0.0;      // c of the first stretch

@@ -21,7 +21,7 @@ namespace axiometry::tracking {
 enum class ScaleModel {
   fixed,   ///< κ = 1: one interferometer whose scale is known
   common,  ///< one unknown κ for all stations: changes the size and nothing of the shape
-  free,    ///< one per station
+  free,    ///< a scale for each station
 };
 
 struct MultilaterationOptions {

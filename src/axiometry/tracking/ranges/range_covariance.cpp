@@ -179,7 +179,7 @@ class Covariances {
       const Eigen::Matrix3d mixed = g * m_ * ct_.middleRows(at, 3).transpose();
       store(result.stations.emplace_back(),
             reduced_.block<3, 3>(at, at) + mixed + mixed.transpose() + g * mqm_ * g.transpose());
-      double variance = 0.0;  // of κ times the length
+      double variance = 0.0;  // variance of κ times the length
       if (layout.free_scales) variance = reduced_(at + 3, at + 3);
       if (in_.with_size) {
         const double kappa = -in_.state.scales[j];

@@ -26,7 +26,7 @@ struct RangeCovariances {
   std::vector<double> dead_sigmas;
   std::vector<double> scale_sigmas;  ///< 0 where κ is fixed
   std::vector<double> residuals;     ///< residual per reading as given
-  std::vector<double> normalised;    ///< likewise, empty without `per_point`
+  std::vector<double> normalised;    ///< residual by its standard deviation; empty without `per_point`
 };
 
 RangeCovariances range_covariances(const RangeCovarianceInput& input);

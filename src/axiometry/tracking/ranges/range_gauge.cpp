@@ -14,7 +14,7 @@ constexpr double null_limit = 1e-12;
 
 /// S with a unit diagonal of U, and an orthonormal basis of its gauge.
 struct Scaled {
-  Eigen::VectorXd size;  // of each unknown: 1/√U_kk
+  Eigen::VectorXd size;  // size of each unknown: 1/√U_kk
   Eigen::MatrixXd matrix;
   Eigen::MatrixXd gauge;
 };

@@ -31,7 +31,7 @@ enum class CriticalSurface {
   plane,        ///< all points on one plane: the station or its mirror image
   sphere,       ///< a sphere about the station: all lengths are alike
   ellipsoid,    ///< an ellipsoid of revolution, a focus at the station
-  paraboloid,   ///< likewise
+  paraboloid,   ///< a paraboloid of revolution, its focus at the station
   hyperboloid,  ///< likewise; the other focus may be the station as well
   cone,         ///< a cone about an axis through it: all beams at one angle to it. No estimator can tell the station
   repeated,     ///< fewer than five different points

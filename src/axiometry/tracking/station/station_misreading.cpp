@@ -83,7 +83,7 @@ std::string words(const Hypothesis& h) {
 void add_misreading_findings(std::span<const LocationPoint> points, const StationOptions& options,
                              const RefinedSolution& solution, std::vector<Finding>& findings) {
   constexpr std::size_t most_tried = 16;
-  constexpr double least_chance = 0.001;  // of what a hypothesis leaves
+  constexpr double least_chance = 0.001;  // least chance of the residuals that a hypothesis leaves
   const RefinedFit& fit = solution.fit;
   if (fit.degrees_of_freedom < 2 || fit.chance > 1e-4) return;
   if (std::ranges::any_of(solution.distances_mm, [](double length) { return !(length > 0.0); })) return;

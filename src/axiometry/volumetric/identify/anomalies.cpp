@@ -49,7 +49,7 @@ double mean_residual(std::span<const std::size_t> readings, std::span<const doub
 
 /// What a stretch says of the length at one of its ends.
 struct SaidAtEnd {
-  std::size_t readings = 0;  ///< that count
+  std::size_t readings = 0;  ///< readings that count
   double variance_um2 = 0.0;
 };
 

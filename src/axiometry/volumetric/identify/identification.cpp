@@ -8,7 +8,7 @@
 #include "axiometry/volumetric/identify/beyond_places.h"
 #include "axiometry/volumetric/identify/common_scale.h"
 #include "axiometry/volumetric/identify/equations/shape_rank.h"
-#include "axiometry/volumetric/identify/findings.h"
+#include "axiometry/volumetric/identify/findings/findings.h"
 #include "axiometry/volumetric/identify/identifier.h"
 #include "axiometry/volumetric/identify/smoothing.h"
 

@@ -36,7 +36,7 @@ struct Smoothness {
 
   Kind kind = Kind::none;
   double displacement_um = 0.0;  ///< stated: that standard deviation, µm from one end of the range to the other
-  double rotation_urad = 0.0;    ///< likewise of rotations, µrad
+  double rotation_urad = 0.0;    ///< stated: that standard deviation of rotations, µrad
 };
 
 struct IdentifyOptions {

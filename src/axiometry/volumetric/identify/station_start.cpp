@@ -206,7 +206,7 @@ Vector3 chosen(std::span<const Vector3> places, std::optional<Vector3> stated) {
 /// Of one virtual station.
 struct Start {
   Vector3 station_mm;
-  std::vector<double> dead_paths_mm;  ///< of its stretches
+  std::vector<double> dead_paths_mm;  ///< dead paths of its stretches
 };
 
 struct StartNames {

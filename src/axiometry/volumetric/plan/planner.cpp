@@ -11,7 +11,7 @@
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/volumetric/field/point_spread.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
-#include "axiometry/volumetric/identify/findings.h"
+#include "axiometry/volumetric/identify/findings/findings.h"
 #include "axiometry/volumetric/plan/point_set.h"
 
 namespace axiometry::volumetric {

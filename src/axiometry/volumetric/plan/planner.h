@@ -14,8 +14,8 @@
 namespace axiometry::volumetric {
 
 struct PlanOptions {
-  bool propose_stations = true;        ///< else those of the machine
-  std::size_t stations = 4;            ///< how many to propose
+  bool propose_stations = true;        ///< otherwise the machine's own stations are taken
+  std::size_t stations = 4;            ///< how many stations are proposed
   std::optional<TravelBox> room = {};  ///< room where the instrument may stand; station_room() when absent
   std::size_t points = 100;            ///< points of each station and tool
   ExpectOptions expect = {};

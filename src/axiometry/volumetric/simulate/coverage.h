@@ -47,7 +47,7 @@ struct CoverageTrial {
   std::size_t degrees_of_freedom = 0;
   double field_error_um_squared = 0.0;  ///< mean of |stated − true|², in the gauge
   std::size_t breaks_found = 0;         ///< untold breaks that were found where they were said to be
-  std::size_t breaks_wrong = 0;         ///< elsewhere
+  std::size_t breaks_wrong = 0;         ///< breaks that were found elsewhere
   std::size_t outliers_found = 0;       ///< set aside
   std::size_t set_aside_wrong = 0;      ///< readings that were right; not those that a break leaves in doubt
 };

@@ -66,8 +66,8 @@ struct SinglePlace {
 };
 
 struct SingleErrors {
-  std::vector<SingleMotion> motions;         ///< each error once
-  std::vector<SingleSquareness> squareness;  ///< likewise
+  std::vector<SingleMotion> motions;         ///< motions, each error once
+  std::vector<SingleSquareness> squareness;  ///< squareness, each once
   std::array<std::optional<SinglePlace>, axis_count> places{};
   Reversal reversal = Reversal::curves;  ///< how directions are modelled; none: the mean of what was read in both
 };

@@ -22,7 +22,7 @@ struct CaptureOrder {
   Plan walked;                           ///< plan of that part; none of lengths
   std::optional<LengthOrder> lengths{};  ///< what lengths are captured, in place of both plans
   std::optional<MotionOrder> motion{};   ///< for readings, where no positions are read at stops of `walked`
-  std::string source;                    ///< id
+  std::string source;                    ///< id of the source
   std::string layout;                    ///< empty: recognised
   std::vector<std::pair<std::string, std::string>> options;  ///< options by name, as they were given
   std::string actor;

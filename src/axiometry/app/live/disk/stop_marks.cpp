@@ -21,7 +21,7 @@ namespace {
 
 using capture::StopKey;
 
-constexpr std::string_view before_all = "begin";  // of the recording
+constexpr std::string_view before_all = "begin";  // the time of a mark before the recording begins
 constexpr auto earliest_s = -std::numeric_limits<double>::infinity();
 
 std::string_view key_word(StopKey key) {

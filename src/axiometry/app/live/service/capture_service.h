@@ -72,9 +72,9 @@ struct CaptureSettings {
 /// What is asked of a new capture of lengths.
 struct LengthWish {
   LengthTask task;
-  std::string source;                                        ///< id
+  std::string source;                                        ///< id of the source
   std::string layout;                                        ///< empty: recognised
-  std::vector<std::pair<std::string, std::string>> options;  ///< as of a CaptureWish
+  std::vector<std::pair<std::string, std::string>> options;  ///< options by name, as those of a CaptureWish
   std::string actor;
 };
 
@@ -82,7 +82,7 @@ struct LengthWish {
 struct CaptureWish {
   store::Id plan = 0;
   Plan whole;                                                ///< the plan, with its further ones
-  std::string source;                                        ///< id
+  std::string source;                                        ///< id of the source
   std::string layout;                                        ///< empty: recognised
   std::vector<std::pair<std::string, std::string>> options;  ///< flags by name; speed, preset, seed, give-up
   std::string actor;

@@ -33,18 +33,18 @@ struct SingleStand {
 };
 
 struct AssembleRequest {
-  std::string machine;  ///< file
+  std::string machine;  ///< file of the machine
   std::vector<SingleItem> items;
   std::array<std::optional<SingleStand>, 3> stands{};            ///< places of X, Y, Z
   volumetric::Reversal reversal = volumetric::Reversal::curves;  ///< how directions are modelled; none: means of both
-  std::optional<std::string_view> machine_bytes{};               ///< likewise, those of `machine`
+  std::optional<std::string_view> machine_bytes{};               ///< bytes of `machine`; none: the file is opened
   std::stop_token stop{};                                        ///< nobody waits for it any more
 };
 
 struct AssembledItem {
   std::string name;
   std::string file;        ///< empty of squareness as a number
-  std::string sha256;      ///< likewise
+  std::string sha256;      ///< hash of the file; empty of squareness as a number
   std::size_t runs = 0;    ///< likewise 0; of squareness the larger of both lines
   double u_largest = 0.0;  ///< largest u of its readings, or of the squareness, µm or µrad, k = 1
   std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< µm or µrad: as given, or as its file states

@@ -270,7 +270,7 @@ Result<ReadSingles> read_singles(const std::vector<SingleItem>& items, Reversal 
   all.errors.reversal = reversal;
   std::vector<std::pair<std::size_t, volumetric::SquareMeasurement>> squares;  // each with its place in the list
   std::string of_unknown_sense, of_one_direction;
-  std::array<LostReversal, 2> lost_reversal;  // of displacements, of rotations
+  std::array<LostReversal, 2> lost_reversal;  // lost reversal of displacements and of rotations
   for (const SingleItem& item : items) {
     AXIOMETRY_TRY_VOID(go_on_unless(stop));
     if (std::ranges::find(all.items, item.name, &AssembledItem::name) != all.items.end())

@@ -21,7 +21,7 @@ namespace axiometry::app {
 
 struct NewCompensation {
   store::Id test = 0;
-  std::optional<int> version{};          ///< none: the latest
+  std::optional<int> version{};          ///< version of the test; none: the latest
   json::Value options;                   ///< CompensationOptions of apps/server/openapi.json
   std::optional<NamedTable> existing{};  ///< the table that was active while the test was measured
   std::string notes{};
@@ -47,7 +47,7 @@ struct TestOfCompensation {
   store::Id id = 0;
   int version = 0;         ///< version that the compensation rests on
   int latest = 0;          ///< latest version that there is
-  bool withdrawn = false;  ///< now
+  bool withdrawn = false;  ///< whether it is withdrawn now
   bool revised = false;    ///< the latest version differs from the one that was used in metadata, options or axis
   std::string title;       ///< title of the version that was used, as the rest
   std::string measured_on;

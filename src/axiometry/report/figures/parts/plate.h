@@ -34,7 +34,7 @@ struct Plate {
   const Options& options;
   std::string_view label;                   ///< Assessment::label: stands wherever results do
   std::vector<Direction> directions;        ///< directions whose means, bands and readings are drawn
-  bool bidirectional_mean = false;          ///< also x̄_i
+  bool bidirectional_mean = false;          ///< whether x̄_i is drawn too
   std::vector<TargetDimension> at_targets;  ///< dimensions, at most 4
   std::vector<MarginDimension> at_margin;   ///< innermost first
 };

@@ -29,7 +29,7 @@ using plot::Range;
 using volumetric::FieldSlice;
 namespace ink = plot::ink;
 
-constexpr std::size_t cells = 24;  // of colour, along each axis
+constexpr std::size_t cells = 24;  // cells of colour along each axis
 constexpr std::size_t arrows = 9;  // along each axis
 constexpr double slice_height = 118.0;
 constexpr double between_slices = 34.0;

@@ -106,7 +106,7 @@ inline constexpr std::string_view scatter_note =
 /// Which of two questions the uncertainty answers (model/metadata.h).
 using axiometry::Measurand;
 
-Measurand measurand_of(const Metadata& metadata);  ///< as given, else this_test
+Measurand measurand_of(const Metadata& metadata);  ///< what is stated, else this_test
 
 std::string_view measurand_key(Measurand measurand);    ///< "this-test", "this-machine"
 std::string_view measurand_title(Measurand measurand);  ///< a clause for reports

@@ -16,7 +16,7 @@ namespace {
 struct BodyWords {
   const BodyKeys& keys;
   std::string_view whose;  // what remarks call it
-  std::string_view role;   // of its sensors
+  std::string_view role;   // role of the sensors on it
   std::string_view alpha_symbol;
   std::string_view expansion_input;  // these inputs state its distributions
   std::string_view temperature_input;
@@ -180,7 +180,7 @@ class BodyResolver {
   const AnnexAInputs& in_;
   bool linear_;
   bool artefact_;                  // in place of the device (Annex D)
-  std::string_view followed_key_;  // of the coefficient that follows
+  std::string_view followed_key_;  // key of the coefficient that follows
 };
 
 }  // namespace

@@ -108,8 +108,8 @@ struct ResolvedInputs {
   MaybeResolved misalignment_mm;                 ///< R over L; both this and the next or none
   MaybeResolved alignment_deg;                   ///< θ_max
   MaybeResolved environment_sensitivity;         ///< K, µm/(m·°C), together with …
-  MaybeResolved environment_difference;          ///< … ΔT_e, °C
-  std::vector<InputDistribution> distributions;  ///< those that count
+  MaybeResolved environment_difference;          ///< ΔT_e, °C, which K belongs to
+  std::vector<InputDistribution> distributions;  ///< distributions that count
   std::vector<ResolvedRow> rows;                 ///< rows in the order of the vocabulary, what follows beside its like
   std::vector<ResolvedRemark> remarks;
   std::vector<std::string> device_notes;  ///< notes on several statements about the device, for tables of the methods

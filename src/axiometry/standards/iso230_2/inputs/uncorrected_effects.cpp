@@ -35,8 +35,8 @@ Extent operator-(const Extent& a, const Extent& b) { return {a.low - b.high, a.h
 
 /// A relative error of lengths, µm/m.
 struct Strain {
-  Extent start, end;  ///< of the test
-  Extent change;      ///< from start to end
+  Extent start, end;  ///< strain at the start and the end of the test
+  Extent change;      ///< how far it changes from start to end
 
   static Strain of(double start, double end) { return {{start, start}, {end, end}, {end - start, end - start}}; }
   void see(const Strain& other) {

@@ -17,7 +17,7 @@ constexpr double periods_per_run = 1.2;  // … to more than one in every run, �
 constexpr double most_periods = 7.0;     // … since what repeats from run to run is all but hidden; all alike likely
 constexpr std::size_t walk_modes = 24;
 constexpr double walk_range = 1.5957691216057308;  // √(8/π): the mean range of Brownian motion of σ = 1 over time 1
-constexpr double negligible_mode = 1e-4;           // of the largest eigenvalue
+constexpr double negligible_mode = 1e-4;           // modes below this share of the largest eigenvalue are left out
 
 template <typename Shape>
 void add_mode(EnvironmentModes& modes, std::span<const double> shares, const Shape& shape) {

@@ -19,7 +19,7 @@ namespace axiometry::iso230_2 {
 namespace {
 
 constexpr double several_from = 3.0;     // standard deviations
-constexpr double several_alarms = 1e-3;  // of tests without any
+constexpr double several_alarms = 1e-3;  // share of tests without gross errors that give an alarm
 constexpr double finest_step = 1e-4;     // native unit; readings that differ by less are alike
 constexpr double median_of_normal = 0.67448975;
 constexpr double trimmed_beyond = 3.0;       // standard deviations, …
@@ -42,7 +42,7 @@ struct CellReadings {
   std::size_t target;
   Direction direction;
   std::vector<double> readings;  ///< without what they drift by
-  double centre = 0.0;           ///< their median
+  double centre = 0.0;           ///< median of the readings
 };
 
 std::vector<double> present(std::span<const double> readings) {
@@ -96,7 +96,7 @@ struct Departure {
   std::size_t cell, run;
   double size;
   double relative_sd;  ///< of the departure, in units of the scatter
-  double others_sd;    ///< of the other readings
+  double others_sd;    ///< standard deviation of the other readings
 };
 
 double standard_deviation(std::span<const double> values) {

@@ -10,8 +10,8 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/kernels/kernel_table.h"
-#include "axiometry/standards/iso230_2/monte_carlo/cell_kernel_types.h"
-#include "axiometry/standards/iso230_2/monte_carlo/moment_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/kernels/cell_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/kernels/moment_kernel_types.h"
 #include "axiometry/standards/iso230_2/monte_carlo/posterior.h"
 
 namespace axiometry::iso230_2 {

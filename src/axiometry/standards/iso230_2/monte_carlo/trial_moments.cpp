@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "axiometry/standards/iso230_2/monte_carlo/cell_kernel_types.h"
+#include "axiometry/standards/iso230_2/monte_carlo/kernels/cell_kernel_types.h"
 #include "axiometry/standards/iso230_2/monte_carlo/trials.h"
 
 namespace axiometry::iso230_2 {

@@ -105,7 +105,7 @@ class TrialModel {
   std::vector<LengthError> length_errors_;
   std::optional<StationErrors> station_;
   std::vector<ReadingNoise> noise_;           ///< shares, which the chunks of trials take in turn
-  std::vector<ReadingPosterior> posteriors_;  ///< one for each share
+  std::vector<ReadingPosterior> posteriors_;  ///< a posterior for each share
   std::shared_ptr<const DriftPosterior> drift_;
 };
 

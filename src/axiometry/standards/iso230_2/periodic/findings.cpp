@@ -17,7 +17,7 @@ namespace {
 
 constexpr double enough_periods = 2.0;
 constexpr double enough_targets = 4.0;
-constexpr double forgiven = 1e-9;  // of counts: targets are rounded
+constexpr double forgiven = 1e-9;  // of a period or target, as targets are rounded
 
 /// At most so many digits, as a person would write it.
 std::string figure(double x, int digits = 4) { return fmt::format("{:.{}g}", x, digits); }

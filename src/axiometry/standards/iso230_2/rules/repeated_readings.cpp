@@ -125,7 +125,7 @@ std::optional<Finding> readings_repeat_exactly(const Case& c) {
 }
 
 std::optional<Finding> readings_copied(const Case& c) {
-  constexpr double hardly_ever = 0.01;  // of honest tests
+  constexpr double hardly_ever = 0.01;  // share of honest tests that may look copied
   const Series& series = c.series;
   const auto [up, down] = repeated_directions(c);
   if (up || down) return std::nullopt;  // readings_repeat_exactly speaks

@@ -69,7 +69,7 @@ struct AnnexA {
   std::size_t runs = 0;                   ///< n used: the smallest number of approaches in any measured cell
   bool slow_environment = false;          ///< E_VE is stated as drift or random walk: other factors in A.11 and A.14
   Position datum;                         ///< the mean deviations count from here: `nde.datum`, else the first target
-  std::vector<AnnexAPosition> positions;  ///< one per target
+  std::vector<AnnexAPosition> positions;  ///< a position for each target
   std::vector<std::string> notes;         ///< what was assumed or generalised
   std::optional<CorrectedRepeatability> corrected;  ///< when E_VE is given and R exists
 };

@@ -36,7 +36,7 @@ struct ExpandedUncertainty {
 /// A factor that multiplies every position: f_t of the machine or the device, f_a.
 struct FactorUncertainty {
   double departure = 0.0;  ///< f − 1 of the estimates, µm/m
-  double u = 0.0;          ///< as used, µm/m
+  double u = 0.0;          ///< standard uncertainty as used, µm/m
   double u_linear = 0.0;   ///< eq. 15, µm/m; of f_a the same as u_exact
   double u_exact = 0.0;    ///< standard deviation of the factor's distribution (Table A.1), µm/m
 };
@@ -87,7 +87,7 @@ struct GumUncertainty {
   std::optional<FactorUncertainty> device_thermal;
   std::optional<FactorUncertainty> alignment;  ///< f_a
   std::vector<GumSource> sources;
-  std::vector<PositionUncertainty> positions;  ///< one per target
+  std::vector<PositionUncertainty> positions;  ///< a position for each target
   std::vector<GumParameter> parameters;        ///< those that exist and on which some source acts
   std::vector<std::string> notes;              ///< what was assumed, and where the method ends
   std::size_t position_notes = 0;              ///< how many of the first notes concern `positions` too

@@ -54,7 +54,7 @@ struct StationModel {
 struct GumModel {
   Measurand measurand = Measurand::this_test;
   UncertaintyInputs inputs;
-  std::vector<Component> components;  ///< one per input
+  std::vector<Component> components;  ///< a component for each input
   std::optional<FactorUncertainty> machine_thermal;
   std::optional<FactorUncertainty> device_thermal;
   std::optional<FactorUncertainty> alignment;

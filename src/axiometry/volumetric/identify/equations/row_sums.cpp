@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t rows_most = 32;  // with 80 entries each they stay in the nearest cache
 constexpr std::size_t squares = squareness_names.size();
 constexpr std::size_t border = squares + 5;  // squareness, −u, −1, place along a drift
-constexpr std::size_t vector_entries = 8;    // of the widest vectors
+constexpr std::size_t vector_entries = 8;    // doubles that the widest vectors hold
 
 struct Placed {
   std::uint32_t place = 0;  ///< alike: rows have the coefficients of their curves at the same columns

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/findings/tried_fit.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "axiometry/numeric/distributions/f_distribution.h"
+#include "axiometry/volumetric/identify/curve_choice.h"
+#include "axiometry/volumetric/identify/equations/thinned_problem.h"
+
+namespace axiometry::volumetric::detail {
+namespace {
+
+constexpr std::size_t tried_readings_most = 20'000;
+constexpr double share_least = 0.8;  // of what χ² has too much
+
+FitQuality quality_of(const Fit& fit, std::span<const double> weights) {
+  const std::size_t told = fit.solution.told();
+  const auto used = static_cast<std::size_t>(std::ranges::count_if(weights, [](double w) { return w > 0.0; }));
+  return {fit.chi_squared, static_cast<double>(used) - static_cast<double>(told)};
+}
+
+}  // namespace
+
+bool explains(const FitQuality& other, const FitQuality& own) {
+  return own.excess() - other.excess() > gain_least && other.ratio() - 1.0 < (1.0 - share_least) * (own.ratio() - 1.0);
+}
+
+double chance_of(const Gained& gained, const FitQuality& larger) {
+  if (!(gained.chi_squared > 0.0 && gained.unknowns >= 1.0 && larger.chi_squared > 0.0)) return 1.0;
+  if (!(larger.degrees_of_freedom >= 1.0)) return 1.0;
+  return numeric::f_tail(gained.chi_squared / gained.unknowns / larger.ratio(),
+                         {gained.unknowns, larger.degrees_of_freedom});
+}
+
+bool is_in_rows(std::span<const VolumetricReading> readings) {
+  constexpr std::size_t readings_at_each = 4;
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Vector3>> runs;
+  for (const VolumetricReading& reading : readings) runs[{reading.station, reading.tool}].push_back(reading.axes_mm);
+  std::size_t in_rows = 0;
+  for (const auto& [names, places] : runs)
+    for (std::size_t a = 0; a < axis_count; ++a) {
+      std::vector<double> positions;
+      for (const Vector3& q : places) positions.push_back(q[a]);
+      const std::size_t enough = places.size() / readings_at_each;
+      if (different_places(std::move(positions), enough) == enough) continue;
+      ++in_rows;
+      break;
+    }
+  return 2 * in_rows > runs.size();
+}
+
+std::vector<std::size_t> readings_to_try(const Identifier& done) {
+  const std::size_t n = done.weights().size();
+  if (n > tried_readings_most) return some_of_each_stretch(done.unknowns(), tried_readings_most);
+  std::vector<std::size_t> all(n);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+std::optional<TriedFit> fitted_to(const Problem& some, State start) {
+  start.coefficients.assign(some.coefficients.raw(), 0.0);
+  auto fit = least_squares(some, std::move(start));
+  if (!fit) return std::nullopt;
+  const FitQuality quality = quality_of(*fit, some.weights);
+  if (quality.degrees_of_freedom < 1.0) return std::nullopt;
+  return TriedFit{*std::move(fit), quality};
+}
+
+Coefficients with_reversal(const Coefficients& c, Reversal reversal) {
+  return Coefficients({c.basis(0), c.basis(1), c.basis(2)}, reversal);
+}
+
+std::optional<TriedFit> fitted_with(const Coefficients& coefficients, const Identifier& done,
+                                    const VolumetricLengths& lengths, std::span<const std::size_t> kept) {
+  std::vector<std::size_t> breaks;
+  for (const BreakPlace& place : done.breaks()) breaks.push_back(place.before);
+  const Unknowns unknowns = unknowns_of(coefficients, lengths.readings, breaks, done.drift());
+  const std::vector<Approaches> approaches = directions_of_rest(lengths.readings);
+  const Problem whole = done.problem();
+  const ThinnedProblem few(
+      {whole.machine, coefficients, unknowns, whole.readings, whole.tools_mm, approaches, whole.weights, whole.threads},
+      kept);
+  return fitted_to(few.problem(), done.fit().state);
+}
+
+std::optional<FitQuality> own_quality(const Identifier& done, std::span<const std::size_t> kept) {
+  if (kept.size() == done.weights().size() && !done.penalty()) {
+    const FitQuality quality = quality_of(done.fit(), done.weights());
+    return quality.degrees_of_freedom < 1.0 ? std::nullopt : std::optional(quality);
+  }
+  const ThinnedProblem few(done.problem(), kept);
+  const auto tried = fitted_to(few.problem(), done.fit().state);
+  return tried ? std::optional(tried->quality) : std::nullopt;
+}
+
+FitQuality seen_quality(const Identifier& done, std::span<const std::size_t> kept) {
+  FitQuality seen{0.0, 0.0};
+  double used = 0.0;
+  for (const std::size_t i : kept) {
+    const double w = done.weights()[i], v = done.fit().residuals_um[i];
+    seen.chi_squared += w * v * v;
+    used += w > 0.0 ? 1.0 : 0.0;
+  }
+  const std::size_t told = done.fit().solution.told();
+  seen.degrees_of_freedom = used * (1.0 - static_cast<double>(told) / static_cast<double>(done.count()));
+  return seen;
+}
+
+bool is_stated_wrongly(const std::vector<VolumetricFinding>& findings) {
+  return std::ranges::any_of(findings, [](const VolumetricFinding& f) {
+    return f.serious && (f.id == "volumetric-tool-offset" || f.id == "volumetric-axes-mixed-up");
+  });
+}
+
+bool is_told_otherwise(const std::vector<VolumetricFinding>& findings) {
+  return is_stated_wrongly(findings) || std::ranges::any_of(findings, [](const VolumetricFinding& f) {
+           return f.serious && f.id == "volumetric-station-moved";
+         });
+}
+
+}  // namespace axiometry::volumetric::detail
