@@ -66,6 +66,10 @@ TEST(PlannedRule, AsksForItsApproachesTargetsAndSteps) {
   axis.axis.travel_end = Position::native(4000.0);
   EXPECT_EQ(iso230_2::make_plan(axis)->runs, 1u);
   EXPECT_EQ(planned_by(*find_axis_rule("vdi-dgq-3441"), axis).runs, 5u);
+  const Plan with_area = planned_by(*find_axis_rule("jis-b-6201"), axis);
+  ASSERT_EQ(with_area.further.size(), 1u);
+  EXPECT_EQ(with_area.further[0].cycle, TestCycle::step);
+  EXPECT_EQ(with_area.further[0].runs, 7u) << "the step cycle of five runs is no test of either rule";
 }
 
 TEST(PlannedRule, GivesWayToWhatIsAskedForAndSaysSo) {
