@@ -70,6 +70,8 @@ TEST(PlannedRule, AsksForItsApproachesTargetsAndSteps) {
   ASSERT_EQ(with_area.further.size(), 1u);
   EXPECT_EQ(with_area.further[0].cycle, TestCycle::step);
   EXPECT_EQ(with_area.further[0].runs, 7u) << "the step cycle of five runs is no test of either rule";
+  const Plan piezo_area = planned_by(*find_axis_rule("gb-t-38614-2020"), axis);
+  EXPECT_EQ(piezo_area.further.at(0).runs, 5u) << "a test of ISO 230-2 as it is";
 }
 
 TEST(PlannedRule, GivesWayToWhatIsAskedForAndSaysSo) {
