@@ -128,7 +128,7 @@ TEST_P(EveryRollover, GoesElsewhereWithAbsoluteAnglesBeyondATurn) {
   const Dialect& dialect = *GetParam();
   const Plan plan = rotary_plan(TestCycle::standard, {0, 90, 180, 270, 306.4577}, 4);
   const std::string program = turned_program(dialect, plan, {});
-  EXPECT_NE(program.find("ROLLOVER OFF"), std::string::npos);
+  EXPECT_NE(program.find("ROLLOVER OFF, NOT FOR AN AXIS THAT COUNTS TO 360 DEG ONLY"), std::string::npos);
   ASSERT_NO_FATAL_FAILURE(expect_turned(dialect.id, program, plan, {AxisRule::counts_on, -4.0}));
   for (AxisRule rule : rollover_rules.at(std::string(dialect.id))) {
     bool as_planned = true;

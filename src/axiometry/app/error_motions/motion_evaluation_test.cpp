@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "axiometry/app/error_motions/motion_tables.h"
 #include "axiometry/language/language.h"
 
 namespace axiometry::app {
@@ -213,6 +214,23 @@ TEST(Angles, RefuseAColumnOfRollForAnErrorThatIsNone) {
   EXPECT_EQ(fault("yaw", "EAX"), "found a column of yaw for EAX, which is the roll; expected EBX or ECX");
   for (const char* error : {"EBX", "ECX"}) EXPECT_EQ(fault("pitch", error), "") << "as the machine stands";
   EXPECT_EQ(fault("angle", "EBX"), "");
+}
+
+TEST(Angles, SayOfWhichOfThemARemarkIs) {
+  const std::string two = "# error: EAX\nposition_mm,run,angle_urad\n0,1,1\n400,1,2\n0,2,1.1\n400,2,2.3\n";
+  const std::string one = "# error: ECX\nposition_mm,angle_urad\n0,1\n400,2\n";
+  const auto measured = measure_angles({.files = {{.file = "a.csv", .options = {}, .bytes = two},
+                                                  {.file = "c.csv", .options = {}, .bytes = one}}});
+  ASSERT_TRUE(measured);
+  const auto told = all_remarks({&measured->angles[0], &measured->angles[1]});
+  const std::string of_one =
+      "ECX: one run: what does not repeat cannot be told from the shape, and there is no repeatability";
+  EXPECT_EQ(std::ranges::count(told, of_one), 1);
+  EXPECT_EQ(std::ranges::count(told, no_instrument_remark), 1) << "of both";
+  for (const language::Language language : {language::Language::german, language::Language::french})
+    EXPECT_TRUE(language::is_known(of_one, language));
+  const auto alone = all_remarks({&measured->angles[1]});
+  EXPECT_EQ(std::ranges::count(alone, of_one.substr(5)), 1);
 }
 
 }  // namespace

@@ -233,10 +233,18 @@ void add_figures(report::Section& section, const MeasuredMotion& measured, const
 }
 
 std::vector<std::string> all_remarks(const std::vector<const MeasuredMotion*>& files) {
+  const auto stands_in = [](const MeasuredMotion& f, const std::string& remark) {
+    return std::ranges::find(f.remarks, remark) != f.remarks.end();
+  };
   std::vector<std::string> list;
-  for (const MeasuredMotion* f : files)
-    for (const std::string& remark : f->remarks)
-      if (std::ranges::find(list, remark) == list.end()) list.push_back(remark);
+  for (const MeasuredMotion* f : files) {
+    const std::string name = name_of(*f).empty() ? base_name(f->file) : name_of(*f);
+    for (const std::string& remark : f->remarks) {
+      const bool of_all = std::ranges::all_of(files, [&](const auto* other) { return stands_in(*other, remark); });
+      const std::string told = of_all ? remark : fmt::format("{}: {}", name, remark);
+      if (std::ranges::find(list, told) == list.end()) list.push_back(told);
+    }
+  }
   return list;
 }
 

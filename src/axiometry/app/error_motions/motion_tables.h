@@ -29,7 +29,7 @@ report::Section motion_positions(const MeasuredMotion& measured, const std::stri
 void add_figures(report::Section& section, const MeasuredMotion& measured, const std::string& name,
                  const report::Options& options);
 
-/// What stands beside the results: remarks of each file, each once.
+/// What stands beside the results: remarks of each file, each once, and with what it is of where it is not of all.
 void add_remarks(report::Document& document, const std::vector<std::string>& remarks);
 std::vector<std::string> all_remarks(const std::vector<const MeasuredMotion*>& files);
 

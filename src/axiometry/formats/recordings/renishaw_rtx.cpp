@@ -174,7 +174,8 @@ EOF::
   where that is not stated.
 - A `File Type` that says angular or linear is held against the axis, which `dynamic --rotary` or the plan tells: the
   other one is refused.
-- Machine, axis, location and date are told as remarks: whether the day or the month stands first is not known.
+- Machine, axis, location and date are told as remarks; of a date such as 10/02/2025 it is not known whether the day
+  or the month stands first.
 - A trigger interval that is not one over the rate is told: the samples may have been triggered by position.
 - Refused: fewer or more numbers than the header says, numbers that are not finite, a header without a number of
   samples or a rate, or of more than 64 KiB.

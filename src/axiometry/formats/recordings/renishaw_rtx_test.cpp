@@ -15,6 +15,7 @@ namespace axiometry::formats {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing_support::read_samples;
 using testing_support::rtx_file;
@@ -86,6 +87,19 @@ TEST(RenishawRtx, TellsWhatTheHeaderSaysAndWhatIsDoubtful) {
   EXPECT_THAT(rtx_remarks(**by_place), Contains(HasSubstr("were the samples triggered by position")));
   const auto asked = rtx_header(rtx_file(three, 1, "Sample no: 3\nSample rate: 2\n"));
   EXPECT_THAT(rtx_remarks(**asked), Contains(HasSubstr("no actual sample rate")));
+}
+
+TEST(RenishawRtx, DoubtsADateOnlyWhereItMayBeReadInTwoWays) {
+  const auto told = [](std::string date) {
+    RtxHeader header;
+    header.rate_is_actual = true;
+    header.date = std::move(date);
+    return rtx_remarks(header);
+  };
+  for (const char* date : {"10/02/2025 12:58:22", "1-2-2025"})
+    EXPECT_THAT(told(date), ElementsAre(HasSubstr("whether the day or the month stands first"))) << date;
+  for (const char* date : {"31/12/2025 12:58:22", "12/31/2025", "05/05/2025", "2025-02-10", "10.02.2025", "today"})
+    EXPECT_THAT(told(date), ElementsAre("the file is of \"" + std::string(date) + '"')) << date;
 }
 
 TEST(RenishawRtx, RefusesInWordsWhatIsNotWhole) {

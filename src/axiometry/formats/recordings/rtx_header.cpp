@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -79,6 +82,18 @@ Result<void> settle(RtxHeader& header, const RtxNumbers& numbers) {
   return {};
 }
 
+/// "10/02/2025", whose first two numbers may each be the month, and not "31/12/2025" or "05/05/2025".
+bool reads_two_ways(std::string_view date) {
+  std::array<unsigned, 2> numbers{};
+  for (unsigned& number : numbers) {
+    const auto [end, error] = std::from_chars(date.data(), date.data() + date.size(), number);
+    date.remove_prefix(static_cast<std::size_t>(end - date.data()));
+    if (error != std::errc{} || date.empty() || (date.front() != '/' && date.front() != '-')) return false;
+    date.remove_prefix(1);
+  }
+  return numbers[0] != numbers[1] && std::ranges::all_of(numbers, [](unsigned n) { return n >= 1 && n <= 12; });
+}
+
 }  // namespace
 
 Result<std::optional<RtxHeader>> rtx_header(std::string_view bytes) {
@@ -132,8 +147,11 @@ std::vector<std::string> rtx_remarks(const RtxHeader& h) {
   for (const auto& [words, value] : named)
     if (!value->empty()) remarks.push_back(fmt::format(fmt::runtime(words), text::quoted(*value)));
   if (!h.date.empty())
-    remarks.push_back(fmt::format("the file is of {}; whether the day or the month stands first it does not say",
-                                  text::quoted(h.date)));
+    remarks.push_back(fmt::format(
+        fmt::runtime(reads_two_ways(h.date)
+                         ? "the file is of {}; whether the day or the month stands first it does not say"
+                         : "the file is of {}"),
+        text::quoted(h.date)));
   return remarks;
 }
 

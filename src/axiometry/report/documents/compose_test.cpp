@@ -305,6 +305,15 @@ TEST(IdentificationSection, ShowsEveryWantedFieldGivenOrNot) {
   EXPECT_THAT(all, Contains("Air temperature: not stated"));
 }
 
+TEST(IdentificationSection, CallsReadingsOfOneDirectionNoStandardCycle) {
+  const auto cycle = [](const std::vector<testing_support::RunDeviations>& down) {
+    return facts(section(composed(reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, down), {}})),
+                         "identification"));
+  };
+  EXPECT_THAT(cycle({{2, 3}}), Contains("Test cycle: standard"));
+  EXPECT_THAT(cycle({}), Contains("Test cycle: one direction of approach only, not for acceptance"));
+}
+
 TEST(IdentificationSection, ShowsEveryGivenFieldButThoseOfTheBudget) {
   const Reported table2 = reported_table2();
   const Section identification = section(composed(table2), "identification");
@@ -408,6 +417,9 @@ TEST(InformationSection, StatesTheDriftOfTheReadings) {
   const Reported single = reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, {{2, 3}}), {}});
   EXPECT_THAT(facts(section(composed(single), "information")),
               Contains("Drift: not applicable: one approach from each direction"));
+  const Reported one_way = reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, {}), {}});
+  EXPECT_THAT(facts(section(composed(one_way), "information")),
+              Contains("Drift: not applicable: one approach from one direction"));
 }
 
 TEST(FindingSection, ShowsRemarksOfTheReaderWithoutAClauseOfTheStandard) {

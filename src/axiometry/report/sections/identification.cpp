@@ -147,6 +147,14 @@ std::vector<Fact> facts_of_readings(const Subject& subject, const Options& optio
                                  subject.assessment.evaluation.positions.empty() ? "" : ", listed in Table 2"))}};
 }
 
+/// Readings of one direction are no standard test cycle, which is what counts where no other is given.
+TableCell stated_of_test(const Field& field, const Subject& subject, const Options& options) {
+  const Metadata& metadata = subject.test.metadata;
+  const bool standard = field.key == "test.cycle" && metadata.conditions.cycle == TestCycle::standard;
+  if (standard && !subject.assessment.label.empty()) return text_cell(subject.assessment.label);
+  return stated(field, metadata, options);
+}
+
 /// What the section shows: groups of facts that stand in columns, and what needs the whole width below.
 struct Identification {
   std::vector<Block> facts;
@@ -175,7 +183,7 @@ void append_group(Identification& all, std::string_view title, std::span<const F
       table.caption = plain(field.title);
       all.tables.emplace_back(std::move(table));
     } else if (is_given(field, metadata) || is_wanted(field, metadata)) {
-      add(field.title, stated(field, metadata, options));
+      add(field.title, stated_of_test(field, subject, options));
     }
   }
   if (title == axis_title && !octant_of(metadata.axis).empty())

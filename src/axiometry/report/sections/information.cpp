@@ -34,7 +34,11 @@ Fact drift_fact(const Subject& subject, const Options& options) {
   const auto drift = drift_of(subject.test);
   if (!course_of(subject.test).order_known)
     return {plain("Drift"), quiet_cell("not known: neither times nor the cycle tell the order of the readings")};
-  if (!drift) return {plain("Drift"), quiet_cell("not applicable: one approach from each direction")};
+  const Series& series = subject.test.series;
+  const bool both = series.has(Direction::up) && series.has(Direction::down);
+  if (!drift)
+    return {plain("Drift"), quiet_cell(both ? "not applicable: one approach from each direction"
+                                            : "not applicable: one approach from one direction")};
   const auto& corrections = subject.test.provenance.corrections;
   const bool removed = std::ranges::find(corrections, "drift", &AppliedCorrection::id) != corrections.end();
   if (removed) return {plain("Drift"), quiet_cell("taken out by the correction for drift, see Provenance")};

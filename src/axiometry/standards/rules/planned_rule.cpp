@@ -42,7 +42,8 @@ Result<iso230_2::PlanRequest> with_cycle_of(const AxisRule& rule, iso230_2::Plan
 
 std::vector<iso230_2::Finding> planned_rule_findings(const AxisRule& rule, const Plan& plan) {
   std::vector<iso230_2::Finding> all;
-  bool departs = false;
+  bool departs = rule.cycle && rule.cycle->order && plan.cycle != *rule.cycle->order;
+  bool tells_approaches = false;
   const auto series = iso230_2::series_of(plan);
   if (series && rule.findings != nullptr) {
     Metadata metadata;
@@ -50,10 +51,26 @@ std::vector<iso230_2::Finding> planned_rule_findings(const AxisRule& rule, const
     metadata.conditions.cycle = plan.cycle;
     const iso230_2::Evaluation evaluation = iso230_2::evaluate(*series);
     for (const iso230_2::Finding& finding : rule.findings({metadata, *series, evaluation})) {
-      departs = departs || finding.severity == iso230_2::Severity::departure;
+      const bool broken = finding.severity == iso230_2::Severity::departure;
+      departs = departs || broken;
+      tells_approaches = tells_approaches || (broken && finding.id.find("approaches") != std::string::npos);
       all.push_back(
           {finding.id, "", iso230_2::Severity::note, fmt::format("by {}: {}", rule.name, finding.message)});
     }
+  }
+  // Of a test its figures say this, where they are absent.
+  if (series && rule.cycle && !tells_approaches && plan.runs < rule.cycle->approaches) {
+    departs = true;
+    all.push_back(
+        {"plan-rule-approaches", "", iso230_2::Severity::note,
+         fmt::format("by {}: found {} approach{} to a target from one direction, expected {} or more for all figures",
+                     rule.name, plan.runs, plan.runs == 1 ? "" : "es", rule.cycle->approaches)});
+  }
+  if (series && rule.cycle && !(series->has(Direction::up) && series->has(Direction::down))) {
+    departs = true;
+    all.push_back({"plan-rule-directions", "", iso230_2::Severity::note,
+                   fmt::format("by {}: found approaches from one direction only, expected both for all figures",
+                               rule.name)});
   }
   all.insert(all.begin(), iso230_2::Finding{"plan-rule", "", iso230_2::Severity::note,
                                             planned_standing(rule, series.has_value(), departs)});

@@ -66,6 +66,12 @@ TEST(PlannedRule, AsksForItsApproachesTargetsAndSteps) {
   axis.axis.travel_end = Position::native(4000.0);
   EXPECT_EQ(iso230_2::make_plan(axis)->runs, 1u);
   EXPECT_EQ(planned_by(*find_axis_rule("vdi-dgq-3441"), axis).runs, 5u);
+  const Plan with_area = planned_by(*find_axis_rule("jis-b-6201"), axis);
+  ASSERT_EQ(with_area.further.size(), 1u);
+  EXPECT_EQ(with_area.further[0].cycle, TestCycle::step);
+  EXPECT_EQ(with_area.further[0].runs, 7u) << "the step cycle of five runs is no test of either rule";
+  const Plan piezo_area = planned_by(*find_axis_rule("gb-t-38614-2020"), axis);
+  EXPECT_EQ(piezo_area.further.at(0).runs, 5u) << "a test of ISO 230-2 as it is";
 }
 
 TEST(PlannedRule, GivesWayToWhatIsAskedForAndSaysSo) {
@@ -80,6 +86,31 @@ TEST(PlannedRule, GivesWayToWhatIsAskedForAndSaysSo) {
               HasSubstr("by VDI/DGQ 3441: found 3 approaches to a target from one direction, expected 5 or more"));
   const AxisRule& piezo = *find_axis_rule("gb-t-38614-2020");
   EXPECT_THAT(ids_of_rule(piezo, planned_by(rule)), Contains("gb-t-38614-2020-approaches-for-repeatability"));
+}
+
+/// Of a test it is its figures that are absent; of a plan nothing else says so.
+TEST(PlannedRule, KeepsToNoCycleWithFewerApproachesOneDirectionOrAnotherOrder) {
+  const auto judged = [](const char* id, auto change) {
+    iso230_2::PlanRequest request = over_half_a_metre();
+    change(request);
+    const AxisRule& rule = *find_axis_rule(id);
+    // The order of the rule takes the place of the standard cycle, so that it is changed in the plan.
+    Plan plan = planned_by(rule, request);
+    if (request.cycle == TestCycle::standard && request.runs == 7u) plan.cycle = TestCycle::standard;
+    return planned_rule_findings(rule, plan);
+  };
+  const auto few = judged("jis-b-6201", [](auto& request) { request.runs = 3; });
+  EXPECT_THAT(few.front().message, HasSubstr("departs from what is known"));
+  EXPECT_EQ(few.back().message,
+            "by JIS B 6201, JIS B 6330: found 3 approaches to a target from one direction, expected 7 or more for all "
+            "figures");
+  EXPECT_THAT(judged("jis-b-6201", [](auto& request) { request.runs = 7; }).front().message,
+              HasSubstr("departs from what is known"));
+  const auto one_way = judged("vdi-dgq-3441", [](auto& request) { request.cycle = TestCycle::unidirectional; });
+  EXPECT_THAT(one_way.front().message, HasSubstr("departs from what is known"));
+  EXPECT_EQ(one_way.back().message,
+            "by VDI/DGQ 3441: found approaches from one direction only, expected both for all figures");
+  EXPECT_THAT(judged("vdi-dgq-3441", [](auto&) {}).front().message, HasSubstr("keeps to what is known"));
 }
 
 /// Made by one rule and judged by another: only what both do not share is found.
@@ -97,6 +128,7 @@ TEST(PlannedRule, TellsWhatAnotherRuleAsksForBeyondIt) {
       Ids expected = {"plan-rule"};
       const bool of_piezo = made_by->id == "gb-t-38614-2020";
       if (judge->id == "jis-b-6201" && of_piezo) expected.emplace_back("jis-b-6201-runs-for-approaches");
+      if (judge->id == "jis-b-6201" && !of_piezo) expected.emplace_back("plan-rule-approaches");
       if (judge->id == "gb-t-38614-2020") expected = by_piezo;
       if (judge->id == "gb-t-38614-2020" && plan.runs < 6)
         expected.emplace_back("gb-t-38614-2020-approaches-for-both");

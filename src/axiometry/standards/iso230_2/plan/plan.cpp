@@ -281,6 +281,7 @@ Result<void> add_further(Plan& plan, const Frame& frame, const PlanRequest& requ
     AXIOMETRY_TRY(Plan part, plan_over(frame, area, {}, request.seed, plan.further.size() + 1));
     part.title = fmt::format("Normal working area, {}", span_text(frame, area.from.in_native(), area.to.in_native()));
     part.warm_up_runs = 0;  // the test over the whole travel goes before
+    if (!request.runs && part.cycle != TestCycle::standard) part.runs = std::max(part.runs, request.least_runs);
     plan.further.push_back(std::move(part));
   }
   return {};

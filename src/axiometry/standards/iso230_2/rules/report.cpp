@@ -150,8 +150,10 @@ std::string within_sentence(std::string_view title) {
 
 std::optional<Finding> parameters_not_applicable(const Case& c) {
   if (std::max(c.runs.up, c.runs.down) != 1) return std::nullopt;
+  const bool both = std::min(c.runs.up, c.runs.down) > 0;
   return note("parameters-not-applicable", "6.2",
-              "with one approach from each direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable");
+              both ? "with one approach from each direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable"
+                   : "with one approach from one direction s, R and A (3.18 to 3.22, 3.26, 3.27) are not applicable");
 }
 
 bool is_stated(const Field& field, const Metadata& metadata) {
