@@ -97,13 +97,12 @@ std::string table(const app::EvaluatedLines& e, const report::Options& options, 
   std::string text = terminal.faint(head) + "\n";
   for (std::size_t k = 0; k < e.tests.size(); ++k) text += row(e.evaluation.lines[k], e.tests[k], options, terminal);
   return text +
-         terminal.faint(
-             wrapped(said(is_aligned(e.plan.setup)
-                              ? "Slopes with U (95 %) of their scatter, kept in E and A; distances from the "
-                                "beginning of each line"
-                              : "Slopes with U (95 %) of their scatter, kept in E and A; Δd: 95 % bound of "
-                                "the length difference that the uncertainty of the station causes"),
-                     terminal.width(), 0)) +
+         terminal.faint(wrapped(said(is_aligned(e.plan.setup)
+                                         ? "Slopes with U (95 %) of their scatter, kept in E and A; distances from the "
+                                           "beginning of each line"
+                                         : "Slopes with U (95 %) of their scatter, kept in E and A; Δd: 95 % bound of "
+                                           "the length difference that the uncertainty of the station causes"),
+                                terminal.width(), 0)) +
          "\n\n";
 }
 
@@ -132,10 +131,11 @@ std::string pairs(const app::EvaluatedLines& e, const report::Options& options, 
   if (pairs.empty()) return "";
   std::string text;
   for (const tracking::FacePair& pair : pairs)
-    text += fmt::format("{}{}/{}  {} {} µrad\n", left(pair.face, line_id_width), pair.first, pair.second, pair.term,
-                        pair.uncertainty_um_per_m
-                            ? slope_text(pair.squareness_um_per_m, pair.coverage_factor * *pair.uncertainty_um_per_m, options)
-                            : format_fixed(pair.squareness_um_per_m, 2, options.numbers));
+    text += fmt::format(
+        "{}{}/{}  {} {} µrad\n", left(pair.face, line_id_width), pair.first, pair.second, pair.term,
+        pair.uncertainty_um_per_m
+            ? slope_text(pair.squareness_um_per_m, pair.coverage_factor * *pair.uncertainty_um_per_m, options)
+            : format_fixed(pair.squareness_um_per_m, 2, options.numbers));
   return terminal.bold(report::translated("Squareness from the two diagonals of a face", options)) + "\n" + text + "\n";
 }
 
@@ -148,9 +148,9 @@ std::string squareness(const app::EvaluatedLines& e, const report::Options& opti
       continue;
     }
     text += left(term.id, line_id_width);
-    text += term.uncertainty_um_per_m ? slope_text(*term.value_um_per_m,
-                                                   term.coverage_factor * *term.uncertainty_um_per_m, options)
-                                      : format_fixed(*term.value_um_per_m, 2, options.numbers);
+    text += term.uncertainty_um_per_m
+                ? slope_text(*term.value_um_per_m, term.coverage_factor * *term.uncertainty_um_per_m, options)
+                : format_fixed(*term.value_um_per_m, 2, options.numbers);
     text += term.id.starts_with("e_") ? " µm/m\n" : " µrad\n";
   }
   if (!text.empty())

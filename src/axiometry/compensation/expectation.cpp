@@ -191,9 +191,10 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
         const std::size_t approaches = of_retest.runs && cell.count > 0 ? runs : cell.count;
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
-          of[d][j] = j < approaches ? cell.mean + s[d * targets.size() + i] * (table + *z) + shift(spread.common, j, runs + j) +
-                                          (d == 0 ? 1.0 : -1.0) * (shift(spread.against, j, runs + j) + of_table)
-                                    : std::nan("");
+          of[d][j] = j < approaches
+                         ? cell.mean + s[d * targets.size() + i] * (table + *z) + shift(spread.common, j, runs + j) +
+                               (d == 0 ? 1.0 : -1.0) * (shift(spread.against, j, runs + j) + of_table)
+                         : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);
     }

@@ -23,15 +23,15 @@ const std::vector<double> bent_targets{0, 50, 100, 150, 200, 250, 300, 350, 400}
 /// with what a table adds.
 Series measured(std::mt19937_64& random, const AxisCorrection* added, double run_shift = 0.0, std::size_t runs = 5,
                 double at_150 = 1.0, double up_shift = 0.0) {
-  std::normal_distribution<double> scatter(0.0, 0.8), shift(0.0, run_shift + 1e-12),
-      of_up(0.0, up_shift + 1e-12);
+  std::normal_distribution<double> scatter(0.0, 0.8), shift(0.0, run_shift + 1e-12), of_up(0.0, up_shift + 1e-12);
   std::vector<RunDeviations> up(runs), down(runs);
   for (std::size_t j = 0; j < runs; ++j) {
     const double both = shift(random), against = 0.3 * shift(random), alone = up_shift > 0.0 ? of_up(random) : 0.0;
     for (const double x : bent_targets) {
       const double c = 0.03 * x + 5.0 * std::sin(x / 40.0);
       const double wide = x == 150 ? at_150 : 1.0;
-      up[j].push_back(c + (added ? added->at(x, Direction::up) : 0.0) + wide * scatter(random) + both + against + alone);
+      up[j].push_back(c + (added ? added->at(x, Direction::up) : 0.0) + wide * scatter(random) + both + against +
+                      alone);
       down[j].push_back(c - 4.0 + (added ? added->at(x, Direction::down) : 0.0) + wide * scatter(random) + both -
                         against);
     }

@@ -100,7 +100,8 @@ std::string_view term_title(std::string_view id) {
 }
 
 constexpr std::string_view student_note =
-    "U for about 95 %: k is Student's t for the targets and runs that tell the scatter of these slopes, 2 where they are "
+    "U for about 95 %: k is Student’s t for the targets and runs that tell the scatter of these slopes, 2 where they "
+    "are "
     "many.";
 
 Table squareness_table(const tracking::Squareness& squareness, const Options& options) {
@@ -119,10 +120,9 @@ Table squareness_table(const tracking::Squareness& squareness, const Options& op
          term.value_um_per_m && u ? number_cell(term.coverage_factor * *u, 2, options) : quiet_cell("–"),
          text_cell(is_scale ? "µm/m" : "µrad")});
   }
-  table.notes = {
-      plain("A positive scale: the axis goes farther than it was told. C0Y, B0Z and A0Z after ISO 230-1, X "
-            "primary and Y secondary axis; a positive C0Y turns Y about +Z."),
-      plain(student_note)};
+  table.notes = {plain("A positive scale: the axis goes farther than it was told. C0Y, B0Z and A0Z after ISO 230-1, X "
+                       "primary and Y secondary axis; a positive C0Y turns Y about +Z."),
+                 plain(student_note)};
   return table;
 }
 
@@ -270,12 +270,12 @@ Table face_pair_table(std::span<const tracking::FacePair> pairs, const Options& 
                    {plain("µrad"), Align::decimal},
                    {italic("U"), Align::decimal}};
   for (const tracking::FacePair& pair : pairs)
-    table.rows.push_back(
-        {verbatim_cell(pair.face), verbatim_cell(fmt::format("{}, {}", pair.first, pair.second)),
-         number_cell(pair.slope_difference_um_per_m, 2, options), verbatim_cell(pair.term),
-         number_cell(pair.squareness_um_per_m, 2, options),
-         pair.uncertainty_um_per_m ? number_cell(pair.coverage_factor * *pair.uncertainty_um_per_m, 2, options)
-                                  : quiet_cell("–")});
+    table.rows.push_back({verbatim_cell(pair.face), verbatim_cell(fmt::format("{}, {}", pair.first, pair.second)),
+                          number_cell(pair.slope_difference_um_per_m, 2, options), verbatim_cell(pair.term),
+                          number_cell(pair.squareness_um_per_m, 2, options),
+                          pair.uncertainty_um_per_m
+                              ? number_cell(pair.coverage_factor * *pair.uncertainty_um_per_m, 2, options)
+                              : quiet_cell("–")});
   table.notes = {
       plain("From the law of cosines: with the direction u of the first diagonal the angle is the difference of the "
             "slopes over twice the product of its two components. What the scales of the axes and of the instrument do "

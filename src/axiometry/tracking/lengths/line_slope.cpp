@@ -13,8 +13,8 @@ struct Mean {
   double position_mm = 0.0;
   double deviation_um = 0.0;
   double weight = 0.0;
-  double variance_um2 = 0.0;   // of the mean, from repetition
-  double per_freedom = 0.0;    // Σ of the squares of the parts of this variance over their degrees of freedom
+  double variance_um2 = 0.0;  // of the mean, from repetition
+  double per_freedom = 0.0;   // Σ of the squares of the parts of this variance over their degrees of freedom
 };
 
 double mean_variance(const std::optional<Deviation>& s, std::size_t count) {
