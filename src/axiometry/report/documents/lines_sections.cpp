@@ -101,8 +101,7 @@ std::string_view term_title(std::string_view id) {
 
 constexpr std::string_view student_note =
     "U for about 95 %: k is Student’s t for the targets and runs that tell the scatter of these slopes, 2 where they "
-    "are "
-    "many.";
+    "are many.";
 
 Table squareness_table(const tracking::Squareness& squareness, const Options& options) {
   Table table;
