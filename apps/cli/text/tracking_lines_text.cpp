@@ -16,6 +16,7 @@
 #include "axiometry/report/finding_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
+#include "axiometry/standards/error_motions/motion_estimate.h"
 #include "axiometry/tracking/lengths/face_pairs.h"
 #include "cli/text/findings_text.h"
 
@@ -48,10 +49,14 @@ std::string heading(const app::EvaluatedLines& e, const report::Options& options
 }
 
 /// The slope with so many decimals as its uncertainty has meaning.
-std::string slope_text(double slope, double u, const report::Options& options) {
-  const int decimals = u > 0.0 ? std::clamp(decimals_for(2.0 * u, 2), 0, 3) : 2;
+std::string slope_text(double slope, double U, const report::Options& options) {
+  const int decimals = U > 0.0 ? std::clamp(decimals_for(U, 2), 0, 3) : 2;
   return fmt::format("{} ± {}", format_fixed(slope, decimals, options.numbers),
-                     format_fixed(2.0 * u, decimals, options.numbers));
+                     format_fixed(U, decimals, options.numbers));
+}
+
+double slope_U(const tracking::EvaluatedLine& line) {
+  return error_motions::coverage_of(line.slope_degrees_of_freedom) * line.slope_uncertainty_um_per_m;
 }
 
 std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test, const report::Options& options,
@@ -67,7 +72,7 @@ std::string row(const tracking::EvaluatedLine& line, const app::Evaluated& test,
     const auto& value = parameters.*iso230_2::find_parameter(key)->member;
     text += right(value ? format_fixed(value->in_native(), 1, options.numbers) : "–", cell_width);
   }
-  text += right(slope_text(line.slope_um_per_m, line.slope_uncertainty_um_per_m, options), slope_width);
+  text += right(slope_text(line.slope_um_per_m, slope_U(line), options), slope_width);
   const double bound =
       line.length_difference_bounds.empty() ? std::nan("") : std::ranges::max(line.length_difference_bounds).in_um();
   const std::string shown = std::isnan(bound)              ? "–"
@@ -92,13 +97,12 @@ std::string table(const app::EvaluatedLines& e, const report::Options& options, 
   std::string text = terminal.faint(head) + "\n";
   for (std::size_t k = 0; k < e.tests.size(); ++k) text += row(e.evaluation.lines[k], e.tests[k], options, terminal);
   return text +
-         terminal.faint(
-             wrapped(said(is_aligned(e.plan.setup)
-                              ? "Slopes with U (k = 2) of their scatter, kept in E and A; distances from the "
-                                "beginning of each line"
-                              : "Slopes with U (k = 2) of their scatter, kept in E and A; Δd: 95 % bound of "
-                                "the length difference that the uncertainty of the station causes"),
-                     terminal.width(), 0)) +
+         terminal.faint(wrapped(said(is_aligned(e.plan.setup)
+                                         ? "Slopes with U (95 %) of their scatter, kept in E and A; distances from the "
+                                           "beginning of each line"
+                                         : "Slopes with U (95 %) of their scatter, kept in E and A; Δd: 95 % bound of "
+                                           "the length difference that the uncertainty of the station causes"),
+                                terminal.width(), 0)) +
          "\n\n";
 }
 
@@ -127,10 +131,11 @@ std::string pairs(const app::EvaluatedLines& e, const report::Options& options, 
   if (pairs.empty()) return "";
   std::string text;
   for (const tracking::FacePair& pair : pairs)
-    text += fmt::format("{}{}/{}  {} {} µrad\n", left(pair.face, line_id_width), pair.first, pair.second, pair.term,
-                        pair.uncertainty_um_per_m
-                            ? slope_text(pair.squareness_um_per_m, *pair.uncertainty_um_per_m, options)
-                            : format_fixed(pair.squareness_um_per_m, 2, options.numbers));
+    text += fmt::format(
+        "{}{}/{}  {} {} µrad\n", left(pair.face, line_id_width), pair.first, pair.second, pair.term,
+        pair.uncertainty_um_per_m
+            ? slope_text(pair.squareness_um_per_m, pair.coverage_factor * *pair.uncertainty_um_per_m, options)
+            : format_fixed(pair.squareness_um_per_m, 2, options.numbers));
   return terminal.bold(report::translated("Squareness from the two diagonals of a face", options)) + "\n" + text + "\n";
 }
 
@@ -143,8 +148,9 @@ std::string squareness(const app::EvaluatedLines& e, const report::Options& opti
       continue;
     }
     text += left(term.id, line_id_width);
-    text += term.uncertainty_um_per_m ? slope_text(*term.value_um_per_m, *term.uncertainty_um_per_m, options)
-                                      : format_fixed(*term.value_um_per_m, 2, options.numbers);
+    text += term.uncertainty_um_per_m
+                ? slope_text(*term.value_um_per_m, term.coverage_factor * *term.uncertainty_um_per_m, options)
+                : format_fixed(*term.value_um_per_m, 2, options.numbers);
     text += term.id.starts_with("e_") ? " µm/m\n" : " µrad\n";
   }
   if (!text.empty())

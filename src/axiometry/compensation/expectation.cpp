@@ -88,10 +88,21 @@ double drawn_share(std::span<const double> normal) {
 
 std::size_t freedom_of(const Cell& cell) { return cell.count > 1 ? cell.count - 1 : 0; }
 
-/// Standard deviations of what runs lie higher or lower by as a whole: in both directions alike, and in ↑ against ↓.
+constexpr std::size_t runs_of_axes = 4;  // of fewer runs two axes are not told from one that runs are shifted along
+
+/// What runs lie higher or lower by as a whole, of the part that both directions share and of that of ↑ against ↓:
+/// along two axes that are independent of each other, the columns, times their standard deviations.
 struct RunSpread {
-  double common = 0.0, between_directions = 0.0;
+  std::array<double, 2> common{}, against{};
 };
+
+/// Of the variances and the covariance of both parts: its principal axes.
+RunSpread along_axes(double common, double against, double covariance) {
+  const double angle = 0.5 * std::atan2(2.0 * covariance, common - against);
+  const double middle = 0.5 * (common + against), half = std::hypot(0.5 * (common - against), covariance);
+  const double first = std::sqrt(middle + half), second = std::sqrt(std::max(0.0, middle - half));
+  return {{first * std::cos(angle), -second * std::sin(angle)}, {first * std::sin(angle), second * std::cos(angle)}};
+}
 
 RunSpread run_spread_of(const Series& series) {
   const std::size_t runs = series.run_count();
@@ -112,7 +123,12 @@ RunSpread run_spread_of(const Series& series) {
     common[j] = 0.5 * (shift[0][j] + shift[1][j]);
     difference[j] = 0.5 * (shift[0][j] - shift[1][j]);
   }
-  return {numeric::moments(common).standard_deviation, numeric::moments(difference).standard_deviation};
+  const numeric::Moments both = numeric::moments(common), other = numeric::moments(difference);
+  if (runs < runs_of_axes) return {{both.standard_deviation, 0.0}, {0.0, other.standard_deviation}};
+  double products = 0.0;
+  for (std::size_t j = 0; j < runs; ++j) products += (common[j] - both.mean) * (difference[j] - other.mean);
+  return along_axes(both.standard_deviation * both.standard_deviation,
+                    other.standard_deviation * other.standard_deviation, products / static_cast<double>(runs - 1));
 }
 
 /// The value that this share of the trials lies below.
@@ -134,7 +150,7 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
   const PossibleShares shares_up(freedom[0]), shares_down(freedom[1]),
       shares_of_runs(study.shifts ? static_cast<double>(predicted.run_count()) - 1.0 : 0.0);
   const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
-  const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 1;
+  const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 2;
   std::size_t numbers_of_scatter = 0;  // where each target has its own, which is known from its few readings alone
   if (study.uneven)
     for (const Cell& cell : cells) numbers_of_scatter += freedom_of(cell);
@@ -157,13 +173,16 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
       s[k] = cells[k].s * (study.uneven ? drawn_share(left.first(known)) : share[k / targets.size()]);
       left = left.subspan(known);
     }
-    const double common = study.shifts ? spread.common * shares_of_runs(uniform[2]) : 0.0;
-    const double against = study.shifts ? spread.between_directions * shares_of_runs(uniform[3]) : 0.0;
+    const std::array<double, 2> wide{shares_of_runs(uniform[2]), shares_of_runs(uniform[3])};
     std::vector<iso230_2::PositionResult> positions(targets.size());
     std::vector<double> readings(2 * runs);
     const double* z = normal.data();
-    const std::span<const double> shifts = std::span(normal).last(2 * runs + 1);
-    const double of_table = against * shifts[2 * runs] / std::sqrt(static_cast<double>(predicted.run_count()));
+    const std::span<const double> shifts = std::span(normal).last(2 * runs + 2);
+    const auto shift = [&](const std::array<double, 2>& along, std::size_t first, std::size_t second) {
+      return along[0] * wide[0] * shifts[first] + along[1] * wide[1] * shifts[second];
+    };
+    const double of_table =
+        shift(spread.against, 2 * runs, 2 * runs + 1) / std::sqrt(static_cast<double>(predicted.run_count()));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       std::array<std::span<double>, 2> of{std::span(readings).first(runs), std::span(readings).last(runs)};
       for (std::size_t d = 0; d < 2; ++d) {
@@ -172,9 +191,10 @@ std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTri
         const std::size_t approaches = of_retest.runs && cell.count > 0 ? runs : cell.count;
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
-          of[d][j] = j < approaches ? cell.mean + s[d * targets.size() + i] * (table + *z) + common * shifts[j] +
-                                          (d == 0 ? 1.0 : -1.0) * (against * shifts[runs + j] + of_table)
-                                    : std::nan("");
+          of[d][j] = j < approaches
+                         ? cell.mean + s[d * targets.size() + i] * (table + *z) + shift(spread.common, j, runs + j) +
+                               (d == 0 ? 1.0 : -1.0) * (shift(spread.against, j, runs + j) + of_table)
+                         : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);
     }

@@ -7,6 +7,7 @@
 #include "axiometry/app/tracking/tracking_evaluate.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/standards/error_motions/motion_estimate.h"
 #include "axiometry/tracking/lengths/face_pairs.h"
 
 namespace axiometry::app {
@@ -62,6 +63,7 @@ Value line_to_json(const tracking::EvaluatedLine& line, const Evaluated& test) {
   Value& slope = object.add("slope", Value::object());
   slope.add("um_per_m", line.slope_um_per_m);
   slope.add("u_um_per_m", line.slope_uncertainty_um_per_m);
+  slope.add("k", error_motions::coverage_of(line.slope_degrees_of_freedom));
   Value& distances = object.add("distances_mm", Value::array());
   for (const double d : line.distances_mm) distances.push(d);
   object.add("length_difference", length_difference_to_json(line));
@@ -90,6 +92,7 @@ Value face_pairs_to_json(std::span<const tracking::EvaluatedLine> lines) {
     row.add("squareness", pair.term);
     row.add("um_per_m", pair.squareness_um_per_m);
     row.add("u_um_per_m", number_or_null(pair.uncertainty_um_per_m));
+    row.add("k", pair.coverage_factor);
   }
   return list;
 }
@@ -116,6 +119,7 @@ Value squareness_to_json(const std::optional<tracking::Squareness>& squareness) 
     row.add("id", term.id);
     row.add("um_per_m", number_or_null(term.value_um_per_m));
     row.add("u_um_per_m", number_or_null(term.uncertainty_um_per_m));
+    row.add("k", term.coverage_factor);
   }
   object.add("rank", squareness->rank);
   object.add("degrees_of_freedom", squareness->degrees_of_freedom);

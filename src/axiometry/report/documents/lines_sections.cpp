@@ -99,12 +99,16 @@ std::string_view term_title(std::string_view id) {
   return id;
 }
 
+constexpr std::string_view student_note =
+    "U for about 95 %: k is Student’s t for the targets and runs that tell the scatter of these slopes, 2 where they "
+    "are many.";
+
 Table squareness_table(const tracking::Squareness& squareness, const Options& options) {
   Table table;
   table.columns = {{plain("Quantity"), Align::start, true, true},
                    {plain("Symbol")},
                    {plain("Value"), Align::decimal},
-                   {joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")}), Align::decimal},
+                   {italic("U"), Align::decimal},
                    {plain("Unit")}};
   for (const tracking::SquarenessTerm& term : squareness.terms) {
     const bool is_scale = term.id.starts_with("e_");
@@ -112,12 +116,12 @@ Table squareness_table(const tracking::Squareness& squareness, const Options& op
     table.rows.push_back(
         {text_cell(term_title(term.id)), TableCell{is_scale ? symbol(term.id) : verbatim(term.id)},
          term.value_um_per_m ? number_cell(*term.value_um_per_m, 2, options) : quiet_cell("cannot be told"),
-         term.value_um_per_m && u ? number_cell(2.0 * *u, 2, options) : quiet_cell("–"),
+         term.value_um_per_m && u ? number_cell(term.coverage_factor * *u, 2, options) : quiet_cell("–"),
          text_cell(is_scale ? "µm/m" : "µrad")});
   }
-  table.notes = {
-      plain("A positive scale: the axis goes farther than it was told. C0Y, B0Z and A0Z after ISO 230-1, X "
-            "primary and Y secondary axis; a positive C0Y turns Y about +Z.")};
+  table.notes = {plain("A positive scale: the axis goes farther than it was told. C0Y, B0Z and A0Z after ISO 230-1, X "
+                       "primary and Y secondary axis; a positive C0Y turns Y about +Z."),
+                 plain(student_note)};
   return table;
 }
 
@@ -263,18 +267,20 @@ Table face_pair_table(std::span<const tracking::FacePair> pairs, const Options& 
                    {plain("Difference of slopes / µm/m"), Align::decimal, false, false, true},
                    {plain("Squareness")},
                    {plain("µrad"), Align::decimal},
-                   {joined({italic("U"), plain(" ("), italic("k"), plain(" = 2)")}), Align::decimal}};
+                   {italic("U"), Align::decimal}};
   for (const tracking::FacePair& pair : pairs)
-    table.rows.push_back(
-        {verbatim_cell(pair.face), verbatim_cell(fmt::format("{}, {}", pair.first, pair.second)),
-         number_cell(pair.slope_difference_um_per_m, 2, options), verbatim_cell(pair.term),
-         number_cell(pair.squareness_um_per_m, 2, options),
-         pair.uncertainty_um_per_m ? number_cell(2.0 * *pair.uncertainty_um_per_m, 2, options) : quiet_cell("–")});
+    table.rows.push_back({verbatim_cell(pair.face), verbatim_cell(fmt::format("{}, {}", pair.first, pair.second)),
+                          number_cell(pair.slope_difference_um_per_m, 2, options), verbatim_cell(pair.term),
+                          number_cell(pair.squareness_um_per_m, 2, options),
+                          pair.uncertainty_um_per_m
+                              ? number_cell(pair.coverage_factor * *pair.uncertainty_um_per_m, 2, options)
+                              : quiet_cell("–")});
   table.notes = {
       plain("From the law of cosines: with the direction u of the first diagonal the angle is the difference of the "
             "slopes over twice the product of its two components. What the scales of the axes and of the instrument do "
             "to both diagonals alike cancels; what changed between the two, such as the temperature, does not, and is "
-            "not in U.")};
+            "not in U."),
+      plain(student_note)};
   return table;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "axiometry/standards/error_motions/motion_estimate.h"
+
 namespace axiometry::tracking {
 namespace {
 
@@ -48,10 +50,15 @@ std::vector<FacePair> face_pairs(std::span<const LineSlope> slopes) {
                   std::string(face.term),
                   difference,
                   -face.sign * difference / twice,
-                  {}};
-    if (is_stated(first->uncertainty_um_per_m) && is_stated(second->uncertainty_um_per_m))
+                  {},
+                  2.0};
+    if (is_stated(first->uncertainty_um_per_m) && is_stated(second->uncertainty_um_per_m)) {
+      const error_motions::ScatterPart parts[] = {{first->uncertainty_um_per_m, first->degrees_of_freedom},
+                                                  {second->uncertainty_um_per_m, second->degrees_of_freedom}};
+      pair.coverage_factor = error_motions::coverage_of(error_motions::combined_scatter(parts).degrees);
       pair.uncertainty_um_per_m =
           std::hypot(first->uncertainty_um_per_m, second->uncertainty_um_per_m) / std::abs(twice);
+    }
     pairs.push_back(std::move(pair));
   }
   return pairs;
@@ -62,7 +69,7 @@ std::vector<FacePair> face_pairs(std::span<const EvaluatedLine> lines) {
   for (const EvaluatedLine& line : lines)
     if (const auto way = spatial_line(line.test.metadata.axis))
       slopes.push_back({line.id, way->direction, line.slope_um_per_m, line.slope_uncertainty_um_per_m,
-                        line.test.series.travel_native()});
+                        line.test.series.travel_native(), line.slope_degrees_of_freedom});
   return face_pairs(slopes);
 }
 

@@ -26,6 +26,7 @@ struct FacePair {
   double squareness_um_per_m = 0.0;        ///< µrad
   /// Standard; absent where that of a slope is not known. Without what changed between the two diagonals.
   std::optional<double> uncertainty_um_per_m;
+  double coverage_factor = 2.0;  ///< k of Student's t for 95.45 %, from the degrees of freedom of both slopes
 };
 
 /// Of each face whose two diagonals are among the slopes, known by their ids (standards/iso230_6.h) and with directions

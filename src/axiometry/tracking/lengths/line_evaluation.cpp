@@ -166,7 +166,7 @@ Result<LinesEvaluation> evaluate_lines(const TrackingPlan& plan, std::span<const
                           times.empty() ? times : times.subspan(begin, count), of_lines};
     AXIOMETRY_TRY(LineOutcome outcome, evaluate_line(input));
     slopes.push_back({id, outcome.direction, outcome.line.slope_um_per_m, outcome.line.slope_uncertainty_um_per_m,
-                      outcome.line.test.series.travel_native()});
+                      outcome.line.test.series.travel_native(), outcome.line.slope_degrees_of_freedom});
     evaluation.lines.push_back(std::move(outcome.line));
     for (Finding& finding : outcome.findings) evaluation.findings.push_back(std::move(finding));
   }

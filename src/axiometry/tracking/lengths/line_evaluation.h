@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -55,6 +56,7 @@ struct EvaluatedLine {
   double beam_angle_most_deg = 0.0;              ///< largest angle of beam and line: 0 on a line through the station
   std::vector<BeamBreak> breaks;                 ///< those found in the lengths, not those stated
   std::vector<DeadPath> dead_paths;              ///< one or more, in the order of measurement
+  double slope_degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< that the slope's u is known with
 };
 
 struct LinesEvaluation {

@@ -14,10 +14,15 @@ struct Mean {
   double deviation_um = 0.0;
   double weight = 0.0;
   double variance_um2 = 0.0;  // variance of the mean, from repetition
+  double per_freedom = 0.0;   // Σ of the squares of the parts of this variance over their degrees of freedom
 };
 
 double mean_variance(const std::optional<Deviation>& s, std::size_t count) {
   return s && count > 0 ? s->in_native() * s->in_native() / static_cast<double>(count) : 0.0;
+}
+
+double per_freedom(double variance, std::size_t count) {
+  return count > 1 ? variance * variance / static_cast<double>(count - 1) : 0.0;
 }
 
 std::vector<Mean> means_of(std::span<const iso230_2::PositionResult> positions) {
@@ -25,12 +30,14 @@ std::vector<Mean> means_of(std::span<const iso230_2::PositionResult> positions) 
   std::vector<Mean> means;
   for (const auto& p : positions) {
     const double up = mean_variance(p.s_up, p.count_up), down = mean_variance(p.s_down, p.count_down);
+    const double up_share = per_freedom(up, p.count_up), down_share = per_freedom(down, p.count_down);
     const auto count = static_cast<double>(p.count_up + p.count_down);
     const double at = p.target.in_native();
-    if (both && p.mean) means.push_back({at, p.mean->in_native(), count, 0.25 * (up + down)});
+    if (both && p.mean)
+      means.push_back({at, p.mean->in_native(), count, 0.25 * (up + down), 0.0625 * (up_share + down_share)});
     if (both) continue;
-    if (p.mean_up) means.push_back({at, p.mean_up->in_native(), count, up});
-    if (p.mean_down) means.push_back({at, p.mean_down->in_native(), count, down});
+    if (p.mean_up) means.push_back({at, p.mean_up->in_native(), count, up, up_share});
+    if (p.mean_down) means.push_back({at, p.mean_down->in_native(), count, down, down_share});
   }
   return means;
 }
@@ -47,12 +54,14 @@ SlopeFit fit_slope(std::span<const iso230_2::PositionResult> positions) {
   }
   position /= weight;
   deviation /= weight;
-  double squares = 0.0, products = 0.0, repetition = 0.0;
+  double squares = 0.0, products = 0.0, repetition = 0.0, per_degree = 0.0;
   for (const Mean& m : means) {
     const double p = m.position_mm - position;
     squares += m.weight * p * p;
     products += m.weight * p * (m.deviation_um - deviation);
-    repetition += m.weight * m.weight * p * p * m.variance_um2;
+    const double share = m.weight * m.weight * p * p;
+    repetition += share * m.variance_um2;
+    per_degree += share * share * m.per_freedom;
   }
   if (!(squares > 0.0)) return {};
   const double slope = products / squares;
@@ -61,9 +70,13 @@ SlopeFit fit_slope(std::span<const iso230_2::PositionResult> positions) {
     const double r = m.deviation_um - deviation - slope * (m.position_mm - position);
     residuals += m.weight * r * r;
   }
-  double variance = repetition / (squares * squares);
-  if (means.size() > 2) variance = std::max(variance, residuals / static_cast<double>(means.size() - 2) / squares);
-  return {1000.0 * slope, 1000.0 * std::sqrt(variance)};
+  const double repeated = repetition / (squares * squares);
+  const double left = means.size() > 2 ? static_cast<double>(means.size() - 2) : 0.0;
+  const double scattered = left > 0.0 ? residuals / left / squares : 0.0;
+  if (scattered > repeated) return {1000.0 * slope, 1000.0 * std::sqrt(scattered), left};
+  SlopeFit fit{1000.0 * slope, 1000.0 * std::sqrt(repeated)};
+  if (per_degree > 0.0) fit.degrees_of_freedom = repetition * repetition / per_degree;
+  return fit;
 }
 
 }  // namespace axiometry::tracking

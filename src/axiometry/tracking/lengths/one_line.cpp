@@ -242,6 +242,7 @@ class Course {
     const SlopeFit slope = fit_slope(iso230_2::evaluate_positions(line.test.series));
     line.slope_um_per_m = slope.slope_um_per_m;
     line.slope_uncertainty_um_per_m = slope.uncertainty_um_per_m;
+    line.slope_degrees_of_freedom = slope.degrees_of_freedom;
     for (const Jump& jump : jumps_.breaks) line.breaks.push_back({in_.line.id, jump.before, jump.size_mm});
     for (std::size_t s = 0; s < stretches_; ++s) {
       const StretchFit& f = fit_.stretches[s];

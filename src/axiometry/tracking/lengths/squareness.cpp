@@ -11,6 +11,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/dense/dense.h"
+#include "axiometry/standards/error_motions/motion_estimate.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -134,6 +135,7 @@ Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_
   const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd::Identity(count, count));
   Eigen::MatrixXd covariance =
       inflation * inflation * subspaces.told * inverse * inverse.transpose() * subspaces.told.transpose();
+  const Eigen::MatrixXd gains = inflation * subspaces.told * inverse;  // of each slope over its u
   // A scale that all slopes share is e_x = e_y = e_z: u·u = 1.
   covariance.topLeftCorner(scales, scales).array() += common_scale_um_per_m * common_scale_um_per_m;
 
@@ -143,6 +145,11 @@ Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_
     term.value_um_per_m = terms[k];
     if (!result.weighted) continue;
     term.uncertainty_um_per_m = std::sqrt(covariance(k, k));
+    std::vector<error_motions::ScatterPart> parts;
+    if (k < static_cast<Eigen::Index>(scales)) parts.push_back({common_scale_um_per_m});
+    for (Eigen::Index i = 0; i < count; ++i)
+      parts.push_back({std::abs(gains(k, i)), slopes[static_cast<std::size_t>(i)].degrees_of_freedom});
+    term.coverage_factor = error_motions::coverage_of(error_motions::combined_scatter(parts).degrees);
     for (Eigen::Index m = 0; m < unknowns; ++m)
       if (subspaces.tells(m))
         result.covariance_um2_per_m2[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] = covariance(k, m);

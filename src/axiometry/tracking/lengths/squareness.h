@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,7 @@ struct LineSlope {
   double slope_um_per_m = 0.0;        ///< actual over nominal length, less 1: positive where the machine goes too far
   double uncertainty_um_per_m = 0.0;  ///< standard, of this line alone; not above 0: not known
   double length_mm = 0.0;             ///< length of the part that was measured, for notes; 0: not known
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< that its uncertainty is known with
 };
 
 /// One of the six unknowns: "EXX slope", "C0Y", …
@@ -33,6 +35,7 @@ struct SquarenessTerm {
   std::optional<double>
       value_um_per_m;  ///< µm/m, which is µrad for the last three; absent when these lines cannot tell it
   std::optional<double> uncertainty_um_per_m;  ///< standard; absent with the value, and where that of a line is unknown
+  double coverage_factor = 2.0;                ///< k of Student's t for 95.45 %: of few targets or runs above 2
 };
 
 struct Squareness {
@@ -52,7 +55,8 @@ struct Squareness {
 ///
 /// A combination of the terms that turns a change of itself into less than 1e-4 of it in all slopes together counts as
 /// one the lines cannot tell, and a term with more than 1e-5 of such a combination in it is absent. Uncertainties are
-/// those of the lines, times √(χ²/ν) where that is above 1 and ν > 0.
+/// those of the lines, times √(χ²/ν) where that is above 1 and ν > 0; k after Welch and Satterthwaite from the
+/// degrees of freedom of the slopes.
 ///
 /// Needs finite directions of a length above 0 and finite slopes (contract). No line: rank 0, all absent.
 Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_scale_um_per_m);

@@ -140,6 +140,30 @@ TEST(Squareness, PutsTheScaleOfTheInstrumentIntoTheScalesAlone) {
   EXPECT_NEAR(with.covariance_um2_per_m2[0][3], without.covariance_um2_per_m2[0][3], 1e-12);
 }
 
+/// Three targets measured once tell u of a slope with one degree of freedom: 2 u held the truth in 75 % of trials.
+TEST(Squareness, HoldsWithAnUncertaintyThatIsItselfKnownFromFewTargets) {
+  const Machine machine{-30, 70, 12, 18, -22, 35};
+  const std::vector<LineSlope> exact = seven_lines(machine);
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  constexpr int trials = 2000;
+  std::array<int, 6> held{};
+  for (int t = 0; t < trials; ++t) {
+    std::vector<LineSlope> slopes = exact;
+    for (LineSlope& slope : slopes) {
+      slope.slope_um_per_m += normal(random);
+      slope.uncertainty_um_per_m = std::abs(normal(random));
+      slope.degrees_of_freedom = 1.0;
+    }
+    const Squareness found = estimate_squareness(slopes, 0.0);
+    for (std::size_t m = 0; m < 6; ++m)
+      held[m] += std::abs(*found.terms[m].value_um_per_m - machine.terms()[m]) <=
+                 found.terms[m].coverage_factor * *found.terms[m].uncertainty_um_per_m;
+  }
+  for (const int count : held) EXPECT_GT(count / static_cast<double>(trials), 0.94);
+  EXPECT_EQ(estimate_squareness(exact, 0.0).terms[0].coverage_factor, 2.0) << "nothing says that u is badly known";
+}
+
 TEST(Squareness, StatesUncertaintiesThatHoldInManyTrials) {
   const Machine machine{-30, 70, 12, 18, -22, 35};
   const std::vector<LineSlope> exact = seven_lines(machine);
