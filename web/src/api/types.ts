@@ -535,6 +535,8 @@ export interface components {
             slope: {
                 um_per_m: number;
                 u_um_per_m: number;
+                /** @description Of U for 95.45 %, Student's t. */
+                k: number;
             };
             distances_mm: number[];
             length_difference: {
@@ -3066,6 +3068,8 @@ export interface components {
                     um_per_m: number;
                     /** @description Standard. */
                     u_um_per_m: number | null;
+                    /** @description Of U for 95.45 %, Student's t. */
+                    k: number;
                 }[];
             };
             squareness: {
@@ -3073,6 +3077,8 @@ export interface components {
                     id: string;
                     um_per_m: number | null;
                     u_um_per_m: number | null;
+                    /** @description Of U for 95.45 %, Student's t. */
+                    k: number;
                 }[];
                 rank: number;
                 degrees_of_freedom: number;

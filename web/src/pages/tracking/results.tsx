@@ -45,11 +45,11 @@ export function Results({ evaluation }: { evaluation: TrackingEvaluation }) {
 }
 
 /** A slope with as many decimals as its uncertainty has meaning. */
-function slope_text(value: number | null, u: number | null): string {
+function slope_text({ um_per_m: value, u_um_per_m: u, k }: { um_per_m: number | null; u_um_per_m: number | null; k: number }): string {
   if (value === null) return absent;
   if (u === null || !(u > 0)) return fixed(value, 2);
-  const decimals = Math.min(3, decimals_for(2 * u, 2));
-  return `${fixed(value, decimals)} ± ${fixed(2 * u, decimals)}`;
+  const decimals = Math.min(3, decimals_for(k * u, 2));
+  return `${fixed(value, decimals)} ± ${fixed(k * u, decimals)}`;
 }
 
 const bound_of = ({ length_difference: difference }: EvaluatedLine): string => {
@@ -72,7 +72,7 @@ function ResultTable({ evaluation, chosen, choose }: { evaluation: TrackingEvalu
             key: parameter, head: <ParameterSymbol parameter={parameter} />, number: true,
             cell: ({ test }: EvaluatedLine) => fixed(test.parameters[parameter], 1),
           })),
-          { key: 'slope', head: t('slope'), number: true, cell: ({ slope }) => slope_text(slope.um_per_m, slope.u_um_per_m) },
+          { key: 'slope', head: t('slope'), number: true, cell: ({ slope }) => slope_text(slope) },
           { key: 'bound', head: t('bound'), number: true, cell: bound_of },
           { key: 'standard', head: t('standard'), class: 'standard', cell: ({ standard }) => standard.replace(/:.*$/, '') },
           ...(judged ? [{ key: 'verdict', head: t('verdict'), cell: ({ test }: EvaluatedLine) => <VerdictMark verdict={verdict_of(test.verdict)} /> }] : []),
@@ -104,7 +104,7 @@ function FacePairs({ evaluation: { iso230_6 } }: { evaluation: TrackingEvaluatio
         columns={[
           { key: 'face', head: t('face_of'), row_head: true, cell: ({ face, lines }) => `${face} (${lines.join(', ')})` },
           { key: 'slopes', head: t('slopes_apart'), number: true, cell: ({ slope_difference_um_per_m: apart }) => fixed(apart, 2) },
-          { key: 'value', head: t('value'), number: true, cell: ({ squareness, um_per_m, u_um_per_m }) => `${squareness} ${slope_text(um_per_m, u_um_per_m)}` },
+          { key: 'value', head: t('value'), number: true, cell: (pair) => `${pair.squareness} ${slope_text(pair)}` },
         ]} />
     </div>
   );
@@ -142,8 +142,8 @@ function Squareness({ evaluation: { squareness } }: { evaluation: TrackingEvalua
     <div>
       <h3>{t('squareness')}</h3>
       <dl class="figures terms">
-        {known.map(({ id, um_per_m, u_um_per_m }) => (
-          <div key={id}><dt><Formula text={id} /></dt><dd class="number">{slope_text(um_per_m, u_um_per_m)}<span class="unit"> {id.startsWith('e_') ? 'µm/m' : 'µrad'}</span></dd></div>
+        {known.map((term) => (
+          <div key={term.id}><dt><Formula text={term.id} /></dt><dd class="number">{slope_text(term)}<span class="unit"> {term.id.startsWith('e_') ? 'µm/m' : 'µrad'}</span></dd></div>
         ))}
       </dl>
       {unknown.length > 0 && <p class="quiet small"><Formula text={t('untold', { ids: unknown.join(', ') })} /></p>}

@@ -107,7 +107,7 @@ export const t = texts({
   slope: 'Slope / (µm/m)',
   bound: 'Δd / µm',
   verdict: 'Verdict',
-  slopes_told: 'Values in µm. Slopes with U (k = 2) of their scatter, kept in E and A; Δd: 95 % bound of the length difference that the uncertainty of the station causes.',
+  slopes_told: 'Values in µm. Slopes with U (95 %) of their scatter, kept in E and A; Δd: 95 % bound of the length difference that the uncertainty of the station causes.',
   station_as: 'Station at {place} mm, {how}',
   as_aligned: 'Interferometer aligned with each line in turn, without a station',
   face_of: 'Face',
