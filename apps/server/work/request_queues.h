@@ -18,7 +18,7 @@ class RequestQueues {
   struct Options {
     WorkerPool::Options light{};
     WorkerPool::Options edits{};
-    WorkerPool::Options heavy{};  ///< queue of heavy requests and of lone ones
+    WorkerPool::Options heavy{};  ///< of the queue of heavy requests and of lone ones
   };
   explicit RequestQueues(const Options& options);
 

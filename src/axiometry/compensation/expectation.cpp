@@ -88,8 +88,6 @@ double drawn_share(std::span<const double> normal) {
 
 std::size_t freedom_of(const Cell& cell) { return cell.count > 1 ? cell.count - 1 : 0; }
 
-constexpr std::size_t runs_of_axes = 4;  // of fewer runs two axes are not told from one that runs are shifted along
-
 /// What runs lie higher or lower by as a whole, of the part that both directions share and of that of ↑ against ↓:
 /// along two axes that are independent of each other, the columns, times their standard deviations.
 struct RunSpread {
@@ -124,7 +122,6 @@ RunSpread run_spread_of(const Series& series) {
     difference[j] = 0.5 * (shift[0][j] - shift[1][j]);
   }
   const numeric::Moments both = numeric::moments(common), other = numeric::moments(difference);
-  if (runs < runs_of_axes) return {{both.standard_deviation, 0.0}, {0.0, other.standard_deviation}};
   double products = 0.0;
   for (std::size_t j = 0; j < runs; ++j) products += (common[j] - both.mean) * (difference[j] - other.mean);
   return along_axes(both.standard_deviation * both.standard_deviation,

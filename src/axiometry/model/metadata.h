@@ -144,7 +144,7 @@ struct GumInputs {
   std::optional<Measurand> measurand;               ///< this_test when absent
   std::optional<UncertaintyMethod> method;          ///< method of record: it decides and stands with every result
   std::optional<EnvironmentKind> environment_kind;  ///< what kind of effect E_VE is (A.9); unknown when absent
-  std::vector<double> drift_recording;  ///< readings at standstill (A.2.5), µm or ″, equally far apart in time …
+  std::vector<double> drift_recording;  ///< readings at standstill (A.2.5), µm or ″, equally far apart in time
   std::optional<Duration> drift_interval;  ///< time between two of these readings
   std::vector<InputDistribution> distributions;
 };

@@ -31,7 +31,7 @@ struct MethodRow {
   const iso230_2::ParameterInfo* parameter = nullptr;
   std::string value;      ///< value as show() shows it
   std::string annex_a_U;  ///< k = 2; empty where the method says nothing
-  std::string gum_U;      ///< k = 2; empty where the method says nothing
+  std::string gum_U;      ///< with its own k; empty where the method says nothing
   std::optional<ShownDistribution> monte_carlo;
   std::string annex_a_width;  ///< width_words() against the symmetric interval, without one against the GUM's U
   std::string gum_width;      ///< width_words() against the symmetric interval

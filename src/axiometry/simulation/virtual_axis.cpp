@@ -10,7 +10,7 @@ namespace axiometry::simulation {
 namespace {
 
 constexpr double deviation_limit = 1e6;  // a metre or 278°
-constexpr double position_limit = 1e9;   // farthest target of a plan
+constexpr double position_limit = 1e9;   // farthest place, distance or dead path
 constexpr double time_limit = 1e9;       // thirty years
 constexpr double period_min_s = 1e-6;
 constexpr double relative_limit = 1e5;  // µm/m: a tenth

@@ -96,7 +96,7 @@ struct VirtualInstrument {
   Deviation resolution;            ///< step of what is shown: the position is rounded to multiples of it
   double outlier_probability = 0;  ///< that a reading (the whole standstill in a recording) is off by ±outlier_size·u,
   Deviation outlier_size;          ///< u uniform between 1/2 and 3/2
-  double slip_probability = 0;     ///< that a move shifts the zero for good by slip_size·z: loose optics, a beam
+  double slip_probability = 0;     ///< that a move shifts the zero for good by slip_size·z: loose optics
   Deviation slip_size;             ///< size of such a shift
   Deviation vibration;             ///< amplitude of a sinusoid of vibration_period between instrument and table
   Duration vibration_period = Duration::s(0.02);

@@ -92,7 +92,7 @@ Value face_pairs_to_json(std::span<const tracking::EvaluatedLine> lines) {
     row.add("squareness", pair.term);
     row.add("um_per_m", pair.squareness_um_per_m);
     row.add("u_um_per_m", number_or_null(pair.uncertainty_um_per_m));
-    row.add("k", pair.coverage_factor);
+    row.add("k", pair.uncertainty_um_per_m ? Value(pair.coverage_factor) : Value());
   }
   return list;
 }
@@ -119,7 +119,7 @@ Value squareness_to_json(const std::optional<tracking::Squareness>& squareness) 
     row.add("id", term.id);
     row.add("um_per_m", number_or_null(term.value_um_per_m));
     row.add("u_um_per_m", number_or_null(term.uncertainty_um_per_m));
-    row.add("k", term.coverage_factor);
+    row.add("k", term.uncertainty_um_per_m ? Value(term.coverage_factor) : Value());
   }
   object.add("rank", squareness->rank);
   object.add("degrees_of_freedom", squareness->degrees_of_freedom);

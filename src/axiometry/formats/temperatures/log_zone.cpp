@@ -9,10 +9,10 @@
 namespace axiometry::formats {
 namespace {
 
-constexpr std::string_view zone_heads[] = {"timezone",     "time zone",   "tz",          "zone",           "utc offset",
-                                           "offset utc",   "utcoffset",   "gmt offset",  "tz offset",      "zeitzone",
-                                           "utc versatz",  "utc-versatz", "zeitversatz", "fuseau horaire", "fuseau",
-                                           "décalage utc", "decalage utc"};
+/// A zone alone may be one of the hall.
+constexpr std::string_view zone_heads[] = {
+    "timezone",  "time zone", "tz",          "utc offset",  "offset utc",     "utcoffset",    "gmt offset",
+    "tz offset", "zeitzone",  "utc versatz", "zeitversatz", "fuseau horaire", "décalage utc", "decalage utc"};
 
 bool is_zone_head(std::string_view head) {
   std::string lower = text::to_lower(text::trim(head));

@@ -12,6 +12,7 @@
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/standards/error_motions/motion_estimate.h"
+#include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -73,6 +74,8 @@ void note_redundancy(Squareness& result, double inflation) {
     return;
   }
   if (!result.weighted) return;
+  if (const auto few = few_residuals_finding(result.chi_squared, result.degrees_of_freedom))
+    result.notes.push_back(few->message);
   // The 95 % quantile of χ² is ν + 2√(2ν) within 2 % for ν up to 10.
   if (result.chi_squared > nu + 2.0 * std::sqrt(2.0 * nu))
     result.notes.push_back(

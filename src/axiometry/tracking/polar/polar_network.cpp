@@ -312,8 +312,9 @@ class PolarAdjustment {
       fit_.residuals.push_back({size[0], size[1], size[2], normalised[0], normalised[1], normalised[2]});
     }
     tell_outliers(outlier_limit(all));
-    if (auto finding = chi_squared_finding(fit_.chi_squared, fit_.degrees_of_freedom()))
-      fit_.findings.push_back(*std::move(finding));
+    for (auto* const find : {chi_squared_finding, few_residuals_finding})
+      if (auto finding = find(fit_.chi_squared, fit_.degrees_of_freedom()))
+        fit_.findings.push_back(*std::move(finding));
     if (fit_.degrees_of_freedom() == 0)
       fit_.findings.push_back(
           {"polar-nothing-checks", false, "there are no more readings than unknowns: nothing checks the result"});

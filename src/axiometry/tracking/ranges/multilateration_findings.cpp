@@ -52,8 +52,8 @@ void tell_chi_squared(const FindingInput& in, std::vector<Finding>& findings) {
                         "there are no more readings than unknowns: nothing checks the result"});
     return;
   }
-  if (auto finding = chi_squared_finding(in.fit.chi_squared, in.fit.degrees_of_freedom))
-    findings.push_back(*std::move(finding));
+  for (auto* const find : {chi_squared_finding, few_residuals_finding})
+    if (auto finding = find(in.fit.chi_squared, in.fit.degrees_of_freedom)) findings.push_back(*std::move(finding));
 }
 
 void tell_geometry(const FindingInput& in, std::vector<Finding>& findings) {

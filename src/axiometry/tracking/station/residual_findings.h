@@ -14,6 +14,10 @@ namespace axiometry::tracking {
 /// stated; serious beyond three times. Nothing within, and nothing for ν = 0.
 std::optional<Finding> chi_squared_finding(double chi_squared, std::size_t degrees_of_freedom);
 
+/// Of covariances that were multiplied by χ²/ν: that ν, at most ten, tells this factor badly, and that 95 % needs
+/// Student's t. Nothing where the residuals are as stated or smaller, and nothing for ν = 0.
+std::optional<Finding> few_residuals_finding(double chi_squared, std::size_t degrees_of_freedom);
+
 /// The distance, root mean square, that may lie between points and their nominal places, spread so far, where these
 /// belong together; more is no error of a machine.
 inline double nominal_misfit_most_mm(double spread_mm) { return 2.0 + 0.02 * spread_mm; }

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "axiometry/base/number_text.h"
+#include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -202,6 +203,7 @@ void add_scatter_findings(const RefinedSolution& solution, std::vector<Finding>&
   const RefinedFit& fit = solution.fit;
   const std::size_t nu = fit.degrees_of_freedom;
   if (nu == 0) return;
+  if (auto few = few_residuals_finding(fit.chi_squared, nu)) findings.push_back(*std::move(few));
   const double misfit = root_mean_square(fit.residuals_mm);
   if (fit.chance < 0.001) {
     const double ratio = fit.chi_squared / static_cast<double>(nu);

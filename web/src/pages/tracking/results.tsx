@@ -45,9 +45,11 @@ export function Results({ evaluation }: { evaluation: TrackingEvaluation }) {
 }
 
 /** A slope with as many decimals as its uncertainty has meaning. */
-function slope_text({ um_per_m: value, u_um_per_m: u, k }: { um_per_m: number | null; u_um_per_m: number | null; k: number }): string {
+/** A result that was kept before it had a k has U with 2. */
+function slope_text({ um_per_m: value, u_um_per_m: u, k: own_k }: { um_per_m: number | null; u_um_per_m: number | null; k?: number | null }): string {
   if (value === null) return absent;
   if (u === null || !(u > 0)) return fixed(value, 2);
+  const k = own_k ?? 2;
   const decimals = Math.min(3, decimals_for(k * u, 2));
   return `${fixed(value, decimals)} ± ${fixed(k * u, decimals)}`;
 }

@@ -107,7 +107,7 @@ struct ResolvedInputs {
   MaybeResolved probing;                         ///< uncertainty of probing the artefact, µm
   MaybeResolved misalignment_mm;                 ///< R over L; both this and the next or none
   MaybeResolved alignment_deg;                   ///< θ_max
-  MaybeResolved environment_sensitivity;         ///< K, µm/(m·°C), together with …
+  MaybeResolved environment_sensitivity;         ///< K, µm/(m·°C)
   MaybeResolved environment_difference;          ///< ΔT_e, °C, which K belongs to
   std::vector<InputDistribution> distributions;  ///< distributions that count
   std::vector<ResolvedRow> rows;                 ///< rows in the order of the vocabulary, what follows beside its like

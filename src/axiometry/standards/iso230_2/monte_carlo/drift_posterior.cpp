@@ -105,7 +105,7 @@ std::vector<double> about_cells(const Layout& layout, std::span<const double> sh
 /// The shifts of the runs that fit sums of readings about their cells best, by conjugate gradients, which end after as
 /// many steps as there are runs, but for rounding; where no reading is missing after one.
 std::vector<double> fitted_shifts(const Layout& layout, std::vector<double> left) {
-  constexpr double done = 1e-28;  // residuals that end it, as a share of the squares at the beginning
+  constexpr double done = 1e-28;  // squares of residuals that end it, as a share of those at the beginning
   const auto scaled = [&](const std::vector<double>& x) {
     std::vector<double> result(x.size(), 0.0);
     for (std::size_t j = 0; j < x.size(); ++j)
@@ -135,7 +135,7 @@ std::vector<double> fitted_shifts(const Layout& layout, std::vector<double> left
 /// what rounding left of it.
 void take_out_run_means(const Layout& layout, std::span<double> values) {
   constexpr std::size_t most_rounds = 5;
-  constexpr double done = 1e-13;  // change that ends it, as a share of the largest value
+  constexpr double done = 1e-13;  // largest mean of a run that may be left, as a share of the largest value
   double size = 0.0;
   for (double x : values) size = std::max(size, std::abs(x));
   for (std::size_t round = 0; round < most_rounds; ++round) {

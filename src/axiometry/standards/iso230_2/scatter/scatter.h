@@ -32,7 +32,7 @@ struct OutlyingReading {
 
 /// Targets or a direction with a larger s_i (3.18) than the rest.
 struct UnevenScatter {
-  std::size_t first = 0;               ///< first target of those that scatter otherwise
+  std::size_t first = 0;               ///< first target of those that scatter more
   std::size_t last = 0;                ///< last of these targets
   std::optional<Direction> direction;  ///< both when absent
   Deviation within;                    ///< root mean square of the s_i of these
