@@ -48,9 +48,10 @@ std::string heading(const app::EvaluatedLines& e, const report::Options& options
                                  e.lengths.sha256.substr(0, 12))));
 }
 
-/// The slope with so many decimals as its uncertainty has meaning.
+/// The slope with so many decimals as its uncertainty has meaning; without one where nothing tells it.
 std::string slope_text(double slope, double U, const report::Options& options) {
-  const int decimals = U > 0.0 ? std::clamp(decimals_for(U, 2), 0, 3) : 2;
+  if (!(U > 0.0)) return format_fixed(slope, 2, options.numbers);
+  const int decimals = std::clamp(decimals_for(U, 2), 0, 3);
   return fmt::format("{} ± {}", format_fixed(slope, decimals, options.numbers),
                      format_fixed(U, decimals, options.numbers));
 }

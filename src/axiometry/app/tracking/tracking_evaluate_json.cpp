@@ -63,7 +63,8 @@ Value line_to_json(const tracking::EvaluatedLine& line, const Evaluated& test) {
   Value& slope = object.add("slope", Value::object());
   slope.add("um_per_m", line.slope_um_per_m);
   slope.add("u_um_per_m", line.slope_uncertainty_um_per_m);
-  slope.add("k", error_motions::coverage_of(line.slope_degrees_of_freedom));
+  const bool tells_scatter = line.slope_uncertainty_um_per_m > 0.0;
+  slope.add("k", tells_scatter ? Value(error_motions::coverage_of(line.slope_degrees_of_freedom)) : Value());
   Value& distances = object.add("distances_mm", Value::array());
   for (const double d : line.distances_mm) distances.push(d);
   object.add("length_difference", length_difference_to_json(line));

@@ -54,7 +54,8 @@ std::vector<TableCell> overview_row(const AssessedLine& line, bool with_U, const
                                 number_cell(line.line.test.series.travel_native(), 1, options)};
   for (std::string_view key : overview_parameters) append_parameter(row, key, line, with_U && wants_U(key), options);
   row.push_back(number_cell(line.line.slope_um_per_m, 2, options));
-  row.push_back(number_cell(line.line.slope_uncertainty_um_per_m, 2, options));
+  const double slope_u = line.line.slope_uncertainty_um_per_m;
+  row.push_back(slope_u > 0.0 ? number_cell(slope_u, 2, options) : quiet_cell("–"));
   const iso230_2::Claims claims = iso230_2::claims_of(line.line.test, line.assessment);
   const iso230_2::Claim& tested = claim(claims, iso230_2::ClaimKind::tested);
   row.push_back(tested.holds()            ? TableCell{plain("kept"), Tone::good}
@@ -109,14 +110,16 @@ Table squareness_table(const tracking::Squareness& squareness, const Options& op
                    {plain("Symbol")},
                    {plain("Value"), Align::decimal},
                    {italic("U"), Align::decimal},
+                   {italic("k"), Align::decimal},
                    {plain("Unit")}};
   for (const tracking::SquarenessTerm& term : squareness.terms) {
     const bool is_scale = term.id.starts_with("e_");
-    const auto& u = term.uncertainty_um_per_m;
+    const bool has_U = term.value_um_per_m && term.uncertainty_um_per_m;
     table.rows.push_back(
         {text_cell(term_title(term.id)), TableCell{is_scale ? symbol(term.id) : verbatim(term.id)},
          term.value_um_per_m ? number_cell(*term.value_um_per_m, 2, options) : quiet_cell("cannot be told"),
-         term.value_um_per_m && u ? number_cell(term.coverage_factor * *u, 2, options) : quiet_cell("–"),
+         has_U ? number_cell(term.coverage_factor * *term.uncertainty_um_per_m, 2, options) : quiet_cell("–"),
+         has_U ? number_cell(term.coverage_factor, 2, options) : quiet_cell("–"),
          text_cell(is_scale ? "µm/m" : "µrad")});
   }
   table.notes = {plain("A positive scale: the axis goes farther than it was told. C0Y, B0Z and A0Z after ISO 230-1, X "
@@ -267,14 +270,16 @@ Table face_pair_table(std::span<const tracking::FacePair> pairs, const Options& 
                    {plain("Difference of slopes / µm/m"), Align::decimal, false, false, true},
                    {plain("Squareness")},
                    {plain("µrad"), Align::decimal},
-                   {italic("U"), Align::decimal}};
+                   {italic("U"), Align::decimal},
+                   {italic("k"), Align::decimal}};
   for (const tracking::FacePair& pair : pairs)
     table.rows.push_back({verbatim_cell(pair.face), verbatim_cell(fmt::format("{}, {}", pair.first, pair.second)),
                           number_cell(pair.slope_difference_um_per_m, 2, options), verbatim_cell(pair.term),
                           number_cell(pair.squareness_um_per_m, 2, options),
                           pair.uncertainty_um_per_m
                               ? number_cell(pair.coverage_factor * *pair.uncertainty_um_per_m, 2, options)
-                              : quiet_cell("–")});
+                              : quiet_cell("–"),
+                          pair.uncertainty_um_per_m ? number_cell(pair.coverage_factor, 2, options) : quiet_cell("–")});
   table.notes = {
       plain("From the law of cosines: with the direction u of the first diagonal the angle is the difference of the "
             "slopes over twice the product of its two components. What the scales of the axes and of the instrument do "

@@ -161,6 +161,12 @@ TEST(Squareness, HoldsWithAnUncertaintyThatIsItselfKnownFromFewTargets) {
                  found.terms[m].coverage_factor * *found.terms[m].uncertainty_um_per_m;
   }
   for (const int count : held) EXPECT_GT(count / static_cast<double>(trials), 0.94);
+  std::vector<LineSlope> badly_known = exact;
+  for (LineSlope& slope : badly_known) slope.uncertainty_um_per_m = 1.0, slope.degrees_of_freedom = 1.0;
+  for (const SquarenessTerm& term : estimate_squareness(badly_known, 0.0).terms) {
+    EXPECT_GT(term.coverage_factor, 2.2) << term.id;  // of all seven slopes, 7 degrees of freedom at most
+    EXPECT_LT(term.coverage_factor, 13.9) << term.id << ": that of one of them alone";
+  }
   EXPECT_EQ(estimate_squareness(exact, 0.0).terms[0].coverage_factor, 2.0) << "nothing says that u is badly known";
 }
 

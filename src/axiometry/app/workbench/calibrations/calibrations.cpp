@@ -75,6 +75,21 @@ bool is_same(const KeptFigure& a, const KeptFigure& b) {
   return a.parameter == b.parameter && a.of == b.of && a.value == b.value && a.u == b.u && a.unit == b.unit;
 }
 
+/// Slopes of lines and what follows from them as JSON has it, which a report says and no figure holds.
+std::vector<std::string> slopes_in(const Value& result) {
+  const auto member = [](const Value* of, std::string_view name) {
+    return of != nullptr && of->is(json::Kind::object) ? of->find(name) : nullptr;
+  };
+  std::vector<std::string> all;
+  const auto add = [&](const Value* found) { all.push_back(found != nullptr ? json::dump(*found, 0) : ""); };
+  add(member(member(&result, "squareness"), "terms"));
+  add(member(member(&result, "diagonals"), "face_pairs"));
+  const Value* lines = member(&result, "lines");
+  if (lines != nullptr && lines->is(json::Kind::array))
+    for (const Value& line : lines->items()) add(member(&line, "slope"));
+  return all;
+}
+
 /// An edit over what a version says.
 Result<void> take_texts(const store::Store& archive, CalibrationRecord& calibration,
                         const CalibrationRevision& revision) {
@@ -196,7 +211,11 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
   if (extension == "json") return as_json_report(std::move(rendered), latest.value.withdrawn);
   AXIOMETRY_TRY(const Value options, options_of_record(kept.value.options));
   AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, kept.value, options));
-  if (!std::ranges::equal(figures_of(evaluated), kept.value.figures, is_same))
+  AXIOMETRY_TRY(const Value result, archive.read([&](const store::Transaction& t) -> Result<Value> {
+    return result_of_record(t, kept.value.result);
+  }));
+  if (!std::ranges::equal(figures_of(evaluated), kept.value.figures, is_same) ||
+      slopes_in(result_of(evaluated)) != slopes_in(result))
     return fail(ErrorKind::conflict,
                 fmt::format("found other figures for calibration {} in version {} than {} kept with it, expected the "
                             "same: evaluate it again, which makes a new version",
