@@ -233,7 +233,7 @@ def check_log(path):
     the last, may be half written. Pages with other salts are those of an earlier log."""
     log = path.read_bytes()
     head = log[:32]
-    if len(log) <= 32 or not any(head):
+    if len(log) < 32 + 24 + 512 or not any(log):  # no page, or all that a file system has kept of it is its size
         return
     magic, _, size, _, *salts_and_sum = struct.unpack(">8I", head)
     salts, total = tuple(salts_and_sum[:2]), tuple(salts_and_sum[2:])
@@ -241,7 +241,7 @@ def check_log(path):
     if magic not in (0x377f0682, 0x377f0683) or sum_on((0, 0), head[:24], order) != total:
         raise ValueError(f"found the head of {path.name} altered, expected it as it was written: the changes in it are "
                          "passed over")
-    altered, is_surely, changes = None, False, 0
+    altered, is_surely, kept, finished = None, False, 0, 0
     for number, at in enumerate(range(32, len(log) - 24 - size + 1, 24 + size), 1):
         _, end, *stated = struct.unpack(">6I", log[at:at + 24])
         is_ours = tuple(stated[:2]) == salts
@@ -249,12 +249,16 @@ def check_log(path):
             total = sum_on(sum_on(total, log[at:at + 8], order), log[at + 24:at + 24 + size], order)
             fits = total == tuple(stated[2:])
             if fits and is_ours:
+                kept = number if end else kept
                 continue
             altered, is_surely = number, fits
-        changes += is_ours and end != 0
-    if is_surely or changes > 1:
-        raise ValueError(f"found page {altered} of {path.name} altered, expected it as it was written: what changed from "
-                         f"there on is passed over, {changes} finished changes behind it too")
+            is_ours = is_ours or fits
+        finished += is_ours and end != 0
+    behind = max(finished - 1, 0)  # the first is the change of the altered page itself
+    if is_surely or behind:
+        more = f", and {behind} finished change{'s' * (behind > 1)} behind it" if behind else ""
+        raise ValueError(f"found page {altered} of {path.name} altered, expected it as it was written: the change that "
+                         f"begins with page {kept + 1} is passed over{more}")
 
 
 class Archive:

@@ -121,12 +121,17 @@ json::Value json_of(const store::Verification& found, const std::string& locatio
   return root;
 }
 
+std::string conclusion_of(const store::Verification& found) {
+  if (!found.problems.empty()) return counted(found.problems.size(), "problem");
+  return found.last_change_is_lost ? "all but the last change is as it was written"
+                                   : "all that is there is as it was written";
+}
+
 void print(const store::Verification& found, const std::string& location, const std::vector<std::string>& not_proved) {
   const auto say = [](std::string_view what, const std::vector<std::string>& sentences) {
-    for (const std::string& sentence : sentences)
-      fmt::print("{}\n", in_language_asked(fmt::format("{}{}", what, sentence)));
+    for (const std::string& sentence : sentences) fmt::print("{}\n", in_language_asked(what, sentence));
   };
-  say("", found.problems);
+  for (const std::string& problem : found.problems) fmt::print("{}\n", in_language_asked(problem));
   say("noted: ", found.notes);
   say("noted: ", found.extras);
   say("proved: ", found.proved);
@@ -135,9 +140,7 @@ void print(const store::Verification& found, const std::string& location, const 
     fmt::print("{}\n", in_language_asked(fmt::format("head: entry {}, {}", found.head.entries, found.head.sha256)));
   fmt::print("{}: {}\n", printable(location),
              in_language_asked(fmt::format("contents {}, tests {}, lines of audit trail {}: {}", found.contents,
-                                           found.tests, found.entries,
-                                           found.problems.empty() ? "all that is there is as it was written"
-                                                                  : counted(found.problems.size(), "problem"))));
+                                           found.tests, found.entries, conclusion_of(found))));
 }
 
 /// A seal with a stamp beside it is replaced by none without: the stamp would be another's.

@@ -33,6 +33,13 @@ std::string told_fault(std::string_view text) {
 
 std::string in_language_asked(std::string_view text) { return report::printable(in_language_of_faults(text)); }
 
+std::string in_language_asked(std::string_view what, std::string_view sentence) {
+  constexpr std::string_view in_its_place = "0";
+  std::string said = in_language_of_faults(fmt::format("{}{}", what, in_its_place));
+  said.resize(said.size() - in_its_place.size());
+  return report::printable(said + in_language_of_faults(sentence));
+}
+
 void tell(const Error& error) {
   Error told = error;
   told.message = in_language_of_faults(error.message);

@@ -23,6 +23,9 @@ language::Language language_asked();
 /// The same of a sentence of what was done, for the standard output; what a file or a person said in it stays.
 std::string in_language_asked(std::string_view text);
 
+/// Likewise with a word in front that says what it is: "noted: ".
+std::string in_language_asked(std::string_view what, std::string_view sentence);
+
 /// Says it on the standard error, in that language. The name of a file and the place in it stay.
 void tell(const Error& error);
 

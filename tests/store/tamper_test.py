@@ -373,7 +373,8 @@ def check_clock(program, good, folder):
 
 
 def check_log(program, good, folder):
-    """A bit of the log beside the file, behind which SQLite passes over finished changes, is found by both."""
+    """What is altered in the log beside the file, behind which SQLite passes over finished changes, is found by both, and
+    no verb destroys it."""
     path = folder / "logged.db"
     shutil.copy(good, path)
     reader, writer = (sqlite3.connect(path, isolation_level=None) for _ in range(2))
@@ -384,16 +385,21 @@ def check_log(program, good, folder):
     log = path.with_name(path.name + "-wal").read_bytes()
     writer.close(), reader.close()
     altered = "altered, expected it as it was written"
-    for at, found in ((None, False), (32 + 24 + 5, True), (3, True)):
-        left = folder / "left_log.db"
+    for at, put in ((None, b""), (32 + 24 + 5, b"?"), (3, b"?"), (0, bytes(32))):
+        left, found = folder / "left_log.db", at is not None
         shutil.copy(path, left)
         beside = left.with_name(left.name + "-wal")
-        beside.write_bytes(log if at is None else log[:at] + bytes([log[at] ^ 1]) + log[at + 1:])
+        beside.write_bytes(log[:at] + put + log[at + len(put):] if found else log)
         for who, call, code in (("script", [sys.executable, VERIFIER, left], 2),
                                 ("program", [program, "store", "verify", left], 3 if found else 0)):
             done = subprocess.run(call, capture_output=True, text=True)
             if done.returncode != code or found != (altered in done.stdout + done.stderr):
                 yield f"{who}: of a log with the byte {at} altered it says {done.returncode}, {done.stdout}{done.stderr}"
+        for verb in (("info",), ("list",), ("backup", folder / "no.db"), ("add", __file__)) if found else ():
+            before = beside.read_bytes()
+            done = subprocess.run([program, "store", *verb, "--store", left], capture_output=True, text=True)
+            if done.returncode != 2 or altered not in done.stderr or beside.read_bytes() != before:
+                yield f"{verb[0]}: of a log with the byte {at} altered it says {done.returncode}, {done.stderr}"
         beside.unlink()
 
 

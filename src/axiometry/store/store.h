@@ -28,6 +28,8 @@ namespace axiometry::store {
 struct Opening {
   bool create = true;      ///< whether a store is made where there is none yet
   bool read_only = false;  ///< also taken when the place turns out to be read-only (Info::writable)
+  bool damaged_log =
+      false;  ///< whether a file is opened of whose log (-wal) SQLite passes over more than a crash leaves
 };
 
 struct Info {
@@ -35,7 +37,8 @@ struct Info {
   std::string location;  ///< file or address, never with a password
   int schema = 0;        ///< number of the last migration
   bool writable = true;
-  std::string why_not;  ///< why a store cannot be written: "the file system is mounted read-only"
+  std::string why_not;     ///< why a store cannot be written: "the file system is mounted read-only"
+  std::string obstacle{};  ///< likewise, however it is opened; empty where it could be written
 };
 
 /// What verify() looked at and what is wrong; nothing is when `problems` is empty.
@@ -45,6 +48,7 @@ struct Verification {
   std::int64_t entries = 0;   ///< entries of the audit trail, chained
   std::int64_t parts = 0;     ///< sound parts of the schema: tables, constraints, triggers …; 0: not compared
   Head head;
+  bool last_change_is_lost = false;  ///< by a crash, or altered, which one of `notes` says
   std::vector<std::string> problems;
   std::vector<std::string> missing_indexes;  ///< problems that cost time alone, and on which no row depends
   std::vector<std::string> notes;            ///< nothing wrong by themselves, but worth to be known
@@ -64,7 +68,8 @@ struct Restored {
 class Store {
  public:
   /// `address` is a file or "postgresql://…". Applies what migrations are missing. Fails on a store of a newer program
-  /// (naming both versions), on a file that is no store, and where none can be made.
+  /// (naming both versions), on a file that is no store, where none can be made, and with `damaged` on one whose log
+  /// was altered, unless `opening` allows it.
   static Result<std::unique_ptr<Store>> open(std::string_view address, const Opening& opening = {});
   ~Store();
   Store(const Store&) = delete;

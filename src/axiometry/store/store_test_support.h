@@ -162,7 +162,7 @@ class BothStores : public testing::TestWithParam<std::string> {
   }
 
   static Verification verified(const std::string& address, std::span<const Seal> seals = {}) {
-    return must(must(Store::open(address, {.create = false, .read_only = true}))->verify(seals));
+    return must(must(Store::open(address, {.create = false, .read_only = true, .damaged_log = true}))->verify(seals));
   }
   static std::vector<std::string> problems(const std::string& address) { return verified(address).problems; }
 

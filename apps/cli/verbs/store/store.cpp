@@ -50,6 +50,14 @@ Result<std::unique_ptr<store::Store>> opened(const StoreArguments& arguments, co
 
 constexpr store::Opening to_look{.create = false, .read_only = true};
 
+/// What a program that was killed has begun to write into the file itself, only who may write can take back; while
+/// changes stand in the log beside it, who looks shall throw nothing of it away.
+Result<std::unique_ptr<store::Store>> opened_to_look(const std::string& address) {
+  std::error_code none;
+  const auto size_of_log = std::filesystem::file_size(address + "-wal", none);
+  return store::Store::open(address, {.create = false, .read_only = !none && size_of_log > 0});
+}
+
 json::Value number(std::int64_t value) { return static_cast<double>(value); }
 
 /// "machines" as a line of numbers calls them; what is meant stands behind it where a language is looked up.
@@ -61,7 +69,8 @@ std::string counted_name(std::string_view name) {
 }
 
 Result<int> info(const StoreArguments& arguments) {
-  AXIOMETRY_TRY(const auto archive, opened(arguments, {.create = false}));
+  AXIOMETRY_TRY(const std::string address, app::store_address(arguments.address));
+  AXIOMETRY_TRY(const auto archive, opened_to_look(address));
   AXIOMETRY_TRY(const store::Counts counts, archive->counts());
   const store::Info about = archive->info();
   const std::pair<const char*, std::int64_t> numbers[] = {{"machines", counts.machines},
@@ -78,14 +87,15 @@ Result<int> info(const StoreArguments& arguments) {
     root.add("kind", about.kind);
     root.add("location", about.location);
     root.add("schema", about.schema);
-    root.add("writable", about.writable);
-    root.add("why_not", about.writable ? json::Value() : json::Value(about.why_not));
+    root.add("writable", about.obstacle.empty());
+    root.add("why_not", about.obstacle.empty() ? json::Value() : json::Value(about.obstacle));
     json::Value& counted = root.add("counts", json::Value::object());
     for (const auto& [name, count] : numbers) counted.add(name, number(count));
     fmt::print("{}\n", json::dump(root));
     return exit_done;
   }
-  const std::string access = about.writable ? "can be written" : fmt::format("can only be read: {}", about.why_not);
+  const std::string access =
+      about.obstacle.empty() ? "can be written" : fmt::format("can only be read: {}", about.obstacle);
   fmt::print("{}\n{}, {}, {}\n", report::printable(about.location), about.kind == "sqlite" ? "SQLite" : "PostgreSQL",
              in_language_asked(fmt::format("schema {}", about.schema)), in_language_asked(access));
   for (const auto& [name, count] : numbers)
@@ -107,7 +117,8 @@ std::string figure_text(const store::TestRow& row, std::string_view letter) {
 }
 
 Result<int> list(const StoreArguments& arguments) {
-  AXIOMETRY_TRY(const auto archive, opened(arguments, {.create = false}));
+  AXIOMETRY_TRY(const std::string address, app::store_address(arguments.address));
+  AXIOMETRY_TRY(const auto archive, opened_to_look(address));
   store::TestFilter filter;
   filter.text = arguments.text;
   filter.limit = arguments.limit;
@@ -150,7 +161,7 @@ Result<int> backup(const StoreArguments& arguments) {
                                 store::Store::open(arguments.file, to_look) ? arguments.file : "STORE");
     return std::unexpected(std::move(error));
   };
-  const auto archive = store::Store::open(address, {.create = false});
+  const auto archive = opened_to_look(address);
   std::error_code ignored;
   const bool exists = std::filesystem::exists(arguments.file, ignored);
   if (!archive) return exists ? refused_with_call(archive.error()) : std::unexpected(archive.error());
@@ -160,12 +171,12 @@ Result<int> backup(const StoreArguments& arguments) {
   AXIOMETRY_TRY(const auto copy, store::Store::open(arguments.file, to_look));
   AXIOMETRY_TRY(const store::Counts counts, copy->counts());
   for (const std::string& lost : made->missing_indexes)
-    fmt::print("{}\n", in_language_asked(fmt::format("noted: {}; 'axiometry store restore' makes it anew", lost)));
+    fmt::print("{}\n", in_language_asked("noted: ", fmt::format("{}; 'axiometry store restore' makes it anew", lost)));
   for (const auto* notes : {&made->extras, &made->notes})
-    for (const std::string& note : *notes) fmt::print("{}\n", in_language_asked("noted: " + note));
-  fmt::print("{}: {}: axiometry store verify {}\n", report::printable(arguments.file),
-             in_language_asked(fmt::format("tests {}, machines {}; prove it with", counts.tests, counts.machines)),
-             report::printable(arguments.file));
+    for (const std::string& note : *notes) fmt::print("{}\n", in_language_asked("noted: ", note));
+  fmt::print("{}: {}\n", report::printable(arguments.file),
+             in_language_asked(fmt::format("tests {}, machines {}; prove it with: axiometry store verify {}",
+                                           counts.tests, counts.machines, arguments.file)));
   return exit_done;
 }
 
@@ -182,7 +193,7 @@ Result<int> restore(const StoreArguments& arguments) {
 Result<int> verify(const StoreArguments& arguments) {
   StoreArguments asked = arguments;
   if (!asked.file.empty()) asked.address = asked.file;
-  AXIOMETRY_TRY(const auto archive, opened(asked, to_look));
+  AXIOMETRY_TRY(const auto archive, opened(asked, {.create = false, .read_only = true, .damaged_log = true}));
   return verify_archive(*archive,
                         {arguments.seals, arguments.public_key, arguments.json, arguments.heads, arguments.authority});
 }

@@ -123,7 +123,8 @@ Result<void> PostgresqlPlace::look(const Opening& opening) {
   reading_ = opening.read_only || standby;
   if (reading_) {
     info_.writable = false;
-    info_.why_not = opening.read_only ? "it was opened for reading only" : "its server accepts no changes";
+    if (standby) info_.obstacle = "its server accepts no changes";
+    info_.why_not = opening.read_only ? "it was opened for reading only" : info_.obstacle;
   }
   if (!found[0].flag(2)) return {};
   if (reading_ || !opening.create)

@@ -8,6 +8,7 @@
 
 #include "axiometry/store/database/sqlite_connection.h"
 #include "axiometry/store/database/sqlite_file.h"
+#include "axiometry/store/database/sqlite_log.h"
 #include "axiometry/store/place.h"
 
 namespace axiometry::store {
@@ -154,7 +155,12 @@ class SqlitePlace final : public Place {
     return *std::move(connection);
   }
   Info info() const override {
-    return {.kind = "sqlite", .location = file_, .schema = 0, .writable = writable(), .why_not = why_not_};
+    return {.kind = "sqlite",
+            .location = file_,
+            .schema = 0,
+            .writable = writable(),
+            .why_not = why_not_,
+            .obstacle = obstacle_to_writing(path_)};
   }
 
   /// Finds an archive in the file, or makes an empty one where that is allowed.
@@ -219,6 +225,8 @@ Result<std::unique_ptr<Place>> sqlite_place(const std::string& file, const Openi
     AXIOMETRY_TRY_VOID(make_file(file, path));
   } else if (!files::is_regular_file(status)) {
     return fail_at(file, ErrorKind::bad_input, "found something that is no file, expected a store");
+  } else if (!opening.damaged_log && application_mark(path) == application_id) {
+    if (const auto whole = check_log_beside(path); !whole) return std::unexpected(in_store(whole.error(), file));
   }
   auto place = std::make_unique<SqlitePlace>(
       file, path, opening.read_only ? "it was opened for reading only" : obstacle_to_writing(path));

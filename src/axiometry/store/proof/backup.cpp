@@ -15,6 +15,7 @@
 #include "axiometry/store/database/clock.h"
 #include "axiometry/store/database/migrations.h"
 #include "axiometry/store/database/sqlite_connection.h"
+#include "axiometry/store/database/sqlite_log.h"
 #include "axiometry/store/database/system_error.h"
 #include "axiometry/store/own_names.h"
 #include "axiometry/store/proof/audit_trail.h"
@@ -183,9 +184,8 @@ Result<void> check_whole(const Verification& verification, const std::string& ba
     return std::ranges::find(verification.missing_indexes, problem) != verification.missing_indexes.end();
   });
   if (damage.empty()) return {};
-  return std::unexpected(Error{fmt::format("found a damaged backup ({} problems; the first: {}), expected one that is "
-                                           "whole",
-                                           damage.size(), damage[0]),
+  return std::unexpected(Error{fmt::format("found a damaged backup ({}; the first: {}), expected one that is whole",
+                                           counted(damage.size(), "problem"), damage[0]),
                                backup_file,
                                {},
                                ErrorKind::damaged});
@@ -211,8 +211,10 @@ Result<Verification> Store::backup(const std::string& file) const {
   if (files::exists(files::symlink_status(file, error))) return fail_exists(file);
   AXIOMETRY_TRY(const Neighbour neighbour, Neighbour::make(file));
   LeftBehind left;
+  LogState log;
   auto copied = [&]() -> Result<Verification> {
     if (state_->info.kind == "sqlite") {
+      log = log_beside(state_->info.location);
       AXIOMETRY_TRY(const ConnectionPool::Lease connection, state_->pool.lease());
       AXIOMETRY_TRY_VOID(copy_pages(static_cast<SqliteConnection&>(*connection).database(), neighbour.name()));
     } else {
@@ -227,6 +229,7 @@ Result<Verification> Store::backup(const std::string& file) const {
   if (!copied) return std::unexpected(in_file(copied.error(), file));
   AXIOMETRY_TRY_VOID(neighbour.take_name());
   tell_left_behind(std::move(left), *copied);
+  if (log.is_undecided()) copied->notes.push_back(note_of_log(log));
   return copied;
 }
 

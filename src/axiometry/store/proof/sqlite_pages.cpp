@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "axiometry/base/counted.h"
+#include "axiometry/store/database/sqlite_log.h"
 #include "axiometry/store/proof/problems.h"
 
 namespace axiometry::store {
@@ -41,6 +43,27 @@ Result<void> verify_sqlite_pages(Connection& connection, std::vector<std::string
   for (const Row& row : references)
     add_problem(problems, "{}: found a row that refers to a row of {} that does not exist", row.text(0), row.text(2));
   return verify_size(connection, problems);
+}
+
+Result<void> verify_sqlite_log(Connection& connection, Verification& found) {
+  AXIOMETRY_TRY(const Rows databases, connection.query("PRAGMA database_list"));
+  const LogState state = log_beside(databases[0].text(2));
+  const std::string behind =
+      state.behind > 0
+          ? fmt::format(", and {} behind it", counted(static_cast<std::size_t>(state.behind), "finished change"))
+          : "";
+  if (state.altered_head)
+    add_problem(found.problems,
+                "file: found the head of the log beside it (-wal) altered, expected it as it was written: the changes "
+                "in the log are passed over");
+  else if (state.is_damaged())
+    add_problem(found.problems,
+                "file: found page {} of the log beside it (-wal) altered, expected it as it was written: the change "
+                "that begins with page {} is passed over{}",
+                state.pages + 1, state.kept + 1, behind);
+  found.last_change_is_lost = state.is_undecided();
+  if (found.last_change_is_lost) found.notes.push_back(note_of_log(state));
+  return {};
 }
 
 }  // namespace axiometry::store

@@ -15,7 +15,6 @@
 #include "axiometry/store/proof/audit_trail.h"
 #include "axiometry/store/proof/id_walk.h"
 #include "axiometry/store/proof/problems.h"
-#include "axiometry/store/proof/sqlite_log.h"
 #include "axiometry/store/proof/sqlite_pages.h"
 #include "axiometry/store/proof/storage_classes.h"
 #include "axiometry/store/proof/test_verification.h"
@@ -26,7 +25,11 @@ namespace {
 
 constexpr std::int64_t numbers_at_once = 1000;
 
-std::string entries_text(std::int64_t n) { return counted(static_cast<std::size_t>(n), "entry", "entries"); }
+std::string number_text(std::int64_t n, std::string_view one, std::string_view many = {}) {
+  return counted(static_cast<std::size_t>(n), one, many);
+}
+
+std::string entries_text(std::int64_t n) { return number_text(n, "entry", "entries"); }
 
 /// Of each reference who refers to whom, and the question how many rows refer to none.
 constexpr std::string_view lost_references_of_postgresql =
@@ -57,8 +60,6 @@ class Verifier {
   void check_seals();
   void check_heads();
   void conclude();
-  void conclude_seals();
-  void conclude_heads();
   void conclude_known(const Head& known, std::string_view called);
   Result<void> contents();
   Result<void> content(Id id);
@@ -204,20 +205,13 @@ void Verifier::conclude_known(const Head& known, std::string_view called) {
   const std::string hash = found == known_entries_.end() ? "" : found->second;
   if (trail_is_read_ && !hash.starts_with(known.sha256)) return;
   if (trail_is_sound_)
-    found_.proved.push_back(fmt::format("the audit trail goes on from the {}, {} longer now", called,
-                                        entries_text(found_.entries - known.entries)));
+    found_.proved.push_back(found_.entries == known.entries
+                                ? fmt::format("the audit trail ends as the {} has it", called)
+                                : fmt::format("the audit trail goes on from the {}, {} longer now", called,
+                                              entries_text(found_.entries - known.entries)));
   else
     found_.unproved.push_back(fmt::format("that the audit trail goes on from the {}: {}", called,
                                           hash.empty() ? "it was not reached" : "it is broken"));
-}
-
-void Verifier::conclude_seals() {
-  for (const Seal& seal : expected_.seals)
-    conclude_known(seal.head, fmt::format("seal of {} (entry {})", seal.at, seal.head.entries));
-}
-
-void Verifier::conclude_heads() {
-  for (const Head& head : expected_.heads) conclude_known(head, fmt::format("head {}:{}", head.entries, head.sha256));
 }
 
 /// What follows where nothing is wrong, and what does not even then.
@@ -225,28 +219,32 @@ void Verifier::conclude() {
   if (found_.problems.empty()) {
     found_.proved.insert(
         found_.proved.begin(),
-        {fmt::format("each of the {} entries of the audit trail follows from all in front of it", found_.entries),
-         fmt::format("each of the {} files has the bytes that the trail tells of", found_.contents),
-         fmt::format("{} tests in all their versions, machines, axes, instruments, plans, calibrations, "
+        {found_.entries == 1
+             ? "the 1 entry of the audit trail has the hash that follows from it"
+             : fmt::format("each of the {} entries of the audit trail follows from all in front of it", found_.entries),
+         found_.contents == 1
+             ? "the 1 file has the bytes that the trail tells of"
+             : fmt::format("each of the {} files has the bytes that the trail tells of", found_.contents),
+         fmt::format("{} in all {} versions, machines, axes, instruments, plans, calibrations, "
                      "compensations and documents are those that the trail tells of, none more and none less",
-                     found_.tests)});
+                     number_text(found_.tests, "test"), found_.tests == 1 ? "its" : "their")});
     if (found_.parts > 0)
       found_.proved.push_back(
           fmt::format("the {} tables, constraints, indexes and triggers of the database are those of schema {}",
                       found_.parts, newest_schema()));
   }
-  conclude_seals();
-  conclude_heads();
+  for (const Seal& seal : expected_.seals)
+    conclude_known(seal.head, fmt::format("seal of {} (entry {})", seal.at, seal.head.entries));
+  for (const Head& head : expected_.heads) conclude_known(head, fmt::format("head {}:{}", head.entries, head.sha256));
   if (contents_without_name_ > 0)
     found_.unproved.push_back(
-        fmt::format("file name and format of {} files (content.file_name, content.format): they were kept by a program "
-                    "whose entries did not tell them",
-                    contents_without_name_));
+        fmt::format("file name and format of {} (content.file_name, content.format): kept by a program whose entries "
+                    "did not tell them",
+                    number_text(contents_without_name_, "file")));
   if (tests_without_format_ > 0)
     found_.unproved.push_back(
-        fmt::format("the format of the files of {} tests (test.format): they were received by a program whose entries "
-                    "did not tell it",
-                    tests_without_format_));
+        fmt::format("the format of the files of {} (test.format): received by a program whose entries did not tell it",
+                    number_text(tests_without_format_, "test")));
   found_.unproved.push_back("when the archive was given its tables (migration.at): no entry tells it");
   if (expected_.seals.empty() && expected_.heads.empty())
     found_.unproved.push_back(

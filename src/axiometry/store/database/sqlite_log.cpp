@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // The log of changes that are not in the file yet: sqlite.org/fileformat2.html, 4 (The Write-Ahead Log).
-#include "axiometry/store/proof/sqlite_log.h"
+#include "axiometry/store/database/sqlite_log.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <istream>
 #include <span>
-#include <string>
+#include <thread>
 #include <vector>
-
-#include "axiometry/store/proof/problems.h"
 
 namespace axiometry::store {
 namespace {
 
 constexpr std::size_t log_head_bytes = 32, page_head_bytes = 24;
-constexpr std::size_t smallest_page = 512, largest_page = 65536;
+constexpr std::size_t least_page_bytes = 512, most_page_bytes = 65536;
 constexpr std::uint32_t magic_little = 0x377f0682, magic_big = 0x377f0683;  // by the order of bytes in which is summed
 
 using LogSum = std::array<std::uint32_t, 2>;
@@ -56,17 +58,22 @@ LogHead log_head(std::span<const unsigned char> bytes) {
   head.page_bytes = word_big(bytes.subspan(8, 4));
   head.salts = {word_big(bytes.subspan(16, 4)), word_big(bytes.subspan(20, 4))};
   head.sum = {word_big(bytes.subspan(24, 4)), word_big(bytes.subspan(28, 4))};
-  const bool is_page = head.page_bytes >= smallest_page && head.page_bytes <= largest_page &&
+  const bool is_page = head.page_bytes >= least_page_bytes && head.page_bytes <= most_page_bytes &&
                        (head.page_bytes & (head.page_bytes - 1)) == 0;
   head.is_whole =
       (magic == magic_little || magic == magic_big) && is_page && summed_on({}, bytes.first(24), head.big) == head.sum;
   return head;
 }
 
-/// In so many bytes behind the head, by their size alone.
-bool holds_a_page(std::istream& log) {
-  std::vector<unsigned char> smallest(page_head_bytes + smallest_page);
-  return read_bytes(log, smallest);
+/// In so many bytes behind the head, by their size alone; behind a head of zeros only what is not zero as well: a file
+/// system may have kept no more of a log than its size.
+bool holds_a_page(std::istream& log, bool head_is_zero) {
+  std::vector<unsigned char> bytes(page_head_bytes + least_page_bytes);
+  if (!read_bytes(log, bytes)) return false;
+  const auto is_zero = [](unsigned char byte) { return byte == 0; };
+  while (head_is_zero && std::ranges::all_of(bytes, is_zero))
+    if (!read_bytes(log, bytes)) return false;
+  return true;
 }
 
 }  // namespace
@@ -76,9 +83,8 @@ LogState log_state(std::istream& log) {
   LogState state;
   if (!read_bytes(log, beginning)) return state;
   const LogHead head = log_head(beginning);
-  if (!head.is_whole) {  // none that is all zeros was written yet
-    state.altered_head = !head.is_zero && holds_a_page(log);
-    state.changes = state.altered_head ? 1 : 0;
+  if (!head.is_whole) {
+    state.altered_head = holds_a_page(log, head.is_zero);
     return state;
   }
   std::vector<unsigned char> bytes(page_head_bytes + head.page_bytes);
@@ -87,49 +93,67 @@ LogState log_state(std::istream& log) {
     const std::span<const unsigned char> page = bytes;
     const LogSum salts{word_big(page.subspan(8, 4)), word_big(page.subspan(12, 4))};
     const LogSum stated{word_big(page.subspan(16, 4)), word_big(page.subspan(20, 4))};
+    const bool ends_a_change = word_big(page.subspan(4, 4)) != 0;
+    bool is_ours = salts == head.salts;
     if (whole) {
       sum = summed_on(summed_on(sum, page.first(8), head.big), page.subspan(page_head_bytes), head.big);
-      state.altered_salts = sum == stated && salts != head.salts;
-      whole = sum == stated && salts == head.salts;
+      state.altered_salts = sum == stated && !is_ours;
+      whole = sum == stated && is_ours;
+      is_ours |= state.altered_salts;
     }
-    if (whole)
+    if (whole) {
       ++state.pages;
-    else if (salts == head.salts && word_big(page.subspan(4, 4)) != 0)  // the last page of a change
-      ++state.changes;
+      if (ends_a_change) state.kept = state.pages;
+    } else if (is_ours && ends_a_change) {
+      if (state.is_finished) ++state.behind;
+      state.is_finished = true;
+    }
   }
   return state;
 }
 
-Result<void> verify_sqlite_log(Connection& connection, Verification& found) {
-  AXIOMETRY_TRY(const Rows databases, connection.query("PRAGMA database_list"));
-  const std::string name = databases[0].text(2) + "-wal";
+LogState log_beside(const std::string& file) {
   const auto state_now = [&] {
-    std::ifstream log(name, std::ios::binary);
+    std::ifstream log(file + "-wal", std::ios::binary);
     return log ? log_state(log) : LogState();
   };
-  // Others may write while it is read: what they were about to write stands there when it is read again.
+  // Others may write while it is read: what they were about to write stands there when it is read again. A log that
+  // does not come to rest is in use, and whole to whom it serves.
   constexpr int most_readings = 5;
+  constexpr std::chrono::milliseconds between{5};
   LogState state = state_now();
-  for (int k = 1; k < most_readings && state.changes > 0; ++k) {
+  for (int k = 1; state.is_damaged() || state.is_undecided(); ++k) {
+    std::this_thread::sleep_for(between);
     const LogState again = state_now();
     if (again == state) break;
-    state = again;
+    state = k < most_readings ? again : LogState();
   }
+  return state;
+}
+
+Result<void> check_log_beside(const std::string& file) {
+  constexpr std::string_view way_out =
+      "copy both aside and see what 'axiometry store verify' says of them, then restore a backup into a new file, or "
+      "move the log away to go on without anything that is in it";
+  const LogState state = log_beside(file);
   if (state.altered_head)
-    add_problem(found.problems,
-                "file: found the head of the log beside it (-wal) altered, expected it as it was written: the changes "
-                "in the log are passed over");
-  else if (state.is_damaged())
-    add_problem(found.problems,
-                "file: found page {} of the log beside it (-wal) altered, expected it as it was written: what changed "
-                "from there on is passed over, {} finished changes behind it too",
-                state.pages + 1, state.changes);
-  else if (state.changes > 0)
-    found.notes.push_back(fmt::format(
-        "file: the last change in the log beside it (-wal), from page {} on, is not whole and is passed over: power "
-        "was lost while it was written, or it was altered",
-        state.pages + 1));
+    return fail(ErrorKind::damaged,
+                fmt::format("found the head of the log beside it (-wal) altered, expected it as it was written: to use "
+                            "the file would destroy the changes in the log; {}",
+                            way_out));
+  if (state.is_damaged())
+    return fail(ErrorKind::damaged,
+                fmt::format("found page {} of the log beside it (-wal) altered, expected it as it was written: to use "
+                            "the file would destroy what changed from page {} on; {}",
+                            state.pages + 1, state.kept + 1, way_out));
   return {};
+}
+
+std::string note_of_log(const LogState& state) {
+  return fmt::format(
+      "file: the last change in the log beside it (-wal), from page {} on, is not whole and is passed over: power was "
+      "lost while it was written, or it was altered",
+      state.kept + 1);
 }
 
 }  // namespace axiometry::store
