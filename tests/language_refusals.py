@@ -75,7 +75,9 @@ MACHINE = (ROOT / "tests/transcripts/volumetric.files/machine.json").read_text(e
 WRONG_FORMS = [form(lengths="a"), form(plan="{}"), form(plan="{}", lengths="a"), form(colour="red"), form(options="{"),
                form(options='{"foo": 1}'), form(options='{"tolerances": ["Q=1um"]}'), form(options='{"rule": "foo"}'),
                form(options='{"tolerances": ["A=1um", "A=2um"]}'), form(options='{"break_threshold_mm": 0}'),
-               form(options='{"reversed": 1}'), form(options=json.dumps({"tolerances": ["A=1um"] * 300})), b""]
+               form(options='{"reversed": 1}'), form(options=json.dumps({"tolerances": ["A=1um"] * 300})), b"",
+               form(plan=""), form(plan="{}").replace(b'; filename="plan.x"', b"")]
+WRONG_FILES_OF_FORMS = [form(a="a", options="{}"), form(a="a", profile="{}"), form(a="")]
 WRONG_CALIBRATIONS = [form(kind="x"), form(kind="lines", lengths="a"), form(kind="lines", photo="a"), form(colour="red"),
                       form(kind="volumetric", lengths="a"), form(about="{"), form(about='{"foo": 1}'),
                       form(about='{"measured_on": "soon"}'), form(about='{"machine": "x"}'),
@@ -107,6 +109,8 @@ def answers(program, tag):
         for name, content in WRONG_FILES.items():
             yield ask("POST", "/api/preview", content, **{"X-File-Name": name})
         yield ask("POST", "/api/tests", b"", **{"X-File-Name": "empty.csv"})
+        for content in WRONG_FILES_OF_FORMS:
+            yield ask("POST", "/api/tests", content, **{"Content-Type": "multipart/form-data; boundary=b"})
         yield ask("POST", "/api/tests", EXAMPLE, **{"X-File-Name": "a.json"})
         yield ask("POST", "/api/preview", bytes(65 << 20), **{"X-File-Name": "large.csv"})
         for change in ({}, {"base_version": 9, "changes": {}}, {"base_version": 1, "changes": {"foo.bar": "1"}},

@@ -15,9 +15,21 @@ namespace {
 
 constexpr std::size_t options_bytes_max = std::size_t{64} << 10;
 
-bool is_of(const KnownPart& known, const FormPart& part) {
-  const bool is_file = known.content == PartContent::file || known.content == PartContent::files;
-  return is_file == part.is_file && (known.name == part.name || (known.name.empty() && is_file));
+bool is_file(PartContent content) { return content == PartContent::file || content == PartContent::files; }
+
+/// What the route knows under the name of a part, else files under any name.
+Result<KnownPart> known_part(const FormPart& part, const KnownForm& known) {
+  auto row = std::ranges::find(known.parts, part.name, &KnownPart::name);
+  if (row == known.parts.end() && part.is_file)
+    row = std::ranges::find(known.parts, std::string_view(), &KnownPart::name);
+  if (row == known.parts.end())
+    return fail(
+        fmt::format("found the part {} in the form, expected {}", text::quoted(part.name), known.expected_parts));
+  if (part.is_file && !is_file(row->content))
+    return fail(fmt::format("found the part {} as a file, expected a text", text::quoted(part.name)));
+  if (!part.is_file && is_file(row->content))
+    return fail(fmt::format("found the part {} as a text, expected a file", text::quoted(part.name)));
+  return *row;
 }
 
 template <typename Parts>
@@ -25,19 +37,22 @@ bool has_part(const Parts& parts, std::string_view name) {
   return std::ranges::any_of(parts, [&](const auto& part) { return part.part == name; });
 }
 
-Result<void> take_form_file(SentForm& form, const FormPart& part, PartContent content) {
-  if (content == PartContent::file && has_part(form.files, part.name))
+Result<void> take_form_file(SentForm& form, const FormPart& part, const KnownPart& known) {
+  if (known.content == PartContent::file && has_part(form.files, part.name))
     return fail(fmt::format("found two files {}, expected one", part.name));
   AXIOMETRY_TRY(std::string name, app::given_file_name(part.file_name));
-  form.files.push_back({part.name, {std::move(name), part.bytes}});
+  // Blanks alone may be a document, and nothing that is read.
+  if (part.bytes.empty() || (!known.name.empty() && text::trim(part.bytes).empty()))
+    return fail(fmt::format("found the file {} empty, expected one with content", text::quoted(name)));
+  form.files.push_back({part.name, {std::move(name), part.bytes}, part.content_type});
   return {};
 }
 
-Result<void> take_form_part(SentForm& form, const FormPart& part, PartContent content) {
-  if (part.is_file) return take_form_file(form, part, content);
+Result<void> take_form_part(SentForm& form, const FormPart& part, const KnownPart& known) {
+  if (part.is_file) return take_form_file(form, part, known);
   if (has_part(form.texts, part.name) || has_part(form.values, part.name))
     return fail(fmt::format("found the part {} twice in the form, expected it once", text::quoted(part.name)));
-  if (content == PartContent::text) {
+  if (known.content == PartContent::text) {
     form.texts.push_back({part.name, part.bytes});
     return {};
   }
@@ -84,11 +99,8 @@ Result<SentForm> sent_form(const Request& request, const KnownForm& known) {
   AXIOMETRY_TRY(const auto parts, form_parts(type, request.body));
   SentForm form;
   for (const FormPart& part : parts) {
-    const auto row = std::ranges::find_if(known.parts, [&](const KnownPart& each) { return is_of(each, part); });
-    if (row == known.parts.end())
-      return fail(
-          fmt::format("found the part {} in the form, expected {}", text::quoted(part.name), known.expected_parts));
-    AXIOMETRY_TRY_VOID(take_form_part(form, part, row->content));
+    AXIOMETRY_TRY(const KnownPart row, known_part(part, known));
+    AXIOMETRY_TRY_VOID(take_form_part(form, part, row));
   }
   return form;
 }

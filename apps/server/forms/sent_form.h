@@ -43,6 +43,7 @@ struct SentForm {
   struct File {
     std::string part;
     app::GivenFile given;
+    std::string media_type;  ///< as sent; empty where none was
   };
   struct Text {
     std::string part;
@@ -63,7 +64,8 @@ struct SentForm {
 };
 
 /// The one reader of forms for routes. Fails on no form, on what form_parts(), given_file_name() and parsed_options()
-/// refuse, on a part that the route does not know, and on one that stands there twice where one is expected.
+/// refuse, on a part that the route does not know, on a file where a text is expected and the reverse, on an empty
+/// file, and on a part that stands there twice where one is expected.
 Result<SentForm> sent_form(const Request& request, const KnownForm& known);
 
 }  // namespace axiometry::server

@@ -11,8 +11,6 @@
 #include "axiometry/base/iso_date.h"
 #include "axiometry/base/number_text.h"
 #include "axiometry/base/text.h"
-#include "server/forms/multipart.h"
-#include "server/http/target.h"
 
 namespace axiometry::server {
 namespace {
@@ -24,31 +22,6 @@ constexpr std::array units = {
     std::pair{std::string_view("deg"), report::DisplayUnit::deg},
     std::pair{std::string_view("arcsec"), report::DisplayUnit::arcsec},
 };
-
-/// By the header of the page, by the one of downloads turned round, or in the query; empty when nobody tells.
-Result<std::string> sent_name(const Request& request) {
-  for (const char* header : {"x-file-name", "x-filename"})
-    if (const auto name = request.header(header)) {
-      auto decoded = percent_decoded(*name);
-      if (!decoded)
-        return fail(fmt::format("found the header X-File-Name {}, expected a name in percent-encoded UTF-8",
-                                text::quoted(*name)));
-      return decoded;
-    }
-  if (const auto disposition = request.header("content-disposition")) return header_parameter(*disposition, "filename");
-  for (const char* name : {"name", "filename"})
-    if (const auto given = request.parameter(name)) return std::string(*given);
-  return std::string();
-}
-
-Result<formats::ImportProfile> profile_in(std::string_view bytes) {
-  constexpr std::size_t limit = std::size_t{64} << 10;
-  if (bytes.size() > limit)
-    return fail(fmt::format("found an import profile of {} bytes, expected at most {}", bytes.size(), limit));
-  auto profile = formats::read_profile(bytes);
-  if (!profile) profile.error().file = "profile";
-  return profile;
-}
 
 }  // namespace
 
@@ -166,39 +139,6 @@ Result<Pairs> options_member(const json::Value& body) {
     if (value.is(json::Kind::boolean)) options.emplace_back(name, value.boolean() ? "1" : "0");
   }
   return options;
-}
-
-Result<std::vector<SentFile>> files_of(const Request& request) {
-  const std::string_view type = request.header("content-type").value_or("");
-  std::vector<SentFile> files;
-  if (!is_form(type)) {
-    AXIOMETRY_TRY(std::string name, sent_name(request));
-    if (request.body.empty() && !name.empty())
-      return fail(fmt::format("found the file {} empty, expected one with content", text::quoted(name)));
-    if (request.body.empty()) return fail("found a request without a body, expected the bytes of a file");
-    files.push_back({std::move(name), std::string(type), request.body});
-    return files;
-  }
-  AXIOMETRY_TRY(auto parts, form_parts(type, request.body));
-  const FormPart* profile = nullptr;
-  for (FormPart& part : parts) {
-    if (part.is_file) files.push_back({std::move(part.file_name), std::move(part.content_type), part.bytes});
-    if (part.is_file || part.name != "profile") continue;
-    if (profile != nullptr) return fail("found the part \"profile\" twice in the form, expected it once");
-    profile = &part;
-  }
-  if (files.empty()) return fail("found a form without a file, expected at least one part with a file name");
-  if (profile == nullptr) return files;
-  if (files.size() > 1)
-    return fail(fmt::format("found an import profile beside {} files, expected one file", files.size()));
-  AXIOMETRY_TRY(files.front().profile, profile_in(profile->bytes));
-  return files;
-}
-
-Result<SentFile> file_of(const Request& request) {
-  AXIOMETRY_TRY(auto files, files_of(request));
-  if (files.size() > 1) return fail(fmt::format("found {} files, expected one", files.size()));
-  return std::move(files.front());
 }
 
 }  // namespace axiometry::server

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "axiometry/app/workbench/workbench_json.h"
-#include "axiometry/formats/table/import_profile.h"
 #include "axiometry/report/report.h"
 #include "axiometry/store/records.h"
 #include "server/http/http.h"
@@ -59,21 +58,5 @@ Result<json::Value> optional_json_body(const Request& request);
 Result<std::string> line_member(const json::Value& body, std::string_view name);
 /// The members of "options" as texts, as a query would have them; numbers and switches are taken as such.
 Result<Pairs> options_member(const json::Value& body);
-
-/// A file in a request; the bytes are those of the request.
-struct SentFile {
-  std::string name;
-  std::string media_type;
-  std::string_view bytes;
-  std::optional<formats::ImportProfile> profile{};  ///< profile by which the only file of a form is to be read
-};
-
-/// The only file of the body, named by X-File-Name (percent-encoded), Content-Disposition or ?name=; or the files of
-/// multipart/form-data, where a part "profile" without a file name may stand beside a single one. Fails on a malformed
-/// name or form, without a file, and on a profile that stands
-/// there twice, of more than 64 KiB, beside several files, or as read_profile() does.
-Result<std::vector<SentFile>> files_of(const Request& request);
-/// The same of a single one.
-Result<SentFile> file_of(const Request& request);
 
 }  // namespace axiometry::server

@@ -8,6 +8,7 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/results/outputs.h"
+#include "server/forms/sent_files.h"
 #include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"

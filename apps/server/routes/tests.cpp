@@ -15,6 +15,7 @@
 #include "axiometry/base/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/text/json_members.h"
+#include "server/forms/sent_files.h"
 #include "server/http/request_values.h"
 #include "server/routes/routes.h"
 #include "server/routes/test_filter.h"

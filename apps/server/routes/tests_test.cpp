@@ -208,6 +208,29 @@ TEST_F(Routes, TakeAFormOfSeveralFiles) {
   EXPECT_EQ(text(received.find("tests")->items()[0], "title"), "one");
 }
 
+TEST_F(Routes, TakeFilesOfFormsUnderAnyNameAndRefuseOtherParts) {
+  const auto part = [](const std::string& head, std::string_view bytes) {
+    return "--b\r\nContent-Disposition: form-data; " + head + "\r\n\r\n" + std::string(bytes) + "\r\n";
+  };
+  const std::string file = part(R"(name="measured"; filename="one.json")", app::example_table2);
+  const auto receive = [&](const std::string& more) {
+    return send("POST", "/api/tests", file + more + "--b--\r\n", {},
+                {{"content-type", "multipart/form-data; boundary=b"}});
+  };
+  const std::string options = part(R"(name="options")", "{}");
+  for (const std::string& more : {options + options, options, part(R"(name="nonsense")", "1")}) {
+    const Response refused = receive(more);
+    EXPECT_EQ(refused.status, 422);
+    EXPECT_THAT(message(refused), HasSubstr("in the form, expected files and profile"));
+  }
+  EXPECT_EQ(message(receive(part(R"(name="profile"; filename="p.json")", "{}"))),
+            "found the part \"profile\" as a file, expected a text");
+  EXPECT_EQ(message(receive(part(R"(name="file"; filename="two.csv")", ""))),
+            "found the file \"two.csv\" empty, expected one with content");
+  EXPECT_EQ(number(answer(send("GET", "/api/tests"), 200), "total"), 0);
+  answer(receive(""), 201);
+}
+
 TEST_F(Routes, RefuseAFileWithLineAndColumnAndKeepNothing) {
   const Response refused =
       send("POST", "/api/tests", "target_mm,direction,run,deviation_um\n0,+,1,x\n", {}, {{"x-file-name", "<b>.csv"}});

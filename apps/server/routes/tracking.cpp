@@ -18,6 +18,7 @@
 #include "axiometry/app/workbench/workbench_values.h"
 #include "axiometry/base/text.h"
 #include "axiometry/report/tracking.h"
+#include "server/forms/sent_files.h"
 #include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"

@@ -301,6 +301,13 @@ TEST_F(TrackingRoutes, say_what_is_wrong_with_a_form) {
               HasSubstr("without a plan"));
   EXPECT_THAT(refusal(send_form("evaluation", {{"plan", plan}, {"plan", plan}})), HasSubstr("two files plan"));
   EXPECT_THAT(refusal(send_form("evaluation", {{"plan", plan}, {"colour", "red"}})), HasSubstr("colour"));
+  EXPECT_EQ(refusal(send("evaluation", form_of({{"options", "{}"}}, {{"plan", plan}}), {}, form_type)),
+            "found the part \"options\" as a file, expected a text");
+  EXPECT_EQ(refusal(send("evaluation", form_of({}, {{"plan", plan}}), {}, form_type)),
+            "found the part \"plan\" as a text, expected a file");
+  for (const char* blank : {"", " \n"})
+    EXPECT_THAT(refusal(send_form("evaluation", {{"plan", blank}, {"lengths", "length_difference_mm\n1\n"}})),
+                HasSubstr("empty, expected one with content"));
   EXPECT_THAT(refusal(send_form("evaluation", {{"plan", "{}"}, {"lengths", "length_difference_mm\n1\n"}})),
               HasSubstr("format"));
   EXPECT_THAT(refusal(send_form("evaluation", {{"plan", plan}, {"lengths", "x\n"}}, R"({"tolerances": ["Q=1um"]})")),

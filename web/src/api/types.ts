@@ -535,8 +535,8 @@ export interface components {
             slope: {
                 um_per_m: number;
                 u_um_per_m: number;
-                /** @description Of U for 95.45 %, Student's t. */
-                k: number;
+                /** @description Of U for 95.45 %, Student's t; 2 where a kept result has none. */
+                k?: number;
             };
             distances_mm: number[];
             length_difference: {
@@ -3068,8 +3068,8 @@ export interface components {
                     um_per_m: number;
                     /** @description Standard. */
                     u_um_per_m: number | null;
-                    /** @description Of U for 95.45 %, Student's t. */
-                    k: number;
+                    /** @description Of U for 95.45 %, Student's t; 2 where a kept result has none. */
+                    k?: number | null;
                 }[];
             };
             squareness: {
@@ -3077,8 +3077,8 @@ export interface components {
                     id: string;
                     um_per_m: number | null;
                     u_um_per_m: number | null;
-                    /** @description Of U for 95.45 %, Student's t. */
-                    k: number;
+                    /** @description Of U for 95.45 %, Student's t; 2 where a kept result has none. */
+                    k?: number | null;
                 }[];
                 rank: number;
                 degrees_of_freedom: number;

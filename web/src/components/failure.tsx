@@ -14,7 +14,13 @@ const t = texts({
   again: 'Try again',
 });
 
-/** What went wrong, in words, and a way on. What was asked wrongly is answered the same however often it is asked. */
+/** These are answered the same however often they are asked; and of refusals a wrong method, a body too large, a wrong type. */
+const lasting_kinds: readonly ApiError['kind'][] = ['bad_input', 'not_found', 'damaged', 'read_only'];
+const lasting_statuses: readonly number[] = [405, 413, 415];
+const may_pass = ({ kind, status }: ApiError): boolean =>
+  !lasting_kinds.includes(kind) && !(kind === 'refused' && lasting_statuses.includes(status));
+
+/** What went wrong, in words, and a way on. */
 export function FailureNotice({ error, message = error.message, retry }: { error: ApiError; message?: string; retry?: () => void }) {
   const heading =
     error.kind === 'conflict' || error.kind === 'read_only' || error.kind === 'full' || error.kind === 'not_found' || error.kind === 'kept' ? t(error.kind) : null;
@@ -25,7 +31,7 @@ export function FailureNotice({ error, message = error.message, retry }: { error
         {error.kind === 'offline' ? t('offline') : page_words(message)}
         {error.place !== '' && <span class="quiet"> ({t('line', { place: error.place })})</span>}
       </p>
-      {retry && error.kind !== 'bad_input' && <button type="button" onClick={retry}>{t('again')}</button>}
+      {retry && may_pass(error) && <button type="button" onClick={retry}>{t('again')}</button>}
     </div>
   );
 }

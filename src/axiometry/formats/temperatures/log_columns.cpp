@@ -14,7 +14,6 @@
 #include "axiometry/base/text.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/recordings/time_text.h"
-#include "axiometry/formats/temperatures/log_zone.h"
 #include "axiometry/formats/temperatures/sensor_role.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/formats/text/name_words.h"
@@ -317,17 +316,17 @@ Result<void> settle_letters(std::vector<Head>& heads, const auto& is_candidate, 
 
 /// Clocks of the log and of the test can be compared when both tell their zone or neither does; one that stands apart
 /// from its moment would be lost. Times without a clock have none.
-Result<void> check_zone_of(const std::vector<std::string_view>& cells, std::string_view header,
-                           const LogColumns& columns) {
-  const auto heads = log_cells(header, columns.delimiter);
+std::vector<ZoneColumn> zone_columns(const std::vector<std::string_view>& cells, const std::vector<Head>& heads,
+                                     const LogColumns& columns) {
+  std::vector<ZoneColumn> zones;
   const auto moment = moment_of(cells[columns.time]);
-  const auto place = column_of_zone(cells, heads);
-  if (columns.kind == LogTime::number || (moment && moment->zoned) || !place) return {};
-  if (!dates_readings(cells, columns.time, columns.delimiter)) return {};
-  return fail(fmt::format(
-      "found the time zone {} in a column of its own ({}), expected it behind the time, such as 2026-03-02T09:00+01:00",
-      text::quoted(text::trim(cells[*place])),
-      *place < heads.size() ? text::quoted(text::trim(heads[*place])) : fmt::format("column {}", *place + 1)));
+  if (columns.kind == LogTime::number || (moment && moment->zoned)) return zones;
+  for (std::size_t k = 0; k < std::max(cells.size(), heads.size()); ++k) {
+    const Head head = k < heads.size() ? heads[k] : Head{};
+    const bool digits = head.unit == nullptr && !head.other_unit && !head.seconds && !may_name_a_sensor(head.name);
+    if (auto zone = zone_column(k, head.whole, digits); zone && !is_time(columns, k)) zones.push_back(*std::move(zone));
+  }
+  return zones;
 }
 
 }  // namespace
@@ -354,7 +353,8 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
                             text::quoted(*behind_moment(*zone)), text::quoted(*zone)));
   auto columns = time_columns(cells, heads, delimiter);
   if (!columns) return std::nullopt;
-  AXIOMETRY_TRY_VOID(check_zone_of(cells, header, *columns));
+  columns->zones = zone_columns(cells, heads, *columns);
+  if (dates_readings(cells, columns->time, delimiter)) AXIOMETRY_TRY_VOID(check_zones(cells, columns->zones));
   const auto is_number = [&](std::size_t k) { return k < cells.size() && log_number(cells[k], delimiter).has_value(); };
   const auto is_possible = [&](std::size_t k) { return is_number(k) || k >= cells.size() || has_no_value(cells[k]); };
   const auto tells_another = [&](const Head& head) {
@@ -381,6 +381,7 @@ Result<std::optional<LogColumns>> log_columns(std::string_view line, std::string
       if (head.letter_unit && (own.factor != 1.0 || own.shift != 0.0))
         columns->letter_units.push_back({head.whole, own.factor != 1.0 ? "°F" : "K"});
       columns->temperatures.push_back({k, name, own.factor, own.shift});
+      std::erase_if(columns->zones, [&](const ZoneColumn& zone) { return zone.place == k && is_number(k); });
     } else {
       columns->passed_over.push_back(head.name);
       if (is_number(k)) columns->other_numbers.push_back(head.name);

@@ -9,6 +9,7 @@
 
 #include "axiometry/base/moment.h"
 #include "axiometry/base/result.h"
+#include "axiometry/formats/temperatures/log_zone.h"
 
 /// Which columns of a temperature log are the time and which are temperatures. Private to temperatures/.
 namespace axiometry::formats {
@@ -36,6 +37,7 @@ struct LogColumns {
   std::vector<LogColumn> temperatures;
   std::vector<std::string> passed_over;    ///< heads of columns that are neither
   std::vector<std::string> other_numbers;  ///< heads above a number, of these
+  std::vector<ZoneColumn> zones;           ///< where further lines may have a time zone
   bool units_assumed = false;              ///< no head tells a unit: °C
   std::vector<std::string> without_unit;   ///< temperatures by their names where other heads tell a unit: °C
   struct LetterUnit {

@@ -116,6 +116,8 @@ class LogReader {
       return fail(
           fmt::format("found {}, expected a time and temperatures as in the lines before", text::quoted(line.text)),
           {line.number, line.column});
+    if (auto checked = check_zones(cells, columns_->zones); !checked)
+      return fail(std::move(checked).error().message, {line.number, line.column});
     times_.push_back(*time);
     lines_.push_back(line.number);
     for (std::size_t k = 0; k < columns_->temperatures.size(); ++k) {

@@ -82,6 +82,30 @@ TEST(TemperatureLogs, SayWhichTimeZoneIsNotRead) {
                           "time;timezone;Air [°C]\n2026-03-02 09:00:00;;20,5\n", "time_s;zone;Air [°C]\n0;1;20,5\n",
                           "start;2026-03-02 09:00;UTC\ntime;Air [°C]\n2026-03-02 09:00;20,5\n"})
     EXPECT_EQ(refusal(log), "read") << log;
+  for (const char* zone : {"Z", "MEZ", "CET", "CEST", "Europe/Berlin", "America/Argentina/Buenos_Aires", "UTC+1",
+                           "GMT-7", "UTC +01:00", "+0100", "-0330"})
+    for (const char* head : {"Info", "Offset", ""})
+      for (const char* unit : {" [°C]", ""})
+        EXPECT_THAT(refusal(fmt::format("time;{};Air{}\n2026-03-02 09:00:00;{};20,5\n", head, unit, zone)),
+                    HasSubstr(fmt::format("found the time zone \"{}\" in a column of its own", zone)))
+            << head << unit;
+  EXPECT_THAT(refusal("2026-03-02 09:00:00;+0100;20,1\n"), HasSubstr("\"+0100\" in a column of its own (column 2)"));
+  EXPECT_THAT(refusal("date time tz air\n2026-03-02 09:00:00 CET 20.5\n"), HasSubstr("(\"tz\")"));
+  for (const char* head : {"tz", "Info", ""})
+    EXPECT_THAT(
+        refusal(fmt::format("time;{};Air [°C]\n2026-03-02 09:00:00;;20,5\n2026-03-02 09:10:00;CET;20,5\n", head)),
+        HasSubstr("line 3:1: found the time zone \"CET\" in a column of its own"))
+        << head;
+  for (const char* column : {"logger;UTC-Logger 3", "logger;GMT-7", "Info;UTC-Logger 3", "Info;GMT-room", "axis;Z",
+                             "Info;on/off", "Info;Air/Hall", "Info;-1000", "Torque;+1200 Nm", "Info;zone 1"}) {
+    const std::string_view whole = column;
+    const std::size_t at = whole.find(';');
+    EXPECT_EQ(refusal(fmt::format("time;{};Air [°C]\n2026-03-02 09:00:00;{};20,5\n", whole.substr(0, at),
+                                  whole.substr(at + 1))),
+              "read")
+        << column;
+  }
+  EXPECT_EQ(refusal("time;T1 [0.1 °C];Air [°C]\n2026-03-02 09:00:00;+0200;20,5\n"), "read");
   EXPECT_EQ(refusal("Exported 2026-03-02 09:00 CET\ntime;Air [°C]\n2026-03-02 09:00;20,5\n"), "read");
 }
 
