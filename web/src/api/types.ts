@@ -535,8 +535,8 @@ export interface components {
             slope: {
                 um_per_m: number;
                 u_um_per_m: number;
-                /** @description Of U for 95.45 %, Student's t; 2 where a kept result has none. */
-                k?: number;
+                /** @description Of U for 95.45 %, Student's t; 2 where a kept result has none; null where nothing tells the scatter. */
+                k?: number | null;
             };
             distances_mm: number[];
             length_difference: {
