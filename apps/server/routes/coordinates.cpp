@@ -34,7 +34,8 @@ Result<std::unique_ptr<app::Multilaterated>> multilaterated(const Request& reque
   AXIOMETRY_TRY(const SentForm form, sent_form(request, ranges_form));
   const auto ranges = form.file("ranges");
   if (!ranges) return fail("found no file ranges, expected one");
-  return app::multilaterate_given({*ranges, form.file("points"), request.stop}, form.value("options").value_or(Value()));
+  return app::multilaterate_given({*ranges, form.file("points"), request.stop},
+                                  form.value("options").value_or(Value()));
 }
 
 Result<Response> multilateration(const Request& request) {
@@ -64,7 +65,8 @@ Result<std::unique_ptr<app::PolarResult>> adjusted(const Request& request) {
   AXIOMETRY_TRY(const SentForm form, sent_form(request, polar_form));
   const std::vector<app::GivenFile> readings = form.files_named("readings");
   if (readings.empty()) return fail("found no file readings, expected one");
-  return app::adjust_polar_given({readings, form.file("points"), request.stop}, form.value("options").value_or(Value()));
+  return app::adjust_polar_given({readings, form.file("points"), request.stop},
+                                 form.value("options").value_or(Value()));
 }
 
 Result<Response> polar(const Request& request) {

@@ -14,7 +14,7 @@ namespace axiometry::tracking {
 
 namespace {
 
-constexpr double serious_ratio = 9.0;   // residuals three times as large as stated
+constexpr double serious_ratio = 9.0;    // residuals three times as large as stated
 constexpr std::size_t few_at_most = 10;  // degrees of freedom: beyond, Student's t for 95 % is 2.2 or less
 
 }  // namespace
@@ -41,10 +41,11 @@ std::optional<Finding> chi_squared_finding(double chi_squared, std::size_t degre
 std::optional<Finding> few_residuals_finding(double chi_squared, std::size_t degrees_of_freedom) {
   const auto nu = static_cast<double>(degrees_of_freedom);
   if (degrees_of_freedom == 0 || degrees_of_freedom > few_at_most || !(chi_squared > nu)) return std::nullopt;
-  return Finding{"tracking-residuals-few", false,
-                 fmt::format("how much larger than stated the residuals are is known with ν = {} only: 95 % needs {:.3g} "
-                             "times the standard uncertainties, not 2",
-                             degrees_of_freedom, numeric::student_t_quantile(0.975, nu))};
+  return Finding{
+      "tracking-residuals-few", false,
+      fmt::format("how much larger than stated the residuals are is known with ν = {} only: 95 % needs {:.3g} "
+                  "times the standard uncertainties, not 2",
+                  degrees_of_freedom, numeric::student_t_quantile(0.975, nu))};
 }
 
 double outlier_limit(std::span<const double> normalised) {
