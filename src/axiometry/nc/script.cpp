@@ -293,7 +293,7 @@ Result<void> check_lines(std::span<const Plan> plans) {
 std::vector<std::string> rollover_remarks(const Plan& plan, const Coordinates& coordinates, bool rollover,
                                           const ControlLimits& limits, int decimals) {
   if (plan.axis.kind != AxisKind::rotary || limits.rollover == RolloverWords::none) return {};
-  if (!rollover) return {"ROLLOVER OFF, NOT FOR AN AXIS THAT COUNTS TO 360 DEG ONLY OR GOES THE SHORT WAY"};
+  if (!rollover) return {rollover_off_remark(plan)};
   const bool directed = limits.rollover == RolloverWords::directed;
   const std::string start = Turn(limits.rollover, coordinates).to(reach(plan).lowest).front().coordinate;
   const std::string first = fmt::format("THE FIRST MOVE, TO {} DEG, GOES {}", start,

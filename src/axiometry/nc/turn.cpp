@@ -57,4 +57,17 @@ std::vector<TurnWord> Turn::to(Position position) {
   return words;
 }
 
+std::string rollover_off_remark(const Plan& plan) {
+  const auto [lowest, highest] = reach(plan);
+  bool one_way = lowest.in_native() >= 0.0 && highest.in_native() < 360.0;
+  if (one_way && highest.in_native() - lowest.in_native() >= 180.0) {
+    const std::vector<PlannedMove> all = moves(plan);
+    one_way = std::ranges::adjacent_find(all, [](const PlannedMove& from, const PlannedMove& move) {
+                return std::abs(move.to.in_native() - from.to.in_native()) >= 180.0;
+              }) == all.end();
+  }
+  return one_way ? "ROLLOVER OFF, NOT FOR AN AXIS WHOSE WAY IS TOLD BY THE SIGN OF THE ANGLE"
+                 : "ROLLOVER OFF, NOT FOR AN AXIS THAT COUNTS TO 360 DEG ONLY OR GOES THE SHORT WAY";
+}
+
 }  // namespace axiometry::nc

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axiometry/base/quantity.h"
+#include "axiometry/model/plan.h"
 #include "axiometry/nc/numbers.h"
 
 /// A rotary axis with rollover (a modulo axis) knows its position within one turn only: an angle says where it shall
@@ -60,5 +61,9 @@ class Turn {
   std::optional<std::int64_t> at_;
   int decimals_needed_ = 0;
 };
+
+/// For which axes absolute angles are not. Within one turn, in ways below half of one, they go astray only where the
+/// sign of an angle tells the way to it.
+std::string rollover_off_remark(const Plan& plan);
 
 }  // namespace axiometry::nc

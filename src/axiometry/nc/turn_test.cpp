@@ -146,6 +146,22 @@ TEST_P(EveryRollover, GoesElsewhereWithAbsoluteAnglesBeyondATurn) {
   }
 }
 
+/// Within one turn absolute angles are as good as increments, unless their sign tells the way.
+TEST_P(EveryRollover, IsNotDoubtedWithoutItWhereTheAxisStaysWithinATurn) {
+  const Dialect& dialect = *GetParam();
+  for (const auto& targets : {std::vector<double>{10, 45, 80}, {4, 90, 180, 270, 355.9}}) {
+    const Plan plan = rotary_plan(TestCycle::pilgrim, targets, 4);
+    const std::string program = turned_program(dialect, plan, {});
+    const bool tilts = targets.back() < 90;
+    // The warm-up goes from end to end, the short way through 0°.
+    EXPECT_EQ(program.find("COUNTS TO 360 DEG ONLY") == std::string::npos, tilts);
+    EXPECT_EQ(program.find("TOLD BY THE SIGN OF THE ANGLE") != std::string::npos, tilts);
+    for (AxisRule rule : rollover_rules.at(std::string(dialect.id)))
+      if (tilts && (rule == AxisRule::shortest || rule == AxisRule::within_turn))
+        ASSERT_NO_FATAL_FAILURE(expect_turned(dialect.id, program, plan, {rule, 12.0})) << program;
+  }
+}
+
 std::vector<const Dialect*> dialects_with_rollover() {
   std::vector<const Dialect*> list;
   for (const Dialect* dialect : dialect_table())

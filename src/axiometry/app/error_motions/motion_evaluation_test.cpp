@@ -219,8 +219,8 @@ TEST(Angles, RefuseAColumnOfRollForAnErrorThatIsNone) {
 TEST(Angles, SayOfWhichOfThemARemarkIs) {
   const std::string two = "# error: EAX\nposition_mm,run,angle_urad\n0,1,1\n400,1,2\n0,2,1.1\n400,2,2.3\n";
   const std::string one = "# error: ECX\nposition_mm,angle_urad\n0,1\n400,2\n";
-  const auto measured = measure_angles({.files = {{.file = "a.csv", .options = {}, .bytes = two},
-                                                  {.file = "c.csv", .options = {}, .bytes = one}}});
+  auto measured = measure_angles(
+      {.files = {{.file = "a.csv", .options = {}, .bytes = two}, {.file = "c.csv", .options = {}, .bytes = one}}});
   ASSERT_TRUE(measured);
   const auto told = all_remarks({&measured->angles[0], &measured->angles[1]});
   const std::string of_one =
@@ -229,6 +229,11 @@ TEST(Angles, SayOfWhichOfThemARemarkIs) {
   EXPECT_EQ(std::ranges::count(told, no_instrument_remark), 1) << "of both";
   for (const language::Language language : {language::Language::german, language::Language::french})
     EXPECT_TRUE(language::is_known(of_one, language));
+  measured->angles[0].error = measured->angles[1].error = std::nullopt;
+  measured->angles[0].file = "a/x.csv";
+  measured->angles[1].file = "b/x.csv";
+  EXPECT_EQ(
+      std::ranges::count(all_remarks({&measured->angles[0], &measured->angles[1]}), "b/x.csv: " + of_one.substr(5)), 1);
   const auto alone = all_remarks({&measured->angles[1]});
   EXPECT_EQ(std::ranges::count(alone, of_one.substr(5)), 1);
 }

@@ -236,9 +236,11 @@ std::vector<std::string> all_remarks(const std::vector<const MeasuredMotion*>& f
   const auto stands_in = [](const MeasuredMotion& f, const std::string& remark) {
     return std::ranges::find(f.remarks, remark) != f.remarks.end();
   };
+  const auto called = [](const MeasuredMotion& f) { return name_of(f).empty() ? base_name(f.file) : name_of(f); };
   std::vector<std::string> list;
   for (const MeasuredMotion* f : files) {
-    const std::string name = name_of(*f).empty() ? base_name(f->file) : name_of(*f);
+    const auto alike = std::ranges::count_if(files, [&](const auto* other) { return called(*other) == called(*f); });
+    const std::string name = alike > 1 ? f->file : called(*f);
     for (const std::string& remark : f->remarks) {
       const bool of_all = std::ranges::all_of(files, [&](const auto* other) { return stands_in(*other, remark); });
       const std::string told = of_all ? remark : fmt::format("{}: {}", name, remark);

@@ -101,7 +101,9 @@ void put_findings(Place place, std::span<const iso230_2::Finding> findings) {
   }
 }
 
-void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::TestEnvironment* surroundings) {
+void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::TestEnvironment* surroundings,
+                const Series& series) {
+  const bool both = series.has(Direction::up) && series.has(Direction::down);
   json::List list(place);
   for (const iso230_2::Claim& claim : claims) {
     json::Object row = list.object();
@@ -109,7 +111,7 @@ void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::Tes
     row.add("title", claim.title);
     row.add("holds", claim.holds());
     put_findings(row.at("missing"), claim.against);
-    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(surroundings));
+    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(surroundings, both));
   }
 }
 
@@ -238,7 +240,7 @@ void put_result(json::Place place, const Evaluated& evaluated) {
   put_axis(object.at("axis"), metadata.axis);
   object.add("unit", deviation_unit_key(metadata.axis.kind));
   object.add("conforming", assessment.conforming());
-  put_claims(object.at("claims"), iso230_2::claims_of(test, assessment), evaluated.environment());
+  put_claims(object.at("claims"), iso230_2::claims_of(test, assessment), evaluated.environment(), test.series);
   if (!assessment.label.empty()) object.add("label", assessment.label);
   put_parameters(object.at("parameters"), assessment.evaluation.parameters);
   add_symbols(object, evaluated);

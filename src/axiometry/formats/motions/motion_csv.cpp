@@ -266,7 +266,7 @@ Result<void> take_motion_comment(std::string_view content, std::size_t line, Mot
     return put_sense(file, sense, line);
   }
   const Field* field = find_field(key);
-  if (field == nullptr) return placed(check_unknown_motion_key(key), {line, 1});
+  if (field == nullptr) return placed(check_unknown_motion_key(key, value), {line, 1});
   return placed(set_line_value(file.metadata, *field, value), {line, 1});
 }
 

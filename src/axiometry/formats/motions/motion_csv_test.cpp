@@ -186,12 +186,13 @@ TEST(MotionCsv, RefusesKeysThatAreMisspelt) {
     return motion_fault("# " + line + "\nposition_mm,direction,straightness_um\n0,up,1\n");
   };
   EXPECT_EQ(with("postive: -Y"), "line 1:1: found the unknown key \"postive\", expected perhaps positive");
-  EXPECT_THAT(with("Errror: EYX"), HasSubstr("expected perhaps error"));
+  for (const char* line : {"Errror: EYX", "Error2: EYX", "Error_1: eyx", "Error 1: EZX", "Errors: EYX"})
+    EXPECT_THAT(with(line), HasSubstr("expected perhaps error")) << line;
   EXPECT_THAT(with("instrument.gian: 1.1"), HasSubstr("expected perhaps instrument.gain"));
   EXPECT_THAT(with("machine.nickname: Otto"), HasSubstr("found the unknown key \"machine.nickname\""));
   for (const char* comment : {"position: left of the table", "mirror: at the spindle", "sensor: LVDT 3", "v1.2: first",
                               "Note: in the evening", "http://example.org", "Error 1: spike at 300 mm",
-                              "Errors 2+3: none", "error-log: kept"})
+                              "Errors 2+3: none", "error-log: kept", "Errors: none", "Terror: x", "postive: rising"})
     EXPECT_EQ(with(comment), "") << comment;
 }
 

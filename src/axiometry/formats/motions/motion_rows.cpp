@@ -23,14 +23,14 @@ bool begins_like_a_field(std::string_view key) {
          });
 }
 
-/// Of the two words that change what the readings are; what else may stand there and looks like one is none: "Error 1"
-/// counts something, and no slip of a finger adds a number.
-std::optional<std::string_view> word_meant(std::string_view key) {
-  constexpr std::string_view shortest = "errors";
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  if (key.size() < shortest.size() || !std::ranges::all_of(key, is_letter)) return std::nullopt;
-  const auto near = text::nearest(text::to_lower(key), {"error", "positive", "position", "mirror"});
-  return near == "error" || near == "positive" ? near : std::nullopt;
+/// Of the two words that change what the readings are, by its letters, where the value is one that it may have: beside
+/// any other it is a comment, as "Error 1: spike at 300 mm" is.
+std::optional<std::string_view> word_meant(std::string_view key, std::string_view value) {
+  std::string letters = text::to_lower(key);
+  std::erase_if(letters, [](char c) { return c < 'a' || c > 'z'; });
+  const auto near = text::nearest(letters, {"error", "positive", "position", "mirror"});
+  const bool meant = (near == "error" && motion_name(value)) || (near == "positive" && reading_sense(value));
+  return meant ? near : std::nullopt;
 }
 
 }  // namespace
@@ -74,8 +74,8 @@ SourceRemark left_out_positions(std::span<const double> positions_mm) {
   return {false, fmt::format("no reading was taken at {} mm: the figures are those of the other positions", places)};
 }
 
-Result<void> check_unknown_motion_key(std::string_view key) {
-  if (const auto word = word_meant(key))
+Result<void> check_unknown_motion_key(std::string_view key, std::string_view value) {
+  if (const auto word = word_meant(key, value))
     return fail(fmt::format("found the unknown key {}, expected perhaps {}", text::quoted(key), *word));
   if (!begins_like_a_field(key)) return {};
   Metadata none;

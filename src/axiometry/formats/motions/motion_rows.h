@@ -39,7 +39,8 @@ std::vector<double> positions_without_reading(const std::set<double>& empty_mm,
 /// "no reading was taken at 300, 400 mm: …"; at least one.
 SourceRemark left_out_positions(std::span<const double> positions_mm);
 
-/// Fails on a key of `# key: value` that is misspelt: "postive", "machine.nam". A known one must not be asked about.
-Result<void> check_unknown_motion_key(std::string_view key);
+/// Fails on a key of `# key: value` that is misspelt: "postive: -Y", "Error2: EYX", "machine.nam". Words that change
+/// what the readings are have a value of theirs: "Errors: none" is a comment. A known key must not be asked about.
+Result<void> check_unknown_motion_key(std::string_view key, std::string_view value);
 
 }  // namespace axiometry::formats

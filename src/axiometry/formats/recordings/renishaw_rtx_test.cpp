@@ -96,7 +96,7 @@ TEST(RenishawRtx, DoubtsADateOnlyWhereItMayBeReadInTwoWays) {
     header.date = std::move(date);
     return rtx_remarks(header);
   };
-  for (const char* date : {"10/02/2025 12:58:22", "1-2-2025"})
+  for (const char* date : {"10/02/2025 12:58:22", "1-2-2025", " 3/ 4/2025", "3 / 4 / 2025"})
     EXPECT_THAT(told(date), ElementsAre(HasSubstr("whether the day or the month stands first"))) << date;
   for (const char* date : {"31/12/2025 12:58:22", "12/31/2025", "05/05/2025", "2025-02-10", "10.02.2025", "today"})
     EXPECT_THAT(told(date), ElementsAre("the file is of \"" + std::string(date) + '"')) << date;

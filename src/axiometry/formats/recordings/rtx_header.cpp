@@ -82,12 +82,13 @@ Result<void> settle(RtxHeader& header, const RtxNumbers& numbers) {
   return {};
 }
 
-/// "10/02/2025", whose first two numbers may each be the month, and not "31/12/2025" or "05/05/2025".
+/// "10/02/2025" or " 3/ 4/2025", whose first two numbers may each be the month, and not "31/12/2025" or "05/05/2025".
 bool reads_two_ways(std::string_view date) {
   std::array<unsigned, 2> numbers{};
   for (unsigned& number : numbers) {
+    date = text::trim(date);
     const auto [end, error] = std::from_chars(date.data(), date.data() + date.size(), number);
-    date.remove_prefix(static_cast<std::size_t>(end - date.data()));
+    date = text::trim(date.substr(static_cast<std::size_t>(end - date.data())));
     if (error != std::errc{} || date.empty() || (date.front() != '/' && date.front() != '-')) return false;
     date.remove_prefix(1);
   }

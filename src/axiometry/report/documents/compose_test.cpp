@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "axiometry/language/language.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/readings/reading_correction.h"
 #include "tests/support/document_parts.h"
@@ -311,7 +312,9 @@ TEST(IdentificationSection, CallsReadingsOfOneDirectionNoStandardCycle) {
                          "identification"));
   };
   EXPECT_THAT(cycle({{2, 3}}), Contains("Test cycle: standard"));
-  EXPECT_THAT(cycle({}), Contains("Test cycle: one direction of approach only, not for acceptance"));
+  const std::string row = "none but the standard one is given; one direction of approach only, not for acceptance";
+  EXPECT_THAT(cycle({}), Contains("Test cycle: " + row));
+  for (const language::Language language : language::languages()) EXPECT_TRUE(language::is_known(row, language));
 }
 
 TEST(IdentificationSection, ShowsEveryGivenFieldButThoseOfTheBudget) {

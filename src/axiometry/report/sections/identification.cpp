@@ -147,11 +147,12 @@ std::vector<Fact> facts_of_readings(const Subject& subject, const Options& optio
                                  subject.assessment.evaluation.positions.empty() ? "" : ", listed in Table 2"))}};
 }
 
-/// Readings of one direction are no standard test cycle, which is what counts where no other is given.
+/// Readings of one direction are no standard test cycle, which is what counts where no other is given, stated or not.
 TableCell stated_of_test(const Field& field, const Subject& subject, const Options& options) {
   const Metadata& metadata = subject.test.metadata;
   const bool standard = field.key == "test.cycle" && metadata.conditions.cycle == TestCycle::standard;
-  if (standard && !subject.assessment.label.empty()) return text_cell(subject.assessment.label);
+  if (standard && !subject.assessment.label.empty())
+    return text_cell(fmt::format("none but the standard one is given; {}", subject.assessment.label));
   return stated(field, metadata, options);
 }
 

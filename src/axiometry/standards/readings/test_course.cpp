@@ -73,10 +73,13 @@ TestCourse course_of(const Test& test) {
   const bool known = tells_order(test);
   const TestCycle cycle = known ? test.metadata.conditions.cycle : TestCycle::standard;
   const auto sequence = sequence_of(test.series, cycle);
-  TestCourse course{std::vector<double>(dense_size(test.series), unknown), std::nullopt, sequence.size() - 1,
-                    fmt::format("readings equally far apart in the order of the {} cycle{}", cycle_name(cycle),
-                                known ? "" : ", their own not being known"),
-                    known};
+  const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
+  const std::string order =
+      !both && cycle == TestCycle::standard ? "the runs" : fmt::format("the {} cycle", cycle_name(cycle));
+  TestCourse course{
+      std::vector<double>(dense_size(test.series), unknown), std::nullopt, sequence.size() - 1,
+      fmt::format("readings equally far apart in the order of {}{}", order, known ? "" : ", their own not being known"),
+      known};
   for (std::size_t k = 0; k < sequence.size(); ++k)  // m ≥ 2, so that there are two steps at least
     course.share[dense_place(test.series, sequence[k])] = static_cast<double>(k) / static_cast<double>(course.steps);
   return course;

@@ -50,6 +50,11 @@ TEST(TestCourse, LeavesOutADirectionWithoutReadings) {
   EXPECT_DOUBLE_EQ(place(down, 2, Direction::down, 0), 0) << "from the last target to the first";
   EXPECT_DOUBLE_EQ(place(down, 0, Direction::down, 1), 5);
   EXPECT_EQ(course_of(down).basis, "readings equally far apart in the order of the unidirectional cycle");
+  for (const bool up : {true, false})
+    EXPECT_EQ(course_of(made(TestCycle::standard, up, !up)).basis,
+              "readings equally far apart in the order of the runs");
+  EXPECT_EQ(course_of(made(TestCycle::user_defined, true, false)).basis,
+            "readings equally far apart in the order of the runs, their own not being known");
 }
 
 TEST(TestCourse, SaysWhereTheOrderIsKnownToNobody) {

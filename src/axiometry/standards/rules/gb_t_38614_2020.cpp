@@ -170,7 +170,8 @@ const AxisRule gb_t_38614_2020_axis_rule = {
     .cycle = AskedCycle{.evidence = Evidence::text,
                         .approaches = approaches_for_repeatability,
                         .targets = positions_asked,
-                        .equal_steps = true},
+                        .equal_steps = true,
+                        .approaches_are_found = true},
 };
 
 }  // namespace axiometry::standards

@@ -3,7 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <string_view>
+#include <utility>
+
+#include "axiometry/standards/rules/rule_values.h"
 
 namespace axiometry::standards {
 namespace {
@@ -14,10 +20,79 @@ std::string planned_standing(const AxisRule& rule, bool judged, bool departs) {
     return fmt::format("nothing is known of the cycle that {} asks for: the plan is judged by ISO 230-2:2014 alone",
                        rule.name);
   const std::string_view evidence = evidence_words(rule.cycle->evidence);
-  if (!judged) return fmt::format("the plan is too large to be judged by the cycle of {} ({})", rule.name, evidence);
   if (departs) return fmt::format("the plan departs from what is known of the cycle of {} ({})", rule.name, evidence);
+  if (!judged) return fmt::format("the plan is too large to be judged by the cycle of {} ({})", rule.name, evidence);
   return fmt::format("the plan keeps to what is known of the cycle of {} ({}); no conformity with it is stated",
                      rule.name, evidence);
+}
+
+/// What the rule finds of one test of a plan, and whether that departs from its cycle.
+struct PlannedTrial {
+  std::vector<iso230_2::Finding> findings;
+  bool judged = false;
+  bool departs = false;
+};
+
+class PlannedJudge {
+ public:
+  PlannedJudge(const AxisRule& rule, const Plan& plan, std::string_view title)
+      : rule_(rule), plan_(plan), begin_(title.empty() ? "" : fmt::format("{}: ", title)) {}
+
+  PlannedTrial trial(Axis axis) && {
+    if (rule_.cycle && rule_.cycle->order && plan_.cycle != *rule_.cycle->order)
+      departure("plan-rule-order", fmt::format("found the order of the {} cycle, expected that of the {} cycle",
+                                               cycle_name(plan_.cycle), cycle_name(*rule_.cycle->order)));
+    const auto series = iso230_2::series_of(plan_);
+    if (!series) return std::move(trial_);
+    trial_.judged = true;
+    Metadata metadata;
+    metadata.axis = std::move(axis);
+    metadata.conditions.cycle = plan_.cycle;
+    const iso230_2::Evaluation evaluation = iso230_2::evaluate(*series);
+    const RuleCase test{metadata, *series, evaluation};
+    if (rule_.findings != nullptr)
+      for (const iso230_2::Finding& finding : rule_.findings(test)) {
+        trial_.departs = trial_.departs || finding.severity == iso230_2::Severity::departure;
+        add(finding.id, finding.message);
+      }
+    if (rule_.cycle) hold_against_cycle(test, *rule_.cycle);
+    return std::move(trial_);
+  }
+
+ private:
+  /// What of a test its figures say, where they are absent.
+  void hold_against_cycle(const RuleCase& test, const AskedCycle& cycle) {
+    const std::size_t found = fewest_approaches(test);
+    if (!cycle.approaches_are_found && found < cycle.approaches)
+      departure("plan-rule-approaches",
+                fmt::format("found {} approach{} to a target from one direction, expected {} or more for all figures",
+                            found, found == 1 ? "" : "es", cycle.approaches));
+    if (!test.series.has(Direction::up) || !test.series.has(Direction::down))
+      departure("plan-rule-directions", "found approaches from one direction only, expected both for all figures");
+  }
+
+  void departure(const char* id, std::string_view message) {
+    trial_.departs = true;
+    add(id, message);
+  }
+
+  void add(std::string id, std::string_view message) {
+    trial_.findings.push_back(
+        {std::move(id), "", iso230_2::Severity::note, fmt::format("{}by {}: {}", begin_, rule_.name, message)});
+  }
+
+  const AxisRule& rule_;
+  const Plan& plan_;
+  std::string begin_;
+  PlannedTrial trial_;
+};
+
+/// A test that belongs to another has its own stretch for its travel.
+PlannedTrial further_trial(const AxisRule& rule, const Plan& part) {
+  Axis axis = part.axis;
+  axis.travel_begin = part.targets.front();
+  axis.travel_end = part.targets.back();
+  return PlannedJudge(rule, part, part.title).trial(std::move(axis));
 }
 
 }  // namespace
@@ -33,48 +108,24 @@ Result<iso230_2::PlanRequest> with_cycle_of(const AxisRule& rule, iso230_2::Plan
   request.rule = rule.id;
   if (!rule.cycle) return request;
   request.least_runs = rule.cycle->approaches;
-  if (request.cycle == TestCycle::standard) request.cycle = rule.cycle->order.value_or(request.cycle);
-  if (!request.targets.empty()) return request;
   request.equal_steps = rule.cycle->equal_steps;
-  if (rule.cycle->targets > 0 && !request.count && !request.interval) request.count = rule.cycle->targets;
+  if (rule.cycle->targets > 0) request.area_targets = rule.cycle->targets;
+  if (request.cycle == TestCycle::standard) request.cycle = rule.cycle->order.value_or(request.cycle);
+  if (request.targets.empty() && !request.count && !request.interval) request.count = request.area_targets;
   return request;
 }
 
 std::vector<iso230_2::Finding> planned_rule_findings(const AxisRule& rule, const Plan& plan) {
-  std::vector<iso230_2::Finding> all;
-  bool departs = rule.cycle && rule.cycle->order && plan.cycle != *rule.cycle->order;
-  bool tells_approaches = false;
-  const auto series = iso230_2::series_of(plan);
-  if (series && rule.findings != nullptr) {
-    Metadata metadata;
-    metadata.axis = plan.axis;
-    metadata.conditions.cycle = plan.cycle;
-    const iso230_2::Evaluation evaluation = iso230_2::evaluate(*series);
-    for (const iso230_2::Finding& finding : rule.findings({metadata, *series, evaluation})) {
-      const bool broken = finding.severity == iso230_2::Severity::departure;
-      departs = departs || broken;
-      tells_approaches = tells_approaches || (broken && finding.id.find("approaches") != std::string::npos);
-      all.push_back(
-          {finding.id, "", iso230_2::Severity::note, fmt::format("by {}: {}", rule.name, finding.message)});
-    }
+  PlannedTrial all = PlannedJudge(rule, plan, "").trial(plan.axis);
+  for (const Plan& part : plan.further) {
+    PlannedTrial trial = further_trial(rule, part);
+    all.judged = all.judged && trial.judged;
+    all.departs = all.departs || trial.departs;
+    std::ranges::move(trial.findings, std::back_inserter(all.findings));
   }
-  // Of a test its figures say this, where they are absent.
-  if (series && rule.cycle && !tells_approaches && plan.runs < rule.cycle->approaches) {
-    departs = true;
-    all.push_back(
-        {"plan-rule-approaches", "", iso230_2::Severity::note,
-         fmt::format("by {}: found {} approach{} to a target from one direction, expected {} or more for all figures",
-                     rule.name, plan.runs, plan.runs == 1 ? "" : "es", rule.cycle->approaches)});
-  }
-  if (series && rule.cycle && !(series->has(Direction::up) && series->has(Direction::down))) {
-    departs = true;
-    all.push_back({"plan-rule-directions", "", iso230_2::Severity::note,
-                   fmt::format("by {}: found approaches from one direction only, expected both for all figures",
-                               rule.name)});
-  }
-  all.insert(all.begin(), iso230_2::Finding{"plan-rule", "", iso230_2::Severity::note,
-                                            planned_standing(rule, series.has_value(), departs)});
-  return all;
+  all.findings.insert(all.findings.begin(), iso230_2::Finding{"plan-rule", "", iso230_2::Severity::note,
+                                                              planned_standing(rule, all.judged, all.departs)});
+  return std::move(all.findings);
 }
 
 }  // namespace axiometry::standards

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/language/language.h"
+
 namespace axiometry::standards {
 namespace {
 
@@ -71,7 +73,33 @@ TEST(PlannedRule, AsksForItsApproachesTargetsAndSteps) {
   EXPECT_EQ(with_area.further[0].cycle, TestCycle::step);
   EXPECT_EQ(with_area.further[0].runs, 7u) << "the step cycle of five runs is no test of either rule";
   const Plan piezo_area = planned_by(*find_axis_rule("gb-t-38614-2020"), axis);
-  EXPECT_EQ(piezo_area.further.at(0).runs, 5u) << "a test of ISO 230-2 as it is";
+  EXPECT_EQ(piezo_area.further.at(0).runs, 10u);
+  EXPECT_EQ(piezo_area.further.at(0).targets.size(), 11u);
+  // Runs that a user asks for are those of the whole travel.
+  axis.runs = 3;
+  const Plan of_three = planned_by(*find_axis_rule("jis-b-6201"), axis);
+  EXPECT_EQ(of_three.runs, 3u);
+  EXPECT_EQ(of_three.further.at(0).runs, 7u);
+}
+
+TEST(PlannedRule, JudgesTheTestsThatBelongToALongOneAndNamesThem) {
+  iso230_2::PlanRequest request = over_half_a_metre();
+  request.axis.travel_end = Position::native(4000.0);
+  for (const AxisRule* rule : axis_rule_table())
+    for (const std::string& id : ids_of_rule(*rule, planned_by(*rule, request)))
+      EXPECT_TRUE(is_left(id)) << rule->id << ": " << id;
+  const AxisRule& rule = *find_axis_rule("vdi-dgq-3441");
+  Plan plan = planned_by(rule, request);
+  EXPECT_THAT(planned_rule_findings(rule, plan).front().message, HasSubstr("keeps to what is known"));
+  plan.further.at(0).runs = 1;
+  const auto findings = planned_rule_findings(rule, plan);
+  EXPECT_THAT(findings.front().message, HasSubstr("departs from what is known"));
+  EXPECT_EQ(findings.back().id, "vdi-dgq-3441-number-of-approaches");
+  EXPECT_EQ(findings.back().message,
+            "Normal working area, 1000 to 3000 mm: by VDI/DGQ 3441: found 1 approach to a target from one direction, "
+            "expected 5 or more for all figures");
+  for (const language::Language language : language::languages())
+    EXPECT_TRUE(language::is_known(findings.back().message, language));
 }
 
 TEST(PlannedRule, GivesWayToWhatIsAskedForAndSaysSo) {
@@ -104,8 +132,13 @@ TEST(PlannedRule, KeepsToNoCycleWithFewerApproachesOneDirectionOrAnotherOrder) {
   EXPECT_EQ(few.back().message,
             "by JIS B 6201, JIS B 6330: found 3 approaches to a target from one direction, expected 7 or more for all "
             "figures");
-  EXPECT_THAT(judged("jis-b-6201", [](auto& request) { request.runs = 7; }).front().message,
-              HasSubstr("departs from what is known"));
+  const auto reordered = judged("jis-b-6201", [](auto& request) { request.runs = 7; });
+  EXPECT_THAT(reordered.front().message, HasSubstr("departs from what is known"));
+  EXPECT_EQ(reordered.at(1).id, "plan-rule-order");
+  EXPECT_EQ(reordered.at(1).message,
+            "by JIS B 6201, JIS B 6330: found the order of the standard cycle, expected that of the step cycle");
+  for (const language::Language language : language::languages())
+    EXPECT_TRUE(language::is_known(reordered.at(1).message, language));
   const auto one_way = judged("vdi-dgq-3441", [](auto& request) { request.cycle = TestCycle::unidirectional; });
   EXPECT_THAT(one_way.front().message, HasSubstr("departs from what is known"));
   EXPECT_EQ(one_way.back().message,
@@ -127,6 +160,7 @@ TEST(PlannedRule, TellsWhatAnotherRuleAsksForBeyondIt) {
       if (judge == made_by) continue;
       Ids expected = {"plan-rule"};
       const bool of_piezo = made_by->id == "gb-t-38614-2020";
+      if (judge->id == "jis-b-6201") expected.emplace_back("plan-rule-order");
       if (judge->id == "jis-b-6201" && of_piezo) expected.emplace_back("jis-b-6201-runs-for-approaches");
       if (judge->id == "jis-b-6201" && !of_piezo) expected.emplace_back("plan-rule-approaches");
       if (judge->id == "gb-t-38614-2020") expected = by_piezo;

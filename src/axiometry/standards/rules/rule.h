@@ -71,6 +71,7 @@ struct AskedCycle {
   std::size_t targets = 0;           ///< number of targets over the measurement travel; 0 where it says nothing
   bool equal_steps = false;          ///< whether targets lie evenly from one end of the measurement travel to the other
   std::optional<TestCycle> order{};  ///< order of the approaches; absent where it says nothing
+  bool approaches_are_found = false;  ///< whether AxisRule::findings tells of fewer approaches
 };
 
 struct AxisRule {

@@ -95,7 +95,7 @@ const AxisRule vdi_dgq_3441_axis_rule = {
     .linear_only = false,
     .figures = vdi_figures,
     .findings = vdi_findings,
-    .cycle = AskedCycle{.evidence = others, .approaches = vdi_approaches},
+    .cycle = AskedCycle{.evidence = others, .approaches = vdi_approaches, .approaches_are_found = true},
 };
 
 }  // namespace axiometry::standards

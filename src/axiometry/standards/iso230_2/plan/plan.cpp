@@ -228,12 +228,6 @@ Result<void> check_count(const Frame& frame, const Stretch& stretch, double coun
                           targets_most));
 }
 
-TargetGrid without_random_part(TargetGrid grid) {
-  grid.shift = grid.shift_inwards = 0.0;
-  grid.principal_positions = false;
-  return grid;
-}
-
 /// One test over one stretch. `stream` parts the tests of a plan.
 Result<Plan> plan_over(const Frame& frame, const Stretch& stretch, const Spacing& spacing, std::uint64_t seed,
                        std::uint64_t stream) {
@@ -241,7 +235,10 @@ Result<Plan> plan_over(const Frame& frame, const Stretch& stretch, const Spacing
   if (spacing.interval) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.interval + 1.0));
   if (spacing.segment) AXIOMETRY_TRY_VOID(check_count(frame, stretch, stretch.length() / *spacing.segment));
   TargetGrid grid = grid_over(frame, programme, stretch, spacing);
-  if (spacing.equal_steps) grid = without_random_part(std::move(grid));
+  if (spacing.equal_steps) {
+    grid.shift = grid.shift_inwards = 0.0;
+    grid.principal_positions = false;
+  }
   AXIOMETRY_TRY_VOID(check_count(frame, stretch, static_cast<double>(grid.count)));
   Plan plan = frame.plan;
   plan.clause = clause_of(plan, programme);
@@ -277,11 +274,12 @@ Result<std::vector<Stretch>> areas_of(const Frame& frame, const PlanRequest& req
 Result<void> add_further(Plan& plan, const Frame& frame, const PlanRequest& request) {
   AXIOMETRY_TRY(const std::vector<Stretch> areas, areas_of(frame, request));
   plan.title = "Whole travel";
+  const Spacing spacing{request.area_targets, {}, {}, 0.0, request.equal_steps};
   for (const Stretch& area : areas) {
-    AXIOMETRY_TRY(Plan part, plan_over(frame, area, {}, request.seed, plan.further.size() + 1));
+    AXIOMETRY_TRY(Plan part, plan_over(frame, area, spacing, request.seed, plan.further.size() + 1));
     part.title = fmt::format("Normal working area, {}", span_text(frame, area.from.in_native(), area.to.in_native()));
     part.warm_up_runs = 0;  // the test over the whole travel goes before
-    if (!request.runs && part.cycle != TestCycle::standard) part.runs = std::max(part.runs, request.least_runs);
+    part.runs = std::max(part.runs, request.least_runs);
     plan.further.push_back(std::move(part));
   }
   return {};

@@ -68,8 +68,9 @@ struct PlanRequest {
   std::optional<Position> interval;  ///< p at most
   std::optional<std::size_t> runs;   ///< n
   std::string rule;                  ///< copied
-  std::size_t least_runs = 0;        ///< n at least where it is not given, of areas in another cycle too
-  bool equal_steps = false;          ///< targets without a random part, from one end of the travel to the other
+  std::size_t least_runs = 0;        ///< n at least where it is not given; of areas always, which no user gives
+  std::optional<std::size_t> area_targets;  ///< m of areas; as the clause asks for when absent
+  bool equal_steps = false;  ///< targets without a random part, from one end of travel and areas to the other
   std::optional<Position> overrun;
   std::optional<double> feed;  ///< mm/min or °/min
   std::optional<Duration> dwell;

@@ -262,36 +262,7 @@ Claim made(ClaimKind kind, const Axis& axis, Against against) {
   return {kind, title_of_claim(kind, axis), std::move(against)};
 }
 
-}  // namespace
-
-std::string_view claim_key(ClaimKind kind) {
-  switch (kind) {
-    case ClaimKind::computed: return "computed";
-    case ClaimKind::tested: return "tested";
-    case ClaimKind::reported: return "reported";
-  }
-  return "";
-}
-
-Claims claims_of(const Test& test, const Assessment& assessment) {
-  const Axis& axis = test.metadata.axis;
-  const Case c = rules::make_case(test.metadata, test.series, assessment.evaluation, assessment.annex_a);
-  return {made(ClaimKind::computed, axis, against_computed(test, assessment)),
-          made(ClaimKind::tested, axis, against_tested(c, test, assessment)),
-          made(ClaimKind::reported, axis, against_reported(c, assessment))};
-}
-
-std::string against_text(const Claim& claim) {
-  const auto departures = std::ranges::count(claim.against, Severity::departure, &Finding::severity);
-  const auto missing = static_cast<std::ptrdiff_t>(claim.against.size()) - departures;
-  const auto points = [](std::ptrdiff_t n) { return n == 1 ? "1 point" : fmt::format("{} points", n); };
-  std::string text;
-  if (departures > 0) text = fmt::format("contradicted by {}", points(departures));
-  if (missing > 0) text += fmt::format("{}{} not stated", text.empty() ? "" : ", ", points(missing));
-  return text;
-}
-
-std::string_view word_of_the_tester(const TestEnvironment* surroundings) {
+std::string_view word_on_all(const TestEnvironment* surroundings) {
   const bool soaked = surroundings != nullptr && surroundings->soaked_h && *surroundings->soaked_h > 0.0;
   const EnvironmentItem* gradient = nullptr;
   if (surroundings != nullptr)
@@ -323,6 +294,47 @@ std::string_view word_of_the_tester(const TestEnvironment* surroundings) {
                   "where no other is given, machine and instrument were soaked and the gradient of the temperature "
                   "within what was agreed (4.1), the machine complete, levelled and without load (4.2), and at rest "
                   "when it was read (5.1)";
+}
+
+}  // namespace
+
+std::string_view claim_key(ClaimKind kind) {
+  switch (kind) {
+    case ClaimKind::computed: return "computed";
+    case ClaimKind::tested: return "tested";
+    case ClaimKind::reported: return "reported";
+  }
+  return "";
+}
+
+Claims claims_of(const Test& test, const Assessment& assessment) {
+  const Axis& axis = test.metadata.axis;
+  const Case c = rules::make_case(test.metadata, test.series, assessment.evaluation, assessment.annex_a);
+  return {made(ClaimKind::computed, axis, against_computed(test, assessment)),
+          made(ClaimKind::tested, axis, against_tested(c, test, assessment)),
+          made(ClaimKind::reported, axis, against_reported(c, assessment))};
+}
+
+std::string against_text(const Claim& claim) {
+  const auto departures = std::ranges::count(claim.against, Severity::departure, &Finding::severity);
+  const auto missing = static_cast<std::ptrdiff_t>(claim.against.size()) - departures;
+  const auto points = [](std::ptrdiff_t n) { return n == 1 ? "1 point" : fmt::format("{} points", n); };
+  std::string text;
+  if (departures > 0) text = fmt::format("contradicted by {}", points(departures));
+  if (missing > 0) text += fmt::format("{}{} not stated", text.empty() ? "" : ", ", points(missing));
+  return text;
+}
+
+std::string word_of_the_tester(const TestEnvironment* surroundings, bool both_directions) {
+  constexpr std::string_view cycle = "the standard test cycle was run where no other is given, ";
+  std::string word(word_on_all(surroundings));
+  if (both_directions) return word;
+  const std::size_t at = word.find(cycle);
+  AXIOMETRY_CONTRACT(at != word.npos);
+  word.erase(at, cycle.size());
+  constexpr std::string_view machine = "the machine ";
+  if (word.substr(at).starts_with(machine)) word.insert(at + machine.size(), "was ");
+  return word;
 }
 
 }  // namespace axiometry::iso230_2

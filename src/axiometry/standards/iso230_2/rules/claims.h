@@ -43,7 +43,8 @@ std::string against_text(const Claim& claim);
 
 /// What ClaimKind::tested rests on that no item of a test states: a sentence without full stop. The gradient of the
 /// temperature is among it unless it is known, by a log or stated (nullptr: neither), to lie within the limit that was
-/// agreed; and the soaking unless it is stated for how long.
-std::string_view word_of_the_tester(const TestEnvironment* surroundings);
+/// agreed; and the soaking unless it is stated for how long; the standard test cycle is not, of one
+/// direction.
+std::string word_of_the_tester(const TestEnvironment* surroundings, bool both_directions);
 
 }  // namespace axiometry::iso230_2

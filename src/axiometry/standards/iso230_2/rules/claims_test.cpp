@@ -3,11 +3,13 @@
 // For each claim what makes it false.
 #include "axiometry/standards/iso230_2/rules/claims.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 
+#include "axiometry/language/language.h"
 #include "axiometry/standards/environment/environment.h"
 #include "tests/support/series.h"
 
@@ -409,12 +411,12 @@ TEST(Claims, RestOnTheWordOfTheTesterForTheGradientUnlessALogShowsItKept) {
         EnvironmentStanding::not_agreed, EnvironmentStanding::known_in_part}) {
     gradient.standing = standing;
     logged.items = {highest, gradient};
-    const std::string_view word = word_of_the_tester(&logged);
+    const std::string word = word_of_the_tester(&logged, true);
     const bool kept = standing == EnvironmentStanding::kept;
     EXPECT_EQ(word.find(by_the_log) != word.npos, kept) << standing_key(standing);
     EXPECT_EQ(word.find(on_his_word) != word.npos, !kept) << standing_key(standing);
   }
-  EXPECT_NE(word_of_the_tester(nullptr).find(on_his_word), std::string_view::npos);
+  EXPECT_NE(word_of_the_tester(nullptr, true).find(on_his_word), std::string_view::npos);
 }
 
 TEST(Claims, RestOnTheWordOfTheTesterForTheSoakingUnlessItsTimeIsStated) {
@@ -426,19 +428,37 @@ TEST(Claims, RestOnTheWordOfTheTesterForTheSoakingUnlessItsTimeIsStated) {
       gradient.stated = stated;
       TestEnvironment surroundings;
       surroundings.items = {gradient};
-      const std::string_view without = word_of_the_tester(&surroundings);
+      const std::string without = word_of_the_tester(&surroundings, true);
       EXPECT_NE(without.find(on_his_word), without.npos);
       EXPECT_EQ(without.find("is stated"), stated && standing == EnvironmentStanding::kept
                                                ? without.find("is stated, within what was agreed")
                                                : without.npos);
       surroundings.soaked_h = 12.0;
-      const std::string_view with = word_of_the_tester(&surroundings);
+      const std::string with = word_of_the_tester(&surroundings, true);
       EXPECT_NE(with.find("how long machine and instrument were soaked"), with.npos);
       EXPECT_EQ(with.find("other is given, machine and instrument were soaked"), with.npos);
       EXPECT_EQ(with.find(by_the_log) != with.npos, standing == EnvironmentStanding::kept && !stated);
       surroundings.soaked_h = 0.0;
-      EXPECT_EQ(word_of_the_tester(&surroundings), without) << "no time at all is no soaking";
+      EXPECT_EQ(word_of_the_tester(&surroundings, true), without) << "no time at all is no soaking";
     }
+}
+
+TEST(Claims, NameNoStandardCycleOfOneDirection) {
+  EnvironmentItem gradient{.key = "machine_gradient_C", .title = "", .unit = "°C", .clause = "4.1"};
+  for (const auto standing : {EnvironmentStanding::kept, EnvironmentStanding::not_measured})
+    for (const bool stated : {true, false})
+      for (const double soaked_h : {0.0, 12.0}) {
+        gradient.standing = standing;
+        gradient.stated = stated;
+        TestEnvironment surroundings;
+        surroundings.items = {gradient};
+        surroundings.soaked_h = soaked_h;
+        const std::string word = word_of_the_tester(&surroundings, false);
+        EXPECT_EQ(word.find("cycle"), word.npos) << word;
+        EXPECT_THAT(word, testing::ContainsRegex("it: (machine and .* were|the machine was|the gradient .* was) "));
+        for (const language::Language language : language::languages())
+          EXPECT_TRUE(language::is_known(word, language)) << word;
+      }
 }
 
 }  // namespace
