@@ -155,7 +155,7 @@ TEST_P(EveryRollover, IsNotDoubtedWithoutItWhereTheAxisStaysWithinATurn) {
     const bool tilts = targets.back() < 90;
     // The warm-up goes from end to end, the short way through 0°.
     EXPECT_EQ(program.find("COUNTS TO 360 DEG ONLY") == std::string::npos, tilts);
-    EXPECT_EQ(program.find("TOLD BY THE SIGN OF THE ANGLE") != std::string::npos, tilts);
+    EXPECT_EQ(program.find("ROLLOVER OFF, NOT FOR AN AXIS WHOSE") != std::string::npos, tilts);
     for (AxisRule rule : rollover_rules.at(std::string(dialect.id)))
       if (tilts && (rule == AxisRule::shortest || rule == AxisRule::within_turn))
         ASSERT_NO_FATAL_FAILURE(expect_turned(dialect.id, program, plan, {rule, 12.0})) << program;
