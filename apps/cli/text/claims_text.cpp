@@ -32,6 +32,8 @@ std::string not_stated(const app::Evaluated& e, const iso230_2::Claim& claim, co
 
 std::string claims_text(const app::Evaluated& e, const iso230_2::Claims& claims, const report::Options& options,
                         const Terminal& terminal) {
+  const Series& series = e.test.series;
+  const bool both_directions = series.has(Direction::up) && series.has(Direction::down);
   std::string text;
   for (const iso230_2::Claim& claim : claims) {
     const std::string answer = left(report::translated(claim.holds() ? "yes" : "no", options), answer_width);
@@ -40,7 +42,7 @@ std::string claims_text(const app::Evaluated& e, const iso230_2::Claims& claims,
                                              : terminal.yellow(answer);
     std::string line = report::translated(claim.title, options);
     if (claim.holds() && claim.kind == iso230_2::ClaimKind::tested)
-      line += ", " + report::translated(iso230_2::word_of_the_tester(e.environment()), options);
+      line += ", " + report::translated(iso230_2::word_of_the_tester(e.environment(), both_directions), options);
     if (!claim.holds())
       line += fmt::format("{}{}", report::colon(options), report::translated(iso230_2::against_text(claim), options));
     line += not_stated(e, claim, options);
