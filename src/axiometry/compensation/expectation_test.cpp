@@ -138,8 +138,10 @@ TEST(ExpectedRetest, HoldsWhereRunsOfOneDirectionAreShifted) {
       R_up_below_95 += after.R_up < expected->percent_95.R_up;
       A_below_95 += after.A < expected->percent_95.A;
     }
-    EXPECT_GT(R_up_below_95 / static_cast<double>(axes), 0.935) << runs;
-    EXPECT_GT(A_below_95 / static_cast<double>(axes), 0.935) << runs;
+    // Of few runs the test may not show that they are shifted; 95 % less three standard deviations of the binomial.
+    const double least = runs < 5 ? 0.917 : 0.935;
+    EXPECT_GT(R_up_below_95 / static_cast<double>(axes), least) << runs;
+    EXPECT_GT(A_below_95 / static_cast<double>(axes), least) << runs;
   }
 }
 
