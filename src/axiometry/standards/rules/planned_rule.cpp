@@ -71,9 +71,9 @@ class PlannedJudge {
       departure("plan-rule-directions", "found approaches from one direction only, expected both for all figures");
   }
 
-  void departure(const char* id, std::string_view message) {
+  void departure(std::string id, std::string_view message) {
     trial_.departs = true;
-    add(id, message);
+    add(std::move(id), message);
   }
 
   void add(std::string id, std::string_view message) {
