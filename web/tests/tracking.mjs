@@ -95,6 +95,9 @@ export const tracking = {
     await page.setInputFiles('section[aria-labelledby=tracking-lengths] input[accept*=csv]', csv('lengths.csv', table.join('\n')));
     await shows(page.locator('.results'), /aligned with each line in turn, without a station/);
     await shows(page.locator('.results div', { has: page.getByRole('heading', { name: 'Squareness from the diagonals of a face' }) }).last(), /XY[\s\S]*C0Y −?(19\.99|20\.0)/);
+    // Every run is the same, which is told along each of the lines and not of the chosen one alone.
+    assert.equal(await page.locator('.results summary', { hasText: 'Findings of' }).count(), lines.length);
+    assert.ok(!(await page.locator('.results').innerText()).includes('Nothing to say against it'));
     await page.getByLabel('Which lines').selectOption('seven');
     await shows(page.locator('main'), 'found "nowhere", expected a number');
   },

@@ -21,6 +21,7 @@ export function Results({ evaluation }: { evaluation: TrackingEvaluation }) {
   const [wanted, set_wanted] = useState<string | null>(null);
   const line = evaluation.lines.find(({ id }) => id === wanted) ?? evaluation.lines[0] ?? null;
   const at = station_place(evaluation.setup);
+  const found_along = evaluation.lines.filter(({ test }) => test.findings.length > 0);
   return (
     <div class="stack results">
       <h3>{t('results')}</h3>
@@ -32,14 +33,14 @@ export function Results({ evaluation }: { evaluation: TrackingEvaluation }) {
       <Squareness evaluation={evaluation} />
       <div>
         <h3>{t('findings')}</h3>
-        <TrackingFindings findings={evaluation.findings} />
+        {(evaluation.findings.length > 0 || found_along.length === 0) && <TrackingFindings findings={evaluation.findings} />}
+        {found_along.map(({ id, test }) => (
+          <details key={id} class="more">
+            <summary>{t('findings_of', { line: id })}</summary>
+            <FindingList findings={test.findings} />
+          </details>
+        ))}
       </div>
-      {line && line.test.findings.length > 0 && (
-        <details class="more">
-          <summary>{t('findings_of', { line: line.id })}</summary>
-          <FindingList findings={line.test.findings} />
-        </details>
-      )}
     </div>
   );
 }
