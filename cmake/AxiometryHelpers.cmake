@@ -125,7 +125,7 @@ function(axiometry_unity_build target)
     target_precompile_headers(
       ${target} PRIVATE <algorithm> <array> <cmath> <expected> <functional> <map> <optional> <span> <sstream> <string>
       <string_view> <variant> <vector> <fmt/format.h> ${PROJECT_SOURCE_DIR}/src/axiometry/model/test.h
-      ${PROJECT_SOURCE_DIR}/src/axiometry/base/json.h ${arg_HEADERS})
+      ${PROJECT_SOURCE_DIR}/src/axiometry/base/json/json.h ${arg_HEADERS})
   endif()
   if(AXIOMETRY_UNITY_BUILD STREQUAL "HEADERS") # the shortest wait after an edit
     return()

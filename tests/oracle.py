@@ -127,11 +127,12 @@ def annex_a(parameters, length_m, n, inputs):
     eve = 0.6 * inputs["eve"]
     common = device ** 2 + misalignment ** 2 + temperature ** 2 + expansion ** 2
     E = math.sqrt(common + eve ** 2 / n)
-    U = {"E": E, "E_up": E, "E_down": E, "M": math.sqrt(common + eve ** 2 / (2 * n)), "R": 2.2 * eve,
-         "R_up": 2 * eve, "R_down": 2 * eve, "B": (0.9 if n == 5 else 2 / math.sqrt(n)) * eve}
+    one_way, both_ways = (4 / math.sqrt(n - 1), math.sqrt(16 / (n - 1) + 4 / n)) if 1 < n < 5 else (2, 2.2)
+    U = {"E": E, "E_up": E, "E_down": E, "M": math.sqrt(common + eve ** 2 / (2 * n)), "R": both_ways * eve,
+         "R_up": one_way * eve, "R_down": one_way * eve, "B": (0.9 if n == 5 else 2 / math.sqrt(n)) * eve}
     U["B_mean"] = U["B"]
     for key in ("A", "A_up", "A_down"):
-        U[key] = math.hypot(E, 2 * eve)
+        U[key] = math.hypot(E, one_way * eve)
     return {key: (U[key] if parameters[key] is not None else None) for key in parameters}
 
 

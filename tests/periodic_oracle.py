@@ -105,9 +105,10 @@ def enlargement(rest, nu, targets_per_period):
     """√g of docs/theory/periodic-error.md, by which U is larger where residuals go on from target to target; else 1."""
     n = len(rest)
     seen = float(rest[:-1] @ rest[1:] / (rest @ rest))
-    if seen <= 3.0902 / math.sqrt(n):
+    corrected = seen + (1 + seen) * (n - nu - 1) / n
+    if corrected <= 1.6449 / math.sqrt(n):
         return 1.0
-    most = min(max(seen + (1 + seen) * (n - nu - 1) / n + 2 * math.sqrt((1 - seen * seen) / n), 0), 1)
+    most = min(max(corrected + 2 * math.sqrt((1 - seen * seen) / n), 0), 1)
     rho, cosine = np.linspace(0, most, 100001), math.cos(TAU / targets_per_period)
     return math.sqrt(max(1.0, float(np.max((1 - rho**2) / (1 - 2 * rho * cosine + rho**2)))))
 

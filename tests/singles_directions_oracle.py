@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 import numpy as np
+import scipy.stats
 
 from singles_model import LOWER, NAMES, SQUARES, UPPER, Model, axis_of, displaced, measured_place, motion_of, slope_within
 
@@ -58,10 +59,11 @@ def random_machine(rng, chain):
 
 def measured(machine, rng, name, directions, positions, runs, noise):
     """Readings [run][direction][position], and the text of their file. The instrument has its own zero and, of straightness,
-    its own slope."""
+    its own slope; some positions, and some directions, scatter more."""
     zero, askew = rng.normal(0, 50), 0.02 if motion_of(name) < 3 and name[1] != name[2] else 0.0
-    table = {d: np.array([[true_reading(machine, name, at, d) + zero + askew * at + rng.normal(0, noise) for at in positions]
-                          for _ in range(runs)]) for d in directions}
+    wide = {d: np.where(rng.uniform(size=len(positions)) < 0.1, 20.0, rng.choice([1.0, 1.0, 5.0])) for d in directions}
+    table = {d: np.array([[true_reading(machine, name, at, d) + zero + askew * at + rng.normal(0, noise * more)
+                           for at, more in zip(positions, wide[d])] for _ in range(runs)]) for d in directions}
     positioning = name[1] == name[2]
     text = (f"# axis.name: {name[2]}\ntarget_mm,run,direction,deviation_um\n" if positioning else
             f"# error: {name}\nposition_mm,run,direction,{name}_{'um' if motion_of(name) < 3 else 'urad'}\n")
@@ -72,19 +74,64 @@ def measured(machine, rng, name, directions, positions, runs, noise):
     return table, text
 
 
+def alike(squares, runs):
+    """How many of the smallest s² belong together, and the mean of these: of the largest one after the other, up to half, those
+    that the last one which F tells apart from all smaller ones leads."""
+    ascending, count = np.sort(squares), len(squares)
+    for left in range(count - 1, (count + 1) // 2 - 1, -1):
+        f = ascending[left] / ascending[:left].mean()
+        if scipy.stats.f.sf(f, runs - 1, left * (runs - 1)) < 0.003 / (left + 1):
+            count = left
+    return count, ascending[:count].mean()
+
+
+def scattered(table, runs):
+    """Variances of the means: s of those that scatter alike with Student's t, of both directions unless F tells these apart; of
+    one that F says is unlike the others its own, without Student's t where it may be one of them."""
+    own = {d: readings.var(axis=0, ddof=1) for d, readings in table.items()}
+
+    def widened(square, degrees):
+        return square * (scipy.stats.t.ppf(scipy.stats.norm.cdf(2.0), degrees) / 2.0) ** 2
+
+    def of_means(squares, together):
+        count, mean = alike(together, runs)
+        largest = np.sort(together)[count - 1]
+        of_all = widened(mean, count * (runs - 1))
+
+        def one(square):
+            if square > largest:
+                return max(of_all, widened(square, runs - 1))
+            others = (mean * count - square) / (count - 1)
+            doubtful = square > mean and scipy.stats.f.sf(square / others, runs - 1, (count - 1) * (runs - 1)) < 0.01
+            return max(of_all, square) if doubtful else of_all
+        return np.array([one(square) for square in squares]) / runs
+
+    everything = np.concatenate(list(own.values()))
+    if everything.max() < 1e-18:  # no scatter at all but of floating point
+        return {d: np.zeros_like(squares) for d, squares in own.items()}
+    if len(own) == 2:
+        (n1, s1), (n2, s2) = (alike(squares, runs) for squares in own.values())
+        below = scipy.stats.f.cdf(s1 / s2, n1 * (runs - 1), n2 * (runs - 1))
+        if min(below, 1.0 - below) < 0.005:
+            return {d: of_means(squares, squares) for d, squares in own.items()}
+    return {d: of_means(squares, everything) for d, squares in own.items()}
+
+
 def reduced(table, positions, instrument):
     """Means, halves and their covariance, of readings of one direction or both."""
     runs, n = next(iter(table.values())).shape
     common = np.diag((0.5 * (instrument[0] + instrument[1] * (positions - positions[0]) / 1000)) ** 2)
     up, down = table.get(1.0), table.get(-1.0)
 
-    def of(readings):
-        return readings.mean(axis=0), np.diag(readings.var(axis=0, ddof=1) / runs) if runs > 1 else np.zeros((n, n))
+    variances = scattered(table, runs) if runs > 1 else {d: np.zeros(n) for d in table}
+
+    def of(readings, direction):
+        return readings.mean(axis=0), np.diag(variances[direction])
 
     if up is None or down is None:
-        mean, variance = of(up if down is None else down)
+        mean, variance = of(up, 1.0) if down is None else of(down, -1.0)
         return {"at": positions, "means": mean, "halves": None, "covariance": variance + common}
-    (mean_up, var_up), (mean_down, var_down) = of(up), of(down)
+    (mean_up, var_up), (mean_down, var_down) = of(up, 1.0), of(down, -1.0)
     scatter = 0.25 * (var_up + var_down)
     of_half = scatter if runs > 1 else 0.5 * common  # of one run as of readings that have nothing in common
     cross = 0.25 * (var_up - var_down)

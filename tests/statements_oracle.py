@@ -214,7 +214,7 @@ def known_effects(program, folder):
             assert code == 4 and row["verdict"] == "undecided", row
             assert row["probability_conforming"] is None and row["acceptance_limit"] is None, row
             assert "104.7" in row["withheld"] or "105.0" in row["withheld"], row
-            assert "--correct nde" in row["withheld"], row
+            assert "the correction for thermal expansion" in row["withheld"], row
     results, code = evaluate(program, [folder / "warm.csv"], *flags, "--rule", "iso14253-1", "--nde-correct")
     row = results["warm.csv"]["tolerances"][0]
     assert code == 3 and row["withheld"] is None and row["verdict"] == "does not conform", row

@@ -107,7 +107,7 @@ def live(bench):
     bench.run(*capture, "--part", 1, "--from", "run1.csv", "--out", "file1.csv", codes=CAPTURED)
 
     server = kill_test.Server(sent[1])
-    bench.refused("expected the one that is measured: --part 1 to 12", *capture, "--from", f"tcp://127.0.0.1:{server.port}", "--out", "live1.csv")
+    bench.refused("expected which one is measured: 1 to 12 (--part)", *capture, "--from", f"tcp://127.0.0.1:{server.port}", "--out", "live1.csv")
     bench.run(*capture, "--part", 1, "--from", f"tcp://127.0.0.1:{server.port}", "--out", "live1.csv", "--give-up", 1, codes=CAPTURED)
     server.close()
     assert bench.rows("live1.csv") == bench.rows("file1.csv")

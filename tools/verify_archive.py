@@ -227,6 +227,18 @@ def sum_on(total, data, order):
     return a, b
 
 
+def lost_its_size(before, stated, page, order):
+    """Whether the last page of a change lost no more than what says so, the size behind its number: the sums in front of
+    the page and behind what follows in it tell the size that was written."""
+    a, b = stated
+    words = struct.unpack(f"{order}{(len(page) - 24) // 4}I", page[24:])
+    for k in range(len(words), 0, -2):
+        b = (b - words[k - 1] - a) & 0xFFFFFFFF
+        a = (a - words[k - 2] - b) & 0xFFFFFFFF
+    number, = struct.unpack(f"{order}I", page[:4])
+    return a == (before[0] + number + before[1]) & 0xFFFFFFFF and b != (before[1] + a) & 0xFFFFFFFF
+
+
 def check_log(path):
     """SQLite passes over what stands in a log behind a page that is not as it was written, and says nothing. A page that
     is the last of a change has a size; a change is begun when the one in front of it is on the disk, so that one alone,
@@ -246,6 +258,7 @@ def check_log(path):
         _, end, *stated = struct.unpack(">6I", log[at:at + 24])
         is_ours = tuple(stated[:2]) == salts
         if altered is None:
+            end = end or lost_its_size(total, stated[2:], log[at:at + 24 + size], order)
             total = sum_on(sum_on(total, log[at:at + 8], order), log[at + 24:at + 24 + size], order)
             fits = total == tuple(stated[2:])
             if fits and is_ours:
@@ -253,7 +266,7 @@ def check_log(path):
                 continue
             altered, is_surely = number, fits
             is_ours = is_ours or fits
-        finished += is_ours and end != 0
+        finished += is_ours and bool(end)
     behind = max(finished - 1, 0)  # the first is the change of the altered page itself
     if is_surely or behind:
         more = f", and {behind} finished change{'s' * (behind > 1)} behind it" if behind else ""

@@ -10,7 +10,7 @@
 #include "axiometry/app/files/seal_key.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/failure.h"
 #include "cli/seal_stamp.h"

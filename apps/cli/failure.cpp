@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "axiometry/report/drawing/utf8.h"
+#include "cli/text/flags_of_words.h"
 
 namespace axiometry::cli {
 namespace {
@@ -18,6 +19,8 @@ language::Language& language_of_faults() {
 
 std::string in_language_of_faults(std::string_view text) { return language::translated(text, language_of_faults()); }
 
+std::string with_flags_in_language(std::string_view text) { return with_flags(in_language_of_faults(text), text); }
+
 }  // namespace
 
 void tell_faults_in(language::Language language) { language_of_faults() = language; }
@@ -28,7 +31,7 @@ std::string told_fault(std::string_view text) {
   const std::size_t colon = text.find(": "), space = text.find(' ');
   const bool names_option = colon != text.npos && colon < space;
   const std::size_t begin = names_option ? colon + 2 : 0;
-  return report::printable(std::string(text.substr(0, begin)) + in_language_of_faults(text.substr(begin)));
+  return report::printable(std::string(text.substr(0, begin)) + with_flags_in_language(text.substr(begin)));
 }
 
 std::string in_language_asked(std::string_view text) { return report::printable(in_language_of_faults(text)); }
@@ -42,7 +45,7 @@ std::string in_language_asked(std::string_view what, std::string_view sentence) 
 
 void tell(const Error& error) {
   Error told = error;
-  told.message = in_language_of_faults(error.message);
+  told.message = with_flags_in_language(error.message);
   fmt::print(stderr, "axiometry: {}\n", report::printable(told.to_string()));
 }
 

@@ -14,7 +14,7 @@ namespace axiometry::cli {
 void tell_faults_in(language::Language language);
 
 /// What is wrong in that language, without what a terminal would obey. The name of an option before it stays:
-/// "--out: found …".
+/// "--out: found …". Where it speaks of what flags give, they stand behind it (flags_of_words.h).
 std::string told_fault(std::string_view text);
 
 /// That language; English where none was asked for.

@@ -9,12 +9,14 @@
 #include <cstdlib>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/language/language.h"
 #include "cli/failure.h"
@@ -49,6 +51,16 @@ std::string unknown_word(std::string_view word, const std::vector<std::string_vi
   return fmt::format("found {}, expected {}", axiometry::text::quoted(word),
                      near ? fmt::format("perhaps {}", *near) : fmt::format("one of {}", fmt::join(known, ", ")));
 }
+
+/// Between the groups of a verb's flags one empty line, where CLI11 leaves two.
+class HelpText : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+    for (std::size_t at; (at = text.find("\n\n\n")) != text.npos;) text.erase(at, 1);
+    return text;
+  }
+};
 
 /// A group of options is a subcommand too, without a name.
 bool is_verb(const CLI::App* app) { return !app->get_name().empty(); }
@@ -144,6 +156,7 @@ int run(int argc, char** argv) {
   int exit_code = exit_done;
   CLI::App program("Tests how truly a machine tool's axes move: ISO 230-2 from the measured file to the report.",
                    "axiometry");
+  program.formatter(std::make_shared<HelpText>());  // what is added below takes it over
   program.set_version_flag("--version", fmt::format("axiometry {}", axiometry::version), "Print the version and exit");
   program.set_help_flag("--help,-h", "Print this help and exit");
   program.require_subcommand(1);

@@ -14,7 +14,7 @@
 #include "axiometry/app/workbench/examples/examples.h"
 #include "axiometry/app/workbench/workbench.h"
 #include "axiometry/base/broken_contract.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "server/access/guard.h"
 #include "server/access/security.h"
 #include "server/access/security_log.h"
@@ -95,6 +95,7 @@ Result<std::unique_ptr<app::CaptureService>> open_captures(const ServeOptions& o
 void add_api_routes(Router& router, const Context& context) {
   add_test_routes(router, context);
   add_rule_routes(router, context);
+  add_periodic_routes(router, context);
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);

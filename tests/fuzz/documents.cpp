@@ -11,7 +11,7 @@
 #include "axiometry/app/workbench/calibrations/calibration_json.h"
 #include "axiometry/app/workbench/compensations/compensation_json.h"
 #include "axiometry/app/workbench/test_state.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "described.h"
 
 using namespace axiometry;

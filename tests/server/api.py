@@ -194,6 +194,14 @@ def reports(play, test):
         checks.that(f"the {extension} by other rules begins as one", answer.body.startswith(begin) and answer.body,
                     answer.body[:20])
     play.expect(404, "GET", f"/api/tests/{test}/rules/report.svg")
+    periodic = play.expect(200, "GET", f"/api/tests/{test}/periodic?min_period=400&max_period=900&language=de&theme=dark").json()
+    checks.that("each direction has its periodic error", [one["direction"] for one in periodic["directions"]] ==
+                ["up", "down"], periodic["directions"])
+    play.expect(422, "GET", f"/api/tests/{test}/periodic?period=0")
+    for extension, begin in (("pdf", b"%PDF"), ("html", b"<!"), ("json", b"{"), ("csv", b""), ("svg", b"<"), ("png", b"\x89PNG")):
+        answer = play.expect(200, "GET", f"/api/tests/{test}/periodic/report.{extension}?language=de&period=600")
+        checks.that(f"the {extension} of a periodic error begins as one", answer.body.startswith(begin) and answer.body,
+                    answer.body[:20])
     issued = play.expect(201, "POST", f"/api/tests/{test}/reports", {"extension": "pdf", "language": "en"}).json()
     document = play.expect(200, "GET", f"/api/documents/{issued['id']}")
     checks.that("the issued report is a PDF", document.body.startswith(b"%PDF"), document.body[:20])

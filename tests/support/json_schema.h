@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::testing_support {
 

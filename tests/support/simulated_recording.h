@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/app/recordings/raw_recording.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/simulation/presets.h"
 #include "axiometry/simulation/simulate.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"

@@ -8,7 +8,7 @@
 
 #include "axiometry/app/live/service/capture_service.h"
 #include "axiometry/app/workbench/workbench.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/store/store.h"
 #include "server/routes/routes.h"
 

@@ -38,7 +38,7 @@ export const language = kept<Language>('language', browser_language, languages);
 export const decimal = kept<Decimal>('decimal', browser_language === 'en' ? 'point' : 'comma', ['point', 'comma']);
 export const theme = kept<Theme>('theme', 'system', ['system', 'light', 'dark']);
 export const actor = kept<string>('actor', '', null);
-/** Months after which a machine is due for its next test; "0": never. */
+/** Months after which each axis of a machine is due for its next test; "0": never. */
 export const due_months = kept<string>('due_months', '12', ['0', '3', '6', '12', '18', '24', '36']);
 
 const dark_system = window.matchMedia('(prefers-color-scheme: dark)');

@@ -133,7 +133,7 @@ export const motion_captures = {
       await listening(world, server);
       const { id: plan } = await world.api('POST', '/api/plans', { title: 'Straightness of X', axis: null, request });
       const { id } = await world.api('POST', '/api/captures', { plan, source: 'laser', options: { stops: 'keys' } });
-      for (const [locale, field] of [['en-GB', '“Unit of the stream”'], ['de-DE', '„Einheit des Stroms“'], ['fr-FR', 'Unité du flux']]) {
+      for (const [locale, field] of [['en-GB', 'unit of the stream'], ['de-DE', 'Einheit des Stroms'], ['fr-FR', 'unité du flux']]) {
         const page = await world.page({ locale });
         await page.goto(`/captures/${id}`);
         assert.doesNotMatch(await shows(page.locator('.ending'), field), /--/);

@@ -14,9 +14,11 @@ export const offline = {
     await page.getByLabel('Dwell (s)').fill('8');
     await shows(page.getByRole('alert').first(), 'does not answer');
     assert.equal(await page.locator('.notice').locator('visible=true').count(), 1, 'that the program is gone is said once');
+    const unsaved = page.waitForEvent('requestfailed', (request) => request.method() !== 'GET' && request.url().endsWith(`/api/plans/${id}`));
     await page.getByRole('button', { name: 'Save version 2' }).click();
+    await unsaved;  // later it would reach the program that is back
     await shows(page.getByRole('alert').first(), 'does not answer');
-    await settle(page);  // what is asked for until then must not reach the program that is back
+    await settle(page);
     await world.back();
     await page.getByRole('button', { name: 'Try again' }).first().click();
     assert.equal(await page.getByLabel('Dwell (s)').inputValue(), '8');

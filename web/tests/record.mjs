@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { settle } from './pages.mjs';
 import { edit_field, save_version } from './steps.mjs';
-import { example, shows } from './world.mjs';
+import { attribute_shows, example, shows } from './world.mjs';
 
 const card = (page, n) => page.locator('.glance').nth(n);
 const of_record = (page) => page.getByLabel('Uncertainty of record');
@@ -77,6 +77,17 @@ export const record = {
     await shows(page.locator('.parameters-table'), /by different methods: Monte Carlo, Annex A/);
   },
 
+  async 'curves without a common stretch are not said to begin where all begin'(world) {
+    const first = await world.kept();
+    const { id } = await kept_with(world, (test) => { test.series.targets = test.series.targets.map((target) => target + 2000); }, 'elsewhere.json');
+    const page = await world.page({ width: 1200, height: 844 });
+    await page.goto(`/compare?tests=${first},${id}&datum=start`);
+    await shows(page.locator('.chart-panel .notice'), 'no stretch of the axis in common');
+    await page.goto(`/compare?tests=${first},${id}`);
+    await shows(page.locator('.parameters-table'), 'Difference');
+    assert.equal(await page.locator('.chart-panel .notice').count(), 0, 'as measured is as measured');
+  },
+
   async 'intervals in the list leave every verdict in sight'(world) {
     await world.kept();
     await kept_with(world, (test) => { test.uncertainty.method = 'monte-carlo'; }, 'sampled.json');
@@ -127,7 +138,7 @@ export const record = {
     await page.goto(`/tests/${id}`);
     await shows(card(page, 1), /undecided[\s\S]*an effect is not corrected/);
     await shows(page.locator('.withheld-reasons'), /Undecided: E – Thermal expansion, about [\d.]+ µm over the travel, .*neither corrected nor in the uncertainty/);
-    assert.match(await card(page, 1).getAttribute('class'), /caution/);
+    await attribute_shows(card(page, 1), 'class', /caution/);
     await page.getByRole('button', { name: 'Correct: Differential thermal expansion' }).click();
     await shows(card(page, 1), /does not conform|conforms/);
     await page.locator('.withheld-reasons').waitFor({ state: 'detached' });

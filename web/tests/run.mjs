@@ -21,6 +21,7 @@ import { lengths } from './lengths.mjs';
 import { motion_captures } from './motion_captures.mjs';
 import { motions } from './motions.mjs';
 import { offline } from './offline.mjs';
+import { periodic } from './periodic.mjs';
 import { plan } from './plan.mjs';
 import { receipts } from './receipts.mjs';
 import { record } from './record.mjs';
@@ -37,7 +38,6 @@ import { tracking } from './tracking.mjs';
 import { trend } from './trend.mjs';
 import { volume } from './volume.mjs';
 import { World, not_as_described, strangers } from './world.mjs';
-import { word_tests } from './words.mjs';
 import { wrong_files } from './wrong_files.mjs';
 
 const [program, ...words] = process.argv.slice(2);
@@ -45,7 +45,7 @@ if (!program) {
   console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
   process.exit(2);
 }
-const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...word_tests, ...tracking, ...stations, ...volume, ...calibrations, ...motions, ...dynamic, ...tables, ...table_choices, ...capture, ...lengths, ...motion_captures, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...surroundings, ...rules, ...claims, ...description, ...offline, ...timing };
+const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...stations, ...volume, ...calibrations, ...motions, ...dynamic, ...tables, ...table_choices, ...capture, ...lengths, ...motion_captures, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...surroundings, ...rules, ...periodic, ...claims, ...description, ...offline, ...timing };
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));

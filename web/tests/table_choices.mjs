@@ -57,7 +57,7 @@ export const table_choices = {
     // Kept in the table, at positions that cannot follow it, it is told by the names of the fields and not by flags.
     await part.selectOption({ label: 'keep it in the table' });
     await made_anew(page);
-    await shows(page.locator('.table-results'), /“leave it out of the table” leaves it out/);
+    await shows(page.locator('.table-results'), /the part can be left out of it/);
     // The test tells the period: nothing is asked for, and an amplitude is taken out of the table.
     const told = await measured(world, '2026-03-03', of_screw, { at: dense_targets, axis: { expected_period: 10 } });
     await page.goto(`/tests/${told}/table`);
@@ -97,7 +97,7 @@ export const table_choices = {
     await shows(page.locator('.listing'), /MD32450 = its value while the axis was measured \+ /);
     await made_anew(page);
     assert.ok(await figure(page, 'B', 'Predicted') < 0.5 * before, 'the prediction counts on it');
-    await shows(page.locator('main'), 'With “one curve, and a number for the reversal beside it” the head of the file says');
+    await shows(page.locator('main'), 'With one curve, and a number for the reversal beside it, the head of the file says');
     const id = await keeps(page);
     await shows(page.locator('.table-files'), 'Curves: one curve, and a number for the reversal beside it');
     assert.equal((await world.api('GET', `/api/compensations/${id}`)).options.curves, 'with-backlash');
@@ -167,7 +167,7 @@ export const table_choices = {
     assert.equal(await unit.count(), 0, 'there is none');
     const in_inch = [[0, 2, 3], [250, -1, 1], [500, 4, 5]].map(([x, forward, reverse]) => [x, x + forward / 1000, x + reverse / 1000].map((value) => (value / 25.4).toFixed(8)).join(' ')).join('\n') + '\n';
     await page.locator('.file-drop input[type=file]').setInputFiles(given('inches.comp', in_inch));
-    await shows(page.locator('.table-outcome .notice.bad'), /which it would fit in inches[\s\S]*“Unit of the existing table” that says what it is in/);
+    await shows(page.locator('.table-outcome .notice.bad'), /which it would fit in inches[\s\S]*or the unit of the existing table stated/);
     assert.equal(await page.locator('.listing').count(), 0);
     await unit.selectOption('inch');
     await shows(page.locator('main'), 'The 3 positions of the existing table');

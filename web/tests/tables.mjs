@@ -55,6 +55,7 @@ export const tables = {
     await page.reload();
     await shows(page.locator('.chosen-control'), /EEC[\s\S]*as chosen last for this machine/);
     await page.getByRole('button', { name: 'Another…' }).click();
+    await page.locator('.control-search input:focus').waitFor();
     await page.keyboard.type('no such control');
     await shows(page.locator('.control-search'), 'No control is called “no such control”.');
     await page.keyboard.press('Escape');
@@ -74,6 +75,7 @@ export const tables = {
       await page.getByRole('option').filter({ has: page.getByText(control.title, { exact: true }) }).click();
       await shows(page.locator('.chosen-control'), control.title);
       await page.waitForFunction((id) => document.querySelector('.table-outcome')?.getAttribute('aria-busy') === 'false' && id, control.id);
+      await page.locator('.listing, .table-outcome .notice.bad').first().waitFor();
       const made = await page.locator('.listing').count() === 1;
       const refused = await page.locator('.table-outcome .notice.bad').allInnerTexts();
       assert.ok(made !== (refused.length > 0), `${control.id}: ${refused}`);

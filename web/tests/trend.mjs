@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { example, shows } from './world.mjs';
+import { attribute_shows, example, shows } from './world.mjs';
 
 /** A test of one direction of approach, whose A is an A↑ or A↓. */
 const one_way = (direction, slope) => [
@@ -39,7 +39,27 @@ export const trend = {
     await page.goto('/machines');
     const last = await figure(ids[2], 'A_down');
     await shows(page.locator(`a.axis-spark[href="/axes/${axis.id}"] .value`), new RegExp(`A↓\\s*${last.toFixed(1)}`));
-    assert.match(await page.locator(`a.axis-spark[href="/axes/${axis.id}"]`).getAttribute('title'), /^X: A↓ \d.*, 1 test/);
+    await attribute_shows(page.locator(`a.axis-spark[href="/axes/${axis.id}"]`), 'title', /^X: A↓ \d.*, 1 test/);
+  },
+
+  async 'each axis of a machine is due by its own latest test, whatever was measured of the others'(world) {
+    const of_axis = (axis, date) => one_way('up', 1).replace('axis.name: X', `axis.name: ${axis}`).replace(/test.date: .*/, `test.date: ${date}`);
+    const today = new Date().toISOString().slice(0, 10);
+    for (const [axis, date] of [['X', '2019-03-01'], ['X', today], ['Z', '2020-04-17'], ['Y', '2020-04-17']]) await world.api('POST', '/api/tests', of_axis(axis, date), { 'X-File-Name': `${axis}_${date}.csv` });
+    const page = await world.page();
+    await page.goto('/machines');
+    const row = page.locator('.machines tbody tr', { hasText: 'Lathe 9' });
+    await shows(row.locator('td .tag.caution').first(), /^[ZY], [ZY] overdue since 2021-04-17$/);
+    assert.equal(await row.locator('td .tag.caution').count(), 1, 'X was tested today');
+  },
+
+  async 'compared tests say what their U means'(world) {
+    const ids = [await world.kept(), await world.kept(example, 'again.json')];
+    const page = await world.page();
+    await page.goto(`/compare?tests=${ids.join(',')}`);
+    await shows(page.locator('.side-by-side .by-method').first(), 'Annex A, k = 2');
+    await page.goto(`/tests/${ids[0]}`);
+    await shows(page.locator('.parameters-panel .foot').first(), 'about 95 % (k = 2)');
   },
 
   async 'a file that was kept twice counts once in the trend, and says so'(world) {
@@ -52,7 +72,7 @@ export const trend = {
     assert.equal(await page.locator('.trend tbody tr').count(), 1);
     await page.goto('/machines');
     await shows(page.locator('a.axis-spark'), 'X');
-    assert.match(await page.locator(`a.axis-spark[href="/axes/${axis.id}"]`).getAttribute('title'), /, 1 test/);
+    await attribute_shows(page.locator(`a.axis-spark[href="/axes/${axis.id}"]`), 'title', /, 1 test/);
   },
 
   async 'a test without a date stands in the trend where it was received, and says so'(world) {

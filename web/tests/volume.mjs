@@ -5,7 +5,7 @@ import { execFile } from 'node:child_process';
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
-import { axe_findings, downloaded, shows, sideways } from './world.mjs';
+import { attribute_shows, axe_findings, downloaded, shows, sideways } from './world.mjs';
 
 const run = promisify(execFile);
 
@@ -221,7 +221,7 @@ export const volume = {
     const page = await opened(world);
     const machine = of_panel(page, 'volume-machine');
     await machine.getByLabel('How it is built').selectOption('ZFXY');
-    assert.match(await page.locator('svg.chain').getAttribute('aria-label'), /workpiece → Z → bed → X → Y → tool/);
+    await attribute_shows(page.locator('svg.chain'), 'aria-label', /workpiece → Z → bed → X → Y → tool/);
     await machine.getByLabel('How it is built').selectOption('other');
     await machine.getByLabel('Link 1').selectOption('X');
     await shows(machine, 'X, Y, Z and the bed once each');

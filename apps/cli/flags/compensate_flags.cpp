@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/axis_table.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"

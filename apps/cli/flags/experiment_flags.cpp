@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/files/output.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/document_text.h"
@@ -60,6 +60,24 @@ int finish_experiment(const app::Experiment& experiment, const ExperimentArgumen
   if (const auto written = app::write_outputs(experiment, arguments.outputs, arguments.report); !written)
     return failed(written.error());
   return exit_done;
+}
+
+void add_sheet_flags(const Verb& verb, const std::string& names, app::OutputNames& outputs, report::Options& report,
+                     bool& quiet) {
+  constexpr const char* group = "Outputs";
+  verb.add_option(names, outputs.reports,
+                  "Sheet to take to the machine to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
+      ->type_name("FILE")
+      ->one_at_a_time()
+      ->group(group);
+  Flag decimal = add_decimal(verb, report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma");
+  add_language(verb, report, decimal->group(group))->group(group);
+  verb.add_flag("--quiet,-q", quiet, "No summary in the terminal")->group(group);
+}
+
+void check_sheet_outputs(const app::OutputNames& outputs) {
+  check_json_out(outputs.json, "; --sheet writes tables and documents of it");
+  if (auto checked = app::check_outputs(outputs); !checked) throw UsageError("--sheet", checked.error().message);
 }
 
 void check_json_out(const std::string& out, const std::string& instead) {

@@ -41,6 +41,12 @@ void check_experiment_outputs(ExperimentArguments& arguments, std::initializer_l
 /// Prints the document and writes the outputs; returns the exit code.
 int finish_experiment(const app::Experiment& experiment, const ExperimentArguments& arguments);
 
+/// Of verbs that plan: --sheet, by the names that it has there, --decimal, --language and --quiet, among the outputs.
+void add_sheet_flags(const Verb& verb, const std::string& names, app::OutputNames& outputs, report::Options& report,
+                     bool& quiet);
+/// Checks the names of the plan and its sheets; throws a UsageError.
+void check_sheet_outputs(const app::OutputNames& outputs);
+
 /// Throws where the name of --out, which is JSON, ends as that of something else; `instead` says what writes that.
 void check_json_out(const std::string& out, const std::string& instead);
 

@@ -8,8 +8,8 @@
 
 #include "axiometry/app/recordings/capture_text.h"
 #include "axiometry/app/volumetric/identify_options.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/reading_flags.h"
 

@@ -8,8 +8,8 @@
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/plan/plan.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/flags/option_text.h"
 
 namespace axiometry::cli {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/language/language.h"
 
 namespace axiometry::cli {

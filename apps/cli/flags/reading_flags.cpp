@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 
 namespace axiometry::cli {

@@ -8,6 +8,7 @@
 #include "axiometry/report/finding_text.h"
 #include "axiometry/report/translated.h"
 #include "cli/text/findings_text.h"
+#include "cli/text/flags_of_words.h"
 #include "cli/text/title_text.h"
 
 namespace axiometry::cli {
@@ -32,8 +33,6 @@ std::string not_stated(const app::Evaluated& e, const iso230_2::Claim& claim, co
 
 std::string claims_text(const app::Evaluated& e, const iso230_2::Claims& claims, const report::Options& options,
                         const Terminal& terminal) {
-  const Series& series = e.test.series;
-  const bool both_directions = series.has(Direction::up) && series.has(Direction::down);
   std::string text;
   for (const iso230_2::Claim& claim : claims) {
     const std::string answer = left(report::translated(claim.holds() ? "yes" : "no", options), answer_width);
@@ -42,9 +41,11 @@ std::string claims_text(const app::Evaluated& e, const iso230_2::Claims& claims,
                                              : terminal.yellow(answer);
     std::string line = report::translated(claim.title, options);
     if (claim.holds() && claim.kind == iso230_2::ClaimKind::tested)
-      line += ", " + report::translated(iso230_2::word_of_the_tester(e.environment(), both_directions), options);
-    if (!claim.holds())
-      line += fmt::format("{}{}", report::colon(options), report::translated(iso230_2::against_text(claim), options));
+      line += ", " + report::translated(iso230_2::word_of_the_tester(e.test, e.environment()), options);
+    if (!claim.holds()) {
+      const std::string against = iso230_2::against_text(claim);
+      line += std::string(report::colon(options)) + with_flags(report::translated(against, options), against);
+    }
     line += not_stated(e, claim, options);
     text += wrapped(report::printable(line), terminal.width(), answer_width) + "\n";
   }

@@ -9,6 +9,7 @@
 
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/translated.h"
+#include "cli/text/flags_of_words.h"
 
 namespace axiometry::cli {
 namespace {
@@ -127,10 +128,33 @@ struct BlockText {
   }
 };
 
+/// Behind sentences of the composed document that speak of what flags give, these: looked up before it is translated.
+void put_flags(report::RichText& said, const report::RichText& composed) {
+  const std::string flags = flags_of_words(report::plain_text(composed));
+  if (!flags.empty()) said = report::joined({said, report::verbatim(" (" + flags + ")")});
+}
+
+void put_flags(report::Block& said, const report::Block& composed) {
+  if (auto* paragraph = std::get_if<report::Paragraph>(&said))
+    put_flags(paragraph->text, std::get<report::Paragraph>(composed).text);
+  if (auto* notice = std::get_if<report::Notice>(&said))
+    for (std::size_t i = 0; i < notice->lines.size(); ++i)
+      put_flags(notice->lines[i], std::get<report::Notice>(composed).lines[i]);
+}
+
+/// The document in the reader's language, block for block as it was composed.
+report::Document in_reader_language(const report::Document& composed, const report::Options& options) {
+  report::Document document = report::translated(composed, options);
+  for (std::size_t s = 0; s < document.sections.size(); ++s)
+    for (std::size_t b = 0; b < document.sections[s].blocks.size(); ++b)
+      put_flags(document.sections[s].blocks[b], composed.sections[s].blocks[b]);
+  return document;
+}
+
 }  // namespace
 
 std::string document_text(const report::Document& composed, const report::Options& options, const Terminal& terminal) {
-  const report::Document document = report::translated(composed, options);
+  const report::Document document = in_reader_language(composed, options);
   const BlockText blocks{terminal};
   std::string s = terminal.bold(report::printable(document.title)) + "\n";
   if (!document.edition.empty())

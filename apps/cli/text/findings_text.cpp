@@ -5,6 +5,7 @@
 
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/translated.h"
+#include "cli/text/flags_of_words.h"
 
 namespace axiometry::cli {
 namespace {
@@ -41,8 +42,8 @@ std::string findings_text(std::span<const iso230_2::Finding> findings, const rep
   for (const auto& finding : findings)
     text += severity_text(finding.severity, width, options, terminal) +
             left(report::translated(finding.clause, options), clause_width) +
-            wrapped(report::printable(report::translated(finding.message, options)), terminal.width(),
-                    width + clause_width) +
+            wrapped(report::printable(with_flags(report::translated(finding.message, options), finding.message)),
+                    terminal.width(), width + clause_width) +
             "\n";
   return text.empty() ? text : text + "\n";
 }

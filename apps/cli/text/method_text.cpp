@@ -10,6 +10,8 @@
 #include "axiometry/report/resolved_text.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
+#include "axiometry/standards/readings/runs_made.h"
+#include "cli/text/flags_of_words.h"
 
 namespace axiometry::cli {
 namespace {
@@ -223,7 +225,7 @@ std::string notes(const app::Evaluated& e, const report::Options& options, const
   std::string text;
   for (const std::string& note : all)
     text += terminal.faint(left(report::translated("note", options), 8)) +
-            wrapped(report::printable(report::translated(note, options)), terminal.width(), 8) + "\n";
+            wrapped(report::printable(with_flags(report::translated(note, options), note)), terminal.width(), 8) + "\n";
   return text.empty() ? text : text + "\n";
 }
 
@@ -239,7 +241,7 @@ std::string method_tables(const app::Evaluated& e, const report::Options& asked,
   std::string text;
   if (detail == Detail::full && !assessment.label.empty())
     text += terminal.bold(report::printable(report::translated(assessment.label, options))) + "\n";
-  text += wrapped(report::translated(report::measurand_statement(measurand, e.test.series.run_count(),
+  text += wrapped(report::translated(report::measurand_statement(measurand, most_runs_made(e.test.series),
                                                                  !assessment.uncorrected.empty()),
                                      options),
                   terminal.width(), 0) +

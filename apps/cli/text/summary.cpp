@@ -14,9 +14,11 @@
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/standards/iso230_2/information.h"
+#include "axiometry/standards/readings/runs_made.h"
 #include "axiometry/standards/test_standard.h"
 #include "cli/text/claims_text.h"
 #include "cli/text/findings_text.h"
+#include "cli/text/flags_of_words.h"
 #include "cli/text/title_text.h"
 
 namespace axiometry::cli {
@@ -30,11 +32,12 @@ constexpr std::size_t title_width = 45;  // so that a line with a verdict fits 8
 constexpr std::size_t line_value_width = 9;
 
 std::string approaches(const Series& series) {
-  const bool up = series.has(Direction::up);
-  const bool down = series.has(Direction::down);
-  return fmt::format("{} {}", counted(series.run_count(), "run"),
-                     up && down ? "in both directions"
-                     : up       ? "↑ only"
+  const std::size_t up = runs_made(series, Direction::up);
+  const std::size_t down = runs_made(series, Direction::down);
+  if (up > 0 && down > 0 && up != down) return fmt::format("{} ↑ and {} ↓", counted(up, "run"), down);
+  return fmt::format("{} {}", counted(std::max(up, down), "run"),
+                     up == down ? "in both directions"
+                     : up > 0   ? "↑ only"
                                 : "↓ only");
 }
 
@@ -174,8 +177,11 @@ std::string tolerance_table(const app::Evaluated& e, const report::Options& opti
           "\n";
   if (const std::string lacks = report::incomplete_statement(e.judgements, e.assessment); !lacks.empty())
     text += terminal.yellow(wrapped(report::translated(lacks, options), terminal.width(), 0)) + "\n";
+  if (const std::string noise = report::noise_statement(e.judgements, e.assessment); !noise.empty())
+    text += terminal.yellow(wrapped(report::translated(noise, options), terminal.width(), 0)) + "\n";
   for (const std::string& withheld : report::withheld_statements(e.judgements))
-    text += terminal.yellow(wrapped(report::translated(withheld, options), terminal.width(), 0)) + "\n";
+    text += terminal.yellow(wrapped(with_flags(report::translated(withheld, options), withheld), terminal.width(), 0)) +
+            "\n";
   if (e.tolerance_band)
     text += terminal.faint(
                 wrapped(fmt::format("{}{}{}, {}, {} {}", report::translated("Tolerance table", options),

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "axiometry/base/text.h"
-#include "axiometry/base/utf8.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/text/utf8.h"
 
 namespace axiometry::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/report/conformity_text.h"
 #include "axiometry/report/drawing/utf8.h"
@@ -19,6 +19,7 @@
 #include "axiometry/standards/error_motions/motion_estimate.h"
 #include "axiometry/tracking/lengths/face_pairs.h"
 #include "cli/text/findings_text.h"
+#include "cli/text/flags_of_words.h"
 
 namespace axiometry::cli {
 namespace {
@@ -170,7 +171,9 @@ std::string findings(const app::EvaluatedLines& e, const report::Options& option
   for (const tracking::Finding& finding : e.evaluation.findings) {
     const std::string name = left(report::translated(finding.serious ? "serious" : "note", options), 10);
     text += (finding.serious ? terminal.red(name) : terminal.faint(name)) +
-            wrapped(report::printable(report::translated(finding.message, options)), terminal.width(), 10) + "\n";
+            wrapped(report::printable(with_flags(report::translated(finding.message, options), finding.message)),
+                    terminal.width(), 10) +
+            "\n";
   }
   return text;
 }
@@ -208,7 +211,7 @@ std::string withheld_text(const app::EvaluatedLines& e, const report::Options& o
     for (const std::string& reason : report::withheld_statements(e.tests[k].judgements)) {
       const std::string said =
           report::translated(fmt::format("line {}: {}", e.evaluation.lines[k].id, reason), options);
-      text += terminal.yellow(wrapped(report::printable(said), terminal.width(), 0)) + "\n";
+      text += terminal.yellow(wrapped(report::printable(with_flags(said, reason)), terminal.width(), 0)) + "\n";
     }
   return text.empty() ? text : text + "\n";
 }

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::cli {
 namespace {
@@ -35,7 +35,7 @@ std::vector<capture::StopKey> TypedKeys::take() {
       begun_.erase(0, end + 1);
     }
     if (closed_ && !begun_.empty()) take_line(std::exchange(begun_, {}), keys);  // a last line without its end
-    if (begun_.size() > longest_key) begun_.resize(longest_key + 1);  // as much as tells that it is no key
+    if (begun_.size() > longest_key) begun_.resize(longest_key + 1);             // as much as tells that it is no key
   }
   return keys;
 }

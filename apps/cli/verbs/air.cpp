@@ -9,8 +9,8 @@
 #include "axiometry/app/evaluate/correction_text.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/periodic/air_answer.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/terminal.h"
@@ -75,6 +75,9 @@ void print_answers(const AirArguments& arguments, const std::vector<app::AirAnsw
   fmt::print("\n");
   for (const app::AirAnswer& answer : answers)
     fmt::print("{}: {}\n", air_equation_key(answer.equation), air_equation_name(answer.equation));
+  if (arguments.kPa < 50.0 || arguments.kPa > 110.0)
+    fmt::print("{} kPa is no pressure of the air where people work, which is 50 to 110 kPa.\n",
+               format_exact(arguments.kPa));
   fmt::print("The uncertainty of n in a workshop is that of the air's temperature, pressure and humidity.\n");
 }
 

@@ -12,7 +12,7 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/studies/bench_monte_carlo.h"
 #include "axiometry/app/studies/bench_volumetric.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/verbs/commands.h"
 
 namespace axiometry::cli {

@@ -15,12 +15,13 @@
 #include "axiometry/app/tracking/tracking_plan.h"
 #include "axiometry/app/volumetric/plan_volume.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/failure.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/stop_flags.h"
+#include "cli/text/flags_of_words.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/capture_motion.h"
@@ -56,11 +57,11 @@ class Display {
     clear();
     const double scale = deviation_per_position(kind_);
     const auto deviation_text = [&](double x) { return format_fixed(x, 2); };
-    std::string line = fmt::format(
-        "{}  {} {}  {} {}  s {}  {}", left(capture::approach_name(reading.approach), 17),
-        right(format_fixed(plan_->targets[reading.approach.target].in_native(), 4), 11), position_unit(kind_),
-        right(deviation_text(reading.deviation.in_native()), 9), deviation_unit(kind_),
-        deviation_text(reading.standstill.spread.in_native() * scale), counted(reading.standstill.count, "sample"));
+    std::string line = fmt::format("{}  {} {}  {} {}  s {}  {}", left(capture::approach_name(reading.approach), 17),
+                                   right(format_fixed(plan_->targets[reading.approach.target].in_native(), 4), 11),
+                                   position_unit(kind_), right(deviation_text(reading.deviation.in_native()), 9),
+                                   deviation_unit(kind_), deviation_text(reading.standstill.spread.in_native() * scale),
+                                   counted(reading.standstill.count, "sample"));
     for (const std::string& remark : reading.remarks) line += terminal_.yellow("; " + remark);
     fmt::print("{}\n", line);
     std::fflush(stdout);
@@ -69,8 +70,8 @@ class Display {
   void event(const capture::CaptureEvent& event) {
     if (quiet_) return;
     clear();
-    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), 17)), event.message,
-               format_fixed(event.time_s, 2));
+    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), 17)),
+               with_flags(event.message, event.message), format_fixed(event.time_s, 2));
     std::fflush(stdout);
   }
 
@@ -293,6 +294,7 @@ void add_capture(const Verb& program, int& exit_code) {
   axiometry capture --plan EYX.json --from 'simulator://?seed=7&speed=10' --stops keys --out EYX.csv      to try that
 
 Ends when every approach has come, when the stream ends, or with Ctrl-C; what has come is kept.
+Of a rotary axis an instrument may show the same again after each turn: its angles are counted on.
 
 Exit codes: 0 every reading of the plan has come, 1 usage, 2 bad input, 5 ended before, or readings are missing,
 130 Ctrl-C.)");

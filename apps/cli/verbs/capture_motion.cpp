@@ -11,10 +11,11 @@
 #include "axiometry/app/live/runs/motion_run.h"
 #include "axiometry/app/recordings/motion_table.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/failure.h"
+#include "cli/text/flags_of_words.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
 #include "cli/text/typed_keys.h"
@@ -46,8 +47,8 @@ class MotionDisplay {
   void event(const capture::CaptureEvent& event) {
     if (quiet_) return;
     clear();
-    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), kind_width)), event.message,
-               format_fixed(event.time_s, 2));
+    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), kind_width)),
+               with_flags(event.message, event.message), format_fixed(event.time_s, 2));
     std::fflush(stdout);
   }
 

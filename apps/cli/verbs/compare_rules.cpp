@@ -10,7 +10,7 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/compare_rules/compare_rules.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/language/words.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/rules.h"

@@ -8,8 +8,8 @@
 
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/files/output.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/axis_table.h"
 #include "cli/failure.h"
 #include "cli/flags/compensate_flags.h"

@@ -11,7 +11,7 @@
 
 #include "axiometry/app/convert/convert.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/flags/reading_flags.h"

@@ -6,8 +6,8 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"

@@ -13,7 +13,7 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/flags/capture_flags.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include "cli/flags/verb.h"
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/components.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"

@@ -7,8 +7,8 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/plan/nc_program.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/numbers.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"

@@ -10,8 +10,8 @@
 
 #include "axiometry/app/periodic/periodic.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/periodic.h"
 #include "axiometry/report/translated.h"
@@ -63,9 +63,8 @@ std::string result_rows(const PeriodicDirection& d, const PeriodicArguments& arg
     value_width = std::max(value_width, display_width(row.value));
     U_width = std::max(U_width, display_width(row.U));
   }
-  std::string text =
-      fmt::format("\n{} {}\n", terminal.bold(std::string(arrow(d.direction))),
-                  said(fmt::format("{} targets, {}", d.points.size(), counted(d.runs, "run"))));
+  std::string text = fmt::format("\n{} {}\n", terminal.bold(std::string(arrow(d.direction))),
+                                 said(fmt::format("{} targets, {}", d.points.size(), counted(d.runs, "run"))));
   for (const report::PeriodicRow& row : rows)
     text += fmt::format("{}  {}{} {}\n", left(row.title, title_width), right(row.value, value_width),
                         row.U.empty() ? std::string(U_width > 0 ? U_width + 3 : 0, ' ') : " ± " + right(row.U, U_width),
@@ -118,10 +117,9 @@ void add_period(const Verb& verb, const std::string& name, std::optional<Positio
   verb.add_option_function<std::string>(
           name,
           [name, &target](const std::string& text) {
-            const auto x = parse_number(text);
-            if (!x || !(*x > 0.0))
-              throw UsageError(name, fmt::format("found {}, expected a number above 0", text::quoted(text)));
-            target = Position::native(*x);
+            const auto period = app::parsed_period(text);
+            if (!period) throw UsageError(name, period.error().message);
+            target = *period;
           },
           description)
       ->type_name("NUMBER")

@@ -58,16 +58,7 @@ void add_output_flags(const Verb& verb, PlanArguments& arguments) {
       ->check(fault_of_name)
       ->type_name("FILE")
       ->group(group);
-  verb.add_option("--sheet", arguments.outputs.reports,
-                  "Sheet to take to the machine to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
-      ->type_name("FILE")
-      ->one_at_a_time()
-      ->group(group);
-  Flag decimal =
-      add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
-          ->group(group);
-  add_language(verb, arguments.report, decimal)->group(group);
-  verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
+  add_sheet_flags(verb, "--sheet", arguments.outputs, arguments.report, arguments.quiet);
 }
 
 /// The sequence may be a file, which is read when the command runs.
@@ -120,9 +111,7 @@ void settle(const Verb& verb, PlanArguments& arguments, const std::vector<Flag>&
                                            "rotary or linear",
                                            axis));
   if (!checks && arguments.outputs.json.empty()) arguments.outputs.json = "-";
-  check_json_out(arguments.outputs.json, "; --sheet writes tables and documents of it");
-  if (auto outputs = app::check_outputs(arguments.outputs); !outputs)
-    throw UsageError("--sheet", outputs.error().message);
+  check_sheet_outputs(arguments.outputs);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <vector>
 #include "cli/flags/verb.h"
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/table/import_profile.h"

@@ -12,8 +12,8 @@
 
 #include "axiometry/app/files/store_address.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/test_records.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"

@@ -9,8 +9,8 @@
 
 #include "axiometry/app/simulate/simulate.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/simulation/presets.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/app/temperatures/temperatures.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/temperatures/temperatures.h"
 #include "axiometry/report/translated.h"

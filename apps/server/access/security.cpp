@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::server {
 namespace {

@@ -7,7 +7,7 @@
 #include <exception>
 #include <utility>
 
-#include "axiometry/base/iso_date.h"
+#include "axiometry/base/time/iso_date.h"
 
 namespace axiometry::server {
 namespace {

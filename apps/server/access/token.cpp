@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 
 namespace axiometry::server {

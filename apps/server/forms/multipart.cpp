@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "server/http/target.h"
 
 namespace axiometry::server {

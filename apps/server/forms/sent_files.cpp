@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "server/forms/multipart.h"
 #include "server/forms/sent_form.h"
 #include "server/http/target.h"

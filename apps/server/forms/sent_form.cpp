@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "server/forms/multipart.h"
 
 namespace axiometry::server {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/files/given_file.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "server/http/http.h"
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -20,10 +19,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "server/http/byte_stream.h"
 #include "server/http/client_hello.h"
 #include "server/http/deadline.h"
 #include "server/http/disconnect.h"
@@ -46,13 +45,13 @@ constexpr auto lingering_at_the_end = std::chrono::milliseconds(250);
 constexpr auto watching = std::chrono::milliseconds(500);
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
 
-/// On a stream of TCP or TLS. A chain of steps, each of which begins the next; between two of them nothing happens, so
+/// A chain of steps, each of which begins the next; between two of them nothing happens, so
 /// that no two operations run at once. All on the I/O thread, but for the answer itself.
-template <typename Stream>
-class Connection final : public Guest, public std::enable_shared_from_this<Connection<Stream>> {
+class Connection final : public Guest, public std::enable_shared_from_this<Connection> {
  public:
-  Connection(Stream stream, std::string peer, ConnectionShare& share)
-      : stream_(std::move(stream)),
+  /// Within TLS where there is a context of it.
+  Connection(tcp::socket socket, asio::ssl::context* context, std::string peer, ConnectionShare& share)
+      : stream_(std::move(socket), context),
         peer_(std::move(peer)),
         whose_(peer_),
         share_(share),
@@ -67,10 +66,8 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void begin() {
-    if constexpr (is_tls)
-      greet();
-    else
-      wait_for_request(share_.limits.head);
+    if (stream_.is_tls()) return greet();
+    wait_for_request(share_.limits.head);
   }
 
   void hang_up() override {
@@ -83,22 +80,16 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   ConnectionState state() const override { return {whose_, doing_, last_moved_, bytes_held()}; }
 
  private:
-  static constexpr bool is_tls = !std::is_same_v<Stream, tcp::socket>;
   using Doing = ConnectionState::Doing;
 
-  tcp::socket& socket() {
-    if constexpr (is_tls)
-      return stream_.next_layer();
-    else
-      return stream_;
-  }
+  tcp::socket& socket() { return stream_.socket(); }
 
   /// What runs now is cancelled after that time, unless this is called again. The stream stays whole, so that an answer
   /// can still be sent.
   void allow(Clock::duration time) { allow_until(Clock::now() + time); }
 
   void allow_until(Clock::time_point end) {
-    deadline_.set(end, [self = this->shared_from_this()] {
+    deadline_.set(end, [self = shared_from_this()] {
       error_code ignored;
       self->socket().cancel(ignored);
     });
@@ -117,8 +108,8 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void greet() {
-    deadline_.set(Clock::now() + share_.limits.head, [self = this->shared_from_this()] { self->close(); });
-    await_client_hello(socket(), [self = this->shared_from_this()](bool has_come) {
+    deadline_.set(Clock::now() + share_.limits.head, [self = shared_from_this()] { self->close(); });
+    await_client_hello(socket(), [self = shared_from_this()](bool has_come) {
       if (!has_come) return self->close();
       // Where the time passes before its turn comes, nothing holds it any more.
       self->share_.fair_queue.enter(self->peer_, [weak = self->weak_from_this()] {
@@ -128,7 +119,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void shake_hands() {
-    stream_.async_handshake(asio::ssl::stream_base::server, [self = this->shared_from_this()](error_code code) {
+    stream_.greet_client([self = shared_from_this()](error_code code) {
       if (code) return self->close();
       self->wait_for_request(self->share_.limits.head);
     });
@@ -139,12 +130,11 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     is_idle_ = true;
     if (buffer_.size() > 0) return read_request_head();  // sent ahead
     allow(time);
-    stream_.async_read_some(buffer_.prepare(4096),
-                            [self = this->shared_from_this()](error_code code, std::size_t count) {
-                              if (code) return self->close();
-                              self->buffer_.commit(count);
-                              self->read_request_head();
-                            });
+    stream_.async_read_some(buffer_.prepare(4096), [self = shared_from_this()](error_code code, std::size_t count) {
+      if (code) return self->close();
+      self->buffer_.commit(count);
+      self->read_request_head();
+    });
   }
 
   void read_request_head() {
@@ -158,7 +148,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     began_ = Clock::now();
     allow(share_.limits.head);
     http::async_read_header(stream_, buffer_, *parser_,
-                            [self = this->shared_from_this()](error_code code, std::size_t) { self->head_came(code); });
+                            [self = shared_from_this()](error_code code, std::size_t) { self->head_came(code); });
   }
 
   void head_came(error_code code) {
@@ -183,7 +173,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
 
   void send_continue() {
     allow(share_.limits.head);
-    asio::async_write(stream_, asio::buffer(go_on), [self = this->shared_from_this()](error_code code, std::size_t) {
+    asio::async_write(stream_, asio::buffer(go_on), [self = shared_from_this()](error_code code, std::size_t) {
       if (code) return self->close();
       self->begin_body();
     });
@@ -203,7 +193,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     parser_->get().body().size = piece_.size();
     allow_until(body_began_ + time_for(request_.body.size()));
     http::async_read_some(stream_, buffer_, *parser_,
-                          [self = this->shared_from_this()](error_code code, std::size_t) { self->body_came(code); });
+                          [self = shared_from_this()](error_code code, std::size_t) { self->body_came(code); });
   }
 
   void body_came(error_code code) {
@@ -247,7 +237,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     auto request = std::make_shared<Request>(request_);
     request->body = std::move(body);
     asked_ = share_.dispatcher.ask(std::move(request), whose_,
-                                   [self = this->shared_from_this()](std::shared_ptr<const Response> response) {
+                                   [self = shared_from_this()](std::shared_ptr<const Response> response) {
                                      self->asked_.reset();
                                      self->watch_.cancel();
                                      self->release_body();
@@ -265,7 +255,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   /// Who leaves while the request is in line or being answered gives up what it asked for.
   void watch_for_leaving() {
     watch_.expires_after(watching);
-    watch_.async_wait([self = this->shared_from_this()](error_code code) {
+    watch_.async_wait([self = shared_from_this()](error_code code) {
       if (code || !self->asked_) return;
       if (!has_left(self->socket().native_handle())) return self->watch_for_leaving();
       if (!self->share_.dispatcher.leave(*self->asked_)) return self->watch_for_leaving();
@@ -288,7 +278,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
     is_idle_ = true;
     doing_ = Doing::idle;  // computes nothing: may give way
     const auto end = Clock::now() + response->delay;
-    deadline_.set(end, [self = this->shared_from_this(), response = std::move(response)]() mutable {
+    deadline_.set(end, [self = shared_from_this(), response = std::move(response)]() mutable {
       self->write(std::move(response));
     });
   }
@@ -313,7 +303,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   /// Piece by piece, each of which must go out within the grace, and all within what the size allows.
   void send() {
     allow_until(std::min(answer_until_, Clock::now() + share_.limits.grace));
-    http::async_write_some(stream_, *serializer_, [self = this->shared_from_this()](error_code code, std::size_t) {
+    http::async_write_some(stream_, *serializer_, [self = shared_from_this()](error_code code, std::size_t) {
       if (code) return self->close();
       self->last_moved_ = Clock::now();
       if (!self->serializer_->is_done()) return self->send();
@@ -334,10 +324,7 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   void say_goodbye() {
     is_leaving_ = true;
     allow(share_.ending ? lingering_at_the_end : lingering);
-    if constexpr (is_tls)
-      stream_.async_shutdown([self = this->shared_from_this()](error_code) { self->end_sending(); });
-    else
-      end_sending();
+    stream_.say_goodbye([self = shared_from_this()](error_code) { self->end_sending(); });
   }
 
   /// A socket that is closed while the client still sends would take back the answer, so what comes is read and
@@ -351,13 +338,13 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
   }
 
   void drain() {
-    socket().async_read_some(asio::buffer(piece_), [self = this->shared_from_this()](error_code code, std::size_t) {
+    socket().async_read_some(asio::buffer(piece_), [self = shared_from_this()](error_code code, std::size_t) {
       if (code) return self->close();
       self->drain();
     });
   }
 
-  Stream stream_;
+  ByteStream stream_;
   std::string peer_;   // the address
   std::string whose_;  // share and turn it takes: of the address, or of who has signed in; of nobody's own choice
   ConnectionShare& share_;
@@ -388,13 +375,8 @@ class Connection final : public Guest, public std::enable_shared_from_this<Conne
 
 }  // namespace
 
-void serve_plain(tcp::socket socket, std::string peer, ConnectionShare& share) {
-  std::make_shared<Connection<tcp::socket>>(std::move(socket), std::move(peer), share)->begin();
-}
-
-void serve_tls(tcp::socket socket, std::string peer, asio::ssl::context& context, ConnectionShare& share) {
-  using Stream = asio::ssl::stream<tcp::socket>;
-  std::make_shared<Connection<Stream>>(Stream(std::move(socket), context), std::move(peer), share)->begin();
+void serve(tcp::socket socket, asio::ssl::context* context, std::string peer, ConnectionShare& share) {
+  std::make_shared<Connection>(std::move(socket), context, std::move(peer), share)->begin();
 }
 
 }  // namespace axiometry::server

@@ -64,8 +64,8 @@ struct ConnectionShare {
 /// Whom its address stands for (peer.h); empty where it has gone already.
 std::string peer_of(const boost::asio::ip::tcp::socket& socket);
 
-void serve_plain(boost::asio::ip::tcp::socket socket, std::string peer, ConnectionShare& share);
-void serve_tls(boost::asio::ip::tcp::socket socket, std::string peer, boost::asio::ssl::context& context,
-               ConnectionShare& share);
+/// Serves the client until it goes or is sent away; within TLS where there is a context of it.
+void serve(boost::asio::ip::tcp::socket socket, boost::asio::ssl::context* context, std::string peer,
+           ConnectionShare& share);
 
 }  // namespace axiometry::server

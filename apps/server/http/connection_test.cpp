@@ -73,7 +73,7 @@ struct Counter {
   /// One that has sent its request and reads nothing.
   tcp::socket client(const std::string& head, const std::string& peer = "a") {
     tcp::socket client = connected();
-    serve_plain(acceptor.accept(), peer, *share);
+    serve(acceptor.accept(), nullptr, peer, *share);
     boost::asio::write(client, boost::asio::buffer(head + " HTTP/1.1\r\nHost: localhost\r\n\r\n"));
     return client;
   }
@@ -209,9 +209,9 @@ TEST(Connection, ends_with_the_server_where_it_has_not_begun_to_speak_TLS) {
   Counter counter;
   boost::asio::ssl::context context(boost::asio::ssl::context::tls_server);
   auto silent = counter.connected();
-  serve_tls(counter.acceptor.accept(), "a", context, *counter.share);
+  serve(counter.acceptor.accept(), &context, "a", *counter.share);
   auto stops = counter.connected();
-  serve_tls(counter.acceptor.accept(), "a", context, *counter.share);
+  serve(counter.acceptor.accept(), &context, "a", *counter.share);
   boost::asio::write(stops, boost::asio::buffer("\x16\x03\x01", 3));
   counter.run_for(50);
   EXPECT_EQ(counter.share->connections.size(), 2U);

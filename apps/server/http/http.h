@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/language/language.h"
 #include "server/access/security_event.h"

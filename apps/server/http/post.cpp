@@ -8,21 +8,20 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ssl/context.hpp>
-#include <boost/asio/ssl/host_name_verification.hpp>
 #include <boost/beast/core/error.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
 #include <chrono>
 #include <exception>
 #include <optional>
 #include <string_view>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/base/version.h"
+#include "server/http/byte_stream.h"
 
 namespace axiometry::server {
 namespace {
@@ -92,8 +91,7 @@ class Steps {
   asio::io_context io_;
 };
 
-template <typename Stream>
-Message exchange(Steps& steps, Stream& stream, const Address& address, const Post& post) {
+Message exchange(Steps& steps, ByteStream& stream, const Address& address, const Post& post) {
   http::request<http::string_body> request{http::verb::post, address.path, 11};
   request.set(http::field::host, address.authority);
   request.set(http::field::user_agent, fmt::format("axiometry/{}", version));
@@ -124,19 +122,15 @@ Message ask(const Address& address, const Post& post) {
       done(code);
     });
   });
-  if (!address.secure) {
-    asio::ip::tcp::socket stream(steps.io());
-    steps.take([&](auto done) { asio::async_connect(stream, found, std::move(done)); });
-    return exchange(steps, stream, address, post);
+  std::optional<ssl::context> context;
+  if (address.secure) {
+    context.emplace(ssl::context::tls_client);
+    context->set_default_verify_paths();
+    context->set_verify_mode(ssl::verify_peer);
   }
-  ssl::context context(ssl::context::tls_client);
-  context.set_default_verify_paths();
-  context.set_verify_mode(ssl::verify_peer);
-  beast::ssl_stream<asio::ip::tcp::socket> stream(steps.io(), context);
-  stream.set_verify_callback(ssl::host_name_verification(address.host));
-  SSL_set_tlsext_host_name(stream.native_handle(), address.host.c_str());
-  steps.take([&](auto done) { asio::async_connect(stream.next_layer(), found, std::move(done)); });
-  steps.take([&](auto done) { stream.async_handshake(ssl::stream_base::client, std::move(done)); });
+  ByteStream stream(asio::ip::tcp::socket(steps.io()), context ? &*context : nullptr);
+  steps.take([&](auto done) { asio::async_connect(stream.socket(), found, std::move(done)); });
+  if (address.secure) steps.take([&](auto done) { stream.greet_server(address.host, std::move(done)); });
   return exchange(steps, stream, address, post);
 }
 

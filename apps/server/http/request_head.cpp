@@ -8,8 +8,8 @@
 #include <boost/beast/http/error.hpp>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/own_names.h"
 #include "server/http/target.h"
 #include "server/limits.h"

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 
 namespace axiometry::server {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::server {
 namespace {

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "server/http/connection.h"
 #include "server/log.h"
 #include "server/work/dispatcher.h"
@@ -155,10 +155,7 @@ void Transport::State::take_in(tcp::socket socket) {
   if (!share->make_room(peer)) return;
   error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
-  if (tls)
-    serve_tls(std::move(socket), std::move(peer), *tls, *share);
-  else
-    serve_plain(std::move(socket), std::move(peer), *share);
+  serve(std::move(socket), tls.get(), std::move(peer), *share);
 }
 
 /// A fault of one connection ends that connection: what it held goes with its step.

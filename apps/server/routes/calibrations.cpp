@@ -13,7 +13,7 @@
 #include "axiometry/app/workbench/calibrations/calibrations.h"
 #include "axiometry/app/workbench/equipment_json.h"
 #include "axiometry/app/workbench/workbench_json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/calibration_kinds.h"
 #include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
@@ -116,6 +116,7 @@ Result<app::NewCalibration> new_calibration_of(const Request& request) {
   calibration.kind = std::move(form.kind);
   calibration.files = std::move(form.files);
   calibration.options = std::move(form.options);
+  calibration.stop = request.stop;
   return calibration;
 }
 
@@ -152,7 +153,8 @@ Result<Response> get_calibration(const Store& store, const Request& request) {
 Result<Response> revise_calibration(Store& store, const Request& request) {
   AXIOMETRY_TRY(const store::Id id, id_of(request, "calibration"));
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(const app::CalibrationRevision revision, app::calibration_revision_from(body));
+  AXIOMETRY_TRY(app::CalibrationRevision revision, app::calibration_revision_from(body));
+  revision.stop = request.stop;
   return answer_calibration(app::revise_calibration(store, id, revision, by_of(request, revision.reason)), request,
                             201);
 }

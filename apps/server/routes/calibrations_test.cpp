@@ -73,6 +73,14 @@ std::optional<double> figure_of(const Value& calibration, std::string_view param
   return std::nullopt;
 }
 
+TEST_F(CalibrationRoutes, keep_nothing_when_nobody_waits_any_more) {
+  std::stop_source gone;
+  gone.request_stop();
+  stop = gone.get_token();
+  EXPECT_THAT(refusal(keep_volume(), 503), HasSubstr("stopped before it was done"));
+  EXPECT_THAT(listed(), IsEmpty());
+}
+
 TEST_F(CalibrationRoutes, keep_lines_with_their_files_and_figures) {
   store::MachineRecord mill;
   mill.name = "Mill 5";

@@ -15,7 +15,7 @@
 #include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/plan/plan_request.h"
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/language/language.h"
 #include "server/http/request_values.h"
 #include "server/routes/routes.h"

@@ -14,7 +14,7 @@
 #include "axiometry/app/workbench/compensations/compensations.h"
 #include "axiometry/app/workbench/equipment_json.h"
 #include "axiometry/app/workbench/workbench.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
 #include "server/routes/made_documents.h"

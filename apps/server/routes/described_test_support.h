@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 #include "server/routes/routes.h"
 #include "tests/support/json_schema.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "axiometry/app/workbench/equipment_json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "server/http/request_values.h"
 #include "server/routes/routes.h"
 #include "server/routing/adder.h"
@@ -52,16 +52,20 @@ struct KindOf<InstrumentRecord> {
 /// The machines with what is theirs, in their order.
 std::vector<app::MachineSummary> summaries(std::vector<Versioned<MachineRecord>> machines,
                                            std::vector<Versioned<AxisRecord>> axes,
-                                           std::vector<store::MachineTests> tests) {
+                                           std::vector<store::MachineTests> tests,
+                                           std::vector<store::AxisLatest> of_axes) {
   std::map<store::Id, std::vector<Versioned<AxisRecord>>> axes_of;
   for (auto& axis : axes) axes_of[axis.value.machine].push_back(std::move(axis));
   std::map<store::Id, store::MachineTests> tests_of;
   for (auto& of_one : tests) tests_of.emplace(of_one.machine, std::move(of_one));
+  std::map<store::Id, std::vector<store::AxisLatest>> latest_of;
+  for (auto& of_one : of_axes) latest_of[of_one.machine].push_back(std::move(of_one));
   std::vector<app::MachineSummary> all;
   for (auto& machine : machines) {
     const store::Id id = machine.id;
     app::MachineSummary& summary = all.emplace_back(std::move(machine), std::move(axes_of[id]));
     if (auto found = tests_of.find(id); found != tests_of.end()) summary.tests = std::move(found->second);
+    summary.of_axes = std::move(latest_of[id]);
   }
   return all;
 }
@@ -75,7 +79,8 @@ template <>
 Result<Value> whole_value(const Store& store, const Versioned<MachineRecord>& machine) {
   AXIOMETRY_TRY(auto axes, store.all<AxisRecord>());
   AXIOMETRY_TRY(auto tests, store.machine_tests(machine.id));
-  const auto all = summaries({machine}, std::move(axes), std::move(tests));
+  AXIOMETRY_TRY(auto of_axes, store.axes_latest(machine.id));
+  const auto all = summaries({machine}, std::move(axes), std::move(tests), std::move(of_axes));
   return app::to_json(all.front());
 }
 
@@ -92,7 +97,8 @@ Result<Value> listed<MachineRecord>(const Store& store) {
   AXIOMETRY_TRY(auto machines, store.all<MachineRecord>());
   AXIOMETRY_TRY(auto axes, store.all<AxisRecord>());
   AXIOMETRY_TRY(auto tests, store.machine_tests());
-  const auto all = summaries(std::move(machines), std::move(axes), std::move(tests));
+  AXIOMETRY_TRY(auto of_axes, store.axes_latest());
+  const auto all = summaries(std::move(machines), std::move(axes), std::move(tests), std::move(of_axes));
   Value rows = Value::array();
   for (const auto& summary : all) rows.push(app::to_json(summary));
   return rows;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "server/http/request_values.h"
 
 namespace axiometry::server {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"

@@ -11,7 +11,7 @@
 #include "axiometry/app/live/service/capture_keeping.h"
 #include "axiometry/app/live/service/capture_service.h"
 #include "axiometry/app/workbench/workbench.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/language/language.h"
 #include "axiometry/model/surroundings.h"
 #include "server/routes/described_test_support.h"
@@ -50,6 +50,7 @@ std::vector<Router::Route> served() {
   const Context context{.store = archive.store(), .workbench = workbench, .captures = **captures};
   add_test_routes(router, context);
   add_rule_routes(router, context);
+  add_periodic_routes(router, context);
   add_equipment_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "server/routes/routes.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "server/routes/described_test_support.h"
 
 /// What tests of routes begin with: asking below a path, forms, answers and refusals as values.

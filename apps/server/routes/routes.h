@@ -34,6 +34,7 @@ struct ServiceContext {
 void add_service_routes(Router& router, const ServiceContext& context);  ///< health, openapi.json, vocabulary, login
 void add_test_routes(Router& router, const Context& context);       ///< previews, tests, versions, reports, figures
 void add_rule_routes(Router& router, const Context& context);       ///< kept tests by other rules; keep nothing
+void add_periodic_routes(Router& router, const Context& context);   ///< periodic errors of kept tests; keep nothing
 void add_equipment_routes(Router& router, const Context& context);  ///< machines, axes, instruments, trends, audit
 void add_plan_routes(Router& router, const Context& context);       ///< plans, their sheets and NC programs
 void add_capture_routes(Router& router, const Context& context);    ///< live sources and captures

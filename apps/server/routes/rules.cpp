@@ -11,8 +11,9 @@
 
 #include "axiometry/app/compare_rules/compare_rules.h"
 #include "axiometry/app/evaluate/uncertainty_text.h"
+#include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/rules.h"
 #include "axiometry/standards/rules/rule_trials.h"
 #include "server/http/request_values.h"
@@ -84,7 +85,10 @@ Result<app::ComparedRules> compared_of(const Workbench& workbench, const Request
   AXIOMETRY_TRY(app::PreparedTest prepared, workbench.prepared(id, version));
   if (uncertainty.monte_carlo)
     AXIOMETRY_TRY_VOID(take_share(prepared.test.series, uncertainty.trials.propagation.trials));
-  return app::compare_rules_of(std::move(prepared.test), rules, uncertainty);
+  AXIOMETRY_TRY(app::ComparedRules compared, app::compare_rules_of(std::move(prepared.test), rules, uncertainty));
+  auto& assessment = compared.comparison.iso230_2;
+  if (prepared.record.withdrawn) assessment = app::labelled_withdrawn(std::move(assessment));
+  return compared;
 }
 
 Result<Response> test_by_rules(const Workbench& workbench, const Request& request) {

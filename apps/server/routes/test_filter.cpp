@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "server/http/request_values.h"
 
 namespace axiometry::server {

@@ -349,6 +349,9 @@ TEST_F(Routes, TellMachinesAxesAndTrends) {
   const Value& machine = machines.find("machines")->items().front();
   EXPECT_EQ(number(machine, "tests"), 1);
   EXPECT_EQ(number(*machine.find("latest_test"), "id"), 1);
+  const Value& of_axis = machine.find("latest_of_axes")->items().front();
+  EXPECT_EQ(number(of_axis, "axis"), 1);
+  EXPECT_EQ(number(of_axis, "id"), 1);
   EXPECT_EQ(text(machine.find("axes")->items().front(), "name"), "X");
   std::string axis = R"({"base_version": 1, "machine": 1, "name": "X", "kind": "linear",
                          "limits": [{"parameter": "A", "value": 12}], "notes": "", "reason": "agreed"})";

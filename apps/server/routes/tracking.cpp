@@ -16,7 +16,7 @@
 #include "axiometry/app/tracking/tracking_json.h"
 #include "axiometry/app/tracking/tracking_request.h"
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/tracking.h"
 #include "server/forms/sent_files.h"
 #include "server/forms/sent_form.h"

@@ -16,7 +16,7 @@
 #include "axiometry/app/volumetric/tables/volume_compensation_request.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/volumetric.h"
 #include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
@@ -36,7 +36,7 @@ constexpr std::size_t volume_models_bytes_max = 2 * volume_model_bytes_max;
 Result<Response> volume_plan(const Request& request) {
   AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
   AXIOMETRY_TRY(const Value body, json_body(request));
-  AXIOMETRY_TRY(const auto planned, app::requested_calibration(body));
+  AXIOMETRY_TRY(const auto planned, app::requested_calibration(body, request.stop));
   return json_response(app::draft_value(planned, reader));
 }
 
@@ -83,7 +83,7 @@ Result<app::IdentifiedMachine> identified(const Request& request) {
   if (const auto options = form.value("options")) {
     AXIOMETRY_TRY(choices, app::identify_choices_from(*options));
   }
-  const app::IdentifyFiles files{form.files_named("lengths"), form.file("machine"), form.file("plan")};
+  const app::IdentifyFiles files{form.files_named("lengths"), form.file("machine"), form.file("plan"), request.stop};
   if (files.lengths.empty()) return fail("found no file lengths, expected one");
   if (!files.machine && !files.plan) return fail("found neither a file machine nor a file plan, expected one of them");
   if (files.lengths.size() > app::files_of_lengths_most)

@@ -73,6 +73,17 @@ TEST_F(VolumetricRoutes, plan_what_is_asked_for_and_say_what_it_will_tell) {
   EXPECT_EQ(json::dump(*draft().find("plan")), json::dump(*planned.find("plan"))) << "the same request, the same plan";
 }
 
+TEST_F(VolumetricRoutes, end_when_nobody_waits_any_more) {
+  const Pairs files = {{"lengths", lengths_of(draft(), 3)}, {"machine", machine_json}};
+  std::stop_source gone;
+  gone.request_stop();
+  stop = gone.get_token();
+  for (const char* const more : {R"(, "points": 40)", R"(, "propose_stations": true, "points": 40)"})
+    EXPECT_THAT(refusal(send("plan", wish(machine_json, more)), 503), HasSubstr("stopped before it was done"));
+  for (const char* const path : {"identification", "identification/report.pdf", "identification/residuals"})
+    EXPECT_THAT(refusal(send_form(path, files), 503), HasSubstr("stopped before it was done")) << path;
+}
+
 TEST_F(VolumetricRoutes, propose_stations_where_the_machine_has_none) {
   const std::string bare = R"({"chain": "FXYZ", "travel_mm": {"X": [0, 800], "Y": [0, 500], "Z": [-500, 0]},
     "tools_mm": {"T1": [0, 0, -120]}})";

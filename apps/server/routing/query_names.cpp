@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 namespace axiometry::server {
 namespace {

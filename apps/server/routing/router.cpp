@@ -10,7 +10,7 @@
 #include <ranges>
 #include <stop_token>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/language/language.h"
 #include "server/log.h"
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/capture/standstill.h"
 #include "axiometry/numeric/median.h"
 
@@ -49,11 +49,11 @@ Result<void> check_closeness(const Plan& plan, const CaptureResult& result) {
   const double limit =
       std::max(most * result.window.in_native(), always_possible) * deviation_per_position(plan.axis.kind);
   if (highest - lowest <= limit) return {};
-  return fail(fmt::format(
-      "found deviations from {} to {} {} from the targets, expected a range of {} {} at most: the recording belongs to "
-      "another plan, or the window around the targets is too narrow for this axis (--target-window)",
-      format_fixed(lowest, 1), format_fixed(highest, 1), deviation_unit(plan.axis.kind), format_fixed(limit, 1),
-      deviation_unit(plan.axis.kind)));
+  return fail(
+      fmt::format("found deviations from {} to {} {} from the targets, expected a range of {} {} at most: the "
+                  "recording belongs to another plan, or the window around the targets is too narrow for this axis",
+                  format_fixed(lowest, 1), format_fixed(highest, 1), deviation_unit(plan.axis.kind),
+                  format_fixed(limit, 1), deviation_unit(plan.axis.kind)));
 }
 
 /// Where the axis clearly rested longer or shorter than the plan says, the dwell is what was recorded.
@@ -135,21 +135,19 @@ std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vec
 Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
   if (2 * result.readings.size() >= std::max<std::size_t>(result.standstills, 1)) return {};
   if (result.standstills == 0)
-    return fail(fmt::format(
-        "found no standstill that is long enough and not at a turning point, expected one at each of the {} approaches "
-        "of the plan, targets {} to {} {}: shorter and less quiet ones are taken with --shortest-rest and "
-        "--rest-threshold",
-        result.approaches, format_exact(plan.targets.front().in_native()),
-        format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind)));
+    return fail(
+        fmt::format("found no standstill that is long enough and not at a turning point, expected one at each of the "
+                    "{} approaches of the plan, targets {} to {} {}: shorter and less quiet ones are taken with a "
+                    "smaller shortest standstill and a larger threshold of rest",
+                    result.approaches, format_exact(plan.targets.front().in_native()),
+                    format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind)));
   std::string seen;
   std::size_t named = 0;
   for (const CaptureEvent& event : result.events)
     if (event.kind == EventKind::unexpected && named++ < 3) seen += fmt::format("; {}", event.message);
   return fail(fmt::format(
       "found {} of {} standstills at the approaches of the plan, expected most of them ({} approaches, targets {} to "
-      "{} "
-      "{}): the recording belongs to another plan, or the zero or sign of the instrument differ (--zero, --datum, "
-      "--reverse){}",
+      "{} {}): the recording belongs to another plan, or the zero or sign of the instrument differ{}",
       result.readings.size(), result.standstills, result.approaches, format_exact(plan.targets.front().in_native()),
       format_exact(plan.targets.back().in_native()), position_unit(plan.axis.kind), seen));
 }

@@ -69,17 +69,17 @@ CellSums sums_of(std::span<const Sample> samples) {
           .longest_step_s = larger(longest[0], longest[1])[0]};
 }
 
-Cell CellMaker::make(std::span<const Sample> samples, const CellSums& sums, double noise, double floor) {
-  Cell cell{.begin_s = samples.front().time_s,
-            .end_s = samples.back().time_s,
-            .mean_time_s = sums.mean_time_s,
-            .count = samples.size(),
-            .rejected = 0,
-            .mean = sums.mean,
-            .standard_deviation = sums.standard_deviation,
-            .scale = sums.standard_deviation,
-            .lowest = sums.lowest,
-            .highest = sums.highest};
+SampleCell CellMaker::make(std::span<const Sample> samples, const CellSums& sums, double noise, double floor) {
+  SampleCell cell{.begin_s = samples.front().time_s,
+                  .end_s = samples.back().time_s,
+                  .mean_time_s = sums.mean_time_s,
+                  .count = samples.size(),
+                  .rejected = 0,
+                  .mean = sums.mean,
+                  .standard_deviation = sums.standard_deviation,
+                  .scale = sums.standard_deviation,
+                  .lowest = sums.lowest,
+                  .highest = sums.highest};
   const double farthest = std::max(sums.highest - sums.mean, sums.mean - sums.lowest);
   if (samples.size() >= always_searched && farthest <= suspicion * sums.standard_deviation) return cell;
   positions_.clear();

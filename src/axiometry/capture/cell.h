@@ -25,7 +25,7 @@ struct CellSums {
 CellSums sums_of(std::span<const Sample> samples);
 
 /// What is left of the samples of a cell: the core, without the outliers.
-struct Cell {
+struct SampleCell {
   double begin_s = 0.0;  ///< time of the first sample, s
   double end_s = 0.0;    ///< time of the last sample, s
   double mean_time_s = 0.0;
@@ -44,7 +44,7 @@ struct Cell {
 /// lie within 5 standard deviations are not searched: there is nothing to find.
 class CellMaker {
  public:
-  Cell make(std::span<const Sample> samples, const CellSums& sums, double noise, double floor);
+  SampleCell make(std::span<const Sample> samples, const CellSums& sums, double noise, double floor);
 
  private:
   std::vector<double> positions_;

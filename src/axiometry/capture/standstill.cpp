@@ -21,10 +21,10 @@ constexpr double gap_steps = 10.0;
 constexpr double feed_share = 0.02;
 constexpr double slowest_limit_per_s = 500.0;
 constexpr double feeds_of_limit = 10.0;
-constexpr double jump_least = 0.5;           // mm or °
+constexpr double jump_least = 0.5;            // mm or °
 constexpr std::size_t samples_of_a_jump = 3;  // two false ones in a row are no jump
-constexpr double hold_slack = 2.0;           // the first way may hide in the last digit
-constexpr double sharpest_start = 30'000.0;  // mm/s² or °/s²: 3 g
+constexpr double hold_slack = 2.0;            // the first way may hide in the last digit
+constexpr double sharpest_start = 30'000.0;   // mm/s² or °/s²: 3 g
 constexpr double unlimited = std::numeric_limits<double>::max();
 constexpr double rotary_smallest = 1.0 / 3600.0, linear_smallest = 0.001;
 
@@ -49,7 +49,7 @@ StandstillOptions standstill_options(const Plan& plan) {
 StandstillDetector::StandstillDetector(const StandstillOptions& options)
     : options_(options), travel_(options.turn.in_native()) {}
 
-void StandstillDetector::Average::add(const Cell& cell, double origin_s, double origin) {
+void StandstillDetector::Average::add(const SampleCell& cell, double origin_s, double origin) {
   const auto n = static_cast<double>(cell.count);
   const double d = cell.mean - origin;
   const double inside = cell.standard_deviation * cell.standard_deviation * (n - 1.0);
@@ -208,7 +208,7 @@ void StandstillDetector::take_cell(std::span<const Sample> samples, const CellSu
                                    std::vector<Standstill>& found) {
   const double noise = noises_.size() < noise_memory ? 0.0 : numeric::median({noises_.begin(), noises_.end()});
   const double floor = std::max(quantum_, 0.5 * options_.smallest.in_native());
-  const Cell cell = maker_.make(samples, sums, noise, floor);
+  const SampleCell cell = maker_.make(samples, sums, noise, floor);
   note_usual(samples, cell);
   travel(samples, cell);
   window_.push_back(cell);
@@ -221,7 +221,7 @@ void StandstillDetector::take_cell(std::span<const Sample> samples, const CellSu
   if (!at_rest_ && rests) begin_rest(limit);
 }
 
-void StandstillDetector::note_usual(std::span<const Sample> samples, const Cell& cell) {
+void StandstillDetector::note_usual(std::span<const Sample> samples, const SampleCell& cell) {
   noises_.push_back(cell.scale);
   if (noises_.size() > noise_memory) noises_.pop_front();
   usual_step_s_ = (cell.end_s - cell.begin_s) / static_cast<double>(samples.size() - 1);
@@ -237,7 +237,7 @@ void StandstillDetector::note_usual(std::span<const Sample> samples, const Cell&
   usual_hold_s_ = usual_hold_s_ > 0.0 ? std::min(usual_hold_s_, hold_s) : hold_s;
 }
 
-void StandstillDetector::travel(std::span<const Sample> samples, const Cell& cell) {
+void StandstillDetector::travel(std::span<const Sample> samples, const SampleCell& cell) {
   if (cell.highest - cell.lowest > options_.turn.in_native() / 8)
     travel_.move_along(samples);
   else
@@ -261,7 +261,7 @@ void StandstillDetector::end_frozen(std::vector<Standstill>& found) {
 double StandstillDetector::threshold() const {
   if (options_.threshold) return options_.threshold->in_native();
   std::vector<double> noises;
-  for (const Cell& c : window_) noises.push_back(c.standard_deviation);
+  for (const SampleCell& c : window_) noises.push_back(c.standard_deviation);
   const double adaptive = std::max(
       {options_.smallest.in_native(), quantum_factor * quantum_, noise_factor * numeric::median(std::move(noises))});
   return std::min(options_.greatest.in_native(), adaptive);
@@ -269,7 +269,7 @@ double StandstillDetector::threshold() const {
 
 bool StandstillDetector::settled(double threshold) const {
   if (window_.size() < cells_per_window) return false;
-  const auto [lowest, highest] = std::ranges::minmax_element(window_, {}, &Cell::mean);
+  const auto [lowest, highest] = std::ranges::minmax_element(window_, {}, &SampleCell::mean);
   return highest->mean - lowest->mean <= threshold;
 }
 
@@ -285,10 +285,10 @@ void StandstillDetector::begin_rest(double threshold) {
   settling_ = used_ = {};
   held_.reset();
   at_rest_ = true;
-  for (const Cell& c : window_) add_to_rest(c);
+  for (const SampleCell& c : window_) add_to_rest(c);
 }
 
-void StandstillDetector::add_to_rest(const Cell& cell) {
+void StandstillDetector::add_to_rest(const SampleCell& cell) {
   rest_.end_s = cell.end_s;
   if (cell.begin_s < rest_.begin_s + options_.settling.in_s()) {
     settling_.add(cell, rest_.begin_s, origin_);

@@ -95,7 +95,7 @@ class StandstillDetector {
     double weight = 0.0, t = 0.0, x = 0.0, tt = 0.0, tx = 0.0;
     std::size_t rejected = 0;
     double from_s = 0.0, to_s = 0.0;
-    void add(const Cell& cell, double origin_s, double origin);
+    void add(const SampleCell& cell, double origin_s, double origin);
     double slope() const;
   };
 
@@ -117,14 +117,14 @@ class StandstillDetector {
   bool stays_away(std::span<const Sample> behind) const;
   void watch_value(std::span<const Sample> samples, const CellSums& sums);
   void take_cell(std::span<const Sample> samples, const CellSums& sums, std::vector<Standstill>& found);
-  void travel(std::span<const Sample> samples, const Cell& cell);
-  void note_usual(std::span<const Sample> samples, const Cell& cell);
+  void travel(std::span<const Sample> samples, const SampleCell& cell);
+  void note_usual(std::span<const Sample> samples, const SampleCell& cell);
   void gap(std::vector<Standstill>& found);
   void end_frozen(std::vector<Standstill>& found);
   double threshold() const;
   bool settled(double threshold) const;
   void begin_rest(double threshold);
-  void add_to_rest(const Cell& cell);
+  void add_to_rest(const SampleCell& cell);
   Standstill end_rest(bool cut_off);
 
   StandstillOptions options_;
@@ -132,20 +132,20 @@ class StandstillDetector {
   Travel travel_;
   std::vector<Sample> begun_;  // a cell whose end has not come yet
   std::optional<Sample> last_;
-  std::deque<Cell> window_;    // the last cells, no gap between them
-  std::deque<double> noises_;  // standard deviations of the last cells
-  double usual_step_s_ = 0.0;  // usual time between samples, s; 0 before the first cell
-  double quantum_ = 0.0;       // q; 0 before two different samples were seen
-  double usual_hold_s_ = 0.0;  // usual time between two changes of the value on the way, s; 0 before one was seen
+  std::deque<SampleCell> window_;  // the last cells, no gap between them
+  std::deque<double> noises_;      // standard deviations of the last cells
+  double usual_step_s_ = 0.0;      // usual time between samples, s; 0 before the first cell
+  double quantum_ = 0.0;           // q; 0 before two different samples were seen
+  double usual_hold_s_ = 0.0;      // usual time between two changes of the value on the way, s; 0 before one was seen
   std::optional<Frozen> frozen_;
   bool gap_behind_ = true;  // nothing is known of the time before the recording
-  std::optional<Cell> now_;
+  std::optional<SampleCell> now_;
 
   bool at_rest_ = false;
   Standstill rest_;  // all but what is averaged
   double origin_ = 0.0;
   Average settling_, used_;
-  std::optional<Cell> held_;  // the newest cell: at its end the axis may move already
+  std::optional<SampleCell> held_;  // the newest cell: at its end the axis may move already
 };
 
 }  // namespace axiometry::capture

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/capture/station_refining.h"
 
 namespace axiometry::capture {
@@ -145,13 +145,11 @@ Result<void> check_stop_fit(const StopLengths& lengths, const StopMatcher& match
   if (matcher.standstills().empty())
     return fail(
         "found no standstill in the recording, expected the reflector to rest at every stop for sixteen samples and "
-        "more "
-        "(--rest-window, --rest-threshold)");
+        "more");
   if (matches > 0 && turned_cost(matcher) + much_cheaper < matcher.cost())
     return fail(
         fmt::format("found lengths that {} where the reflector recedes from the station, expected them to {}: the "
-                    "instrument counts "
-                    "the other way (--reversed), or this is the recording of another plan",
+                    "instrument counts the other way, or this is the recording of another plan",
                     matcher.options().reversed ? "grow" : "fall", matcher.options().reversed ? "fall" : "grow"));
   const auto heard = static_cast<double>(matches);
   const auto unused = static_cast<double>(lengths.unused.size());

@@ -281,7 +281,7 @@ TEST(StopLengths, CountsTheOtherWayWhereThatIsSaid) {
   expect_lengths(*lengths, run, points);
   const auto wrong = lengths_at_stops(recorded, stops_at(points, run.station_mm), options());
   ASSERT_FALSE(wrong);
-  EXPECT_NE(wrong.error().message.find("--reversed"), std::string::npos);
+  EXPECT_NE(wrong.error().message.find("the instrument counts the other way"), std::string::npos);
 }
 
 TEST(StopLengths, RefusesTheRecordingOfAnotherPlan) {

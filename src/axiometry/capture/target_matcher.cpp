@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/capture/full_turns.h"
 
 namespace axiometry::capture {
 namespace {
@@ -33,6 +35,11 @@ std::vector<std::string> remarks_on(const Standstill& s, AxisKind kind) {
                                   deviation_unit(kind)));
   if (s.cut_off) remarks.emplace_back("cut off by missing samples or the end of the recording");
   return remarks;
+}
+
+Standstill turned(Standstill s, double by_deg) {
+  for (Position* x : {&s.position, &s.lowest, &s.highest}) *x = Position::native(x->in_native() + by_deg);
+  return s;
 }
 
 }  // namespace
@@ -97,9 +104,12 @@ std::vector<CapturedReading> TargetMatcher::take(const Standstill& standstill) {
   return readings;
 }
 
-std::optional<CapturedReading> TargetMatcher::match(const Standstill& s) {
+std::optional<CapturedReading> TargetMatcher::match(const Standstill& shown_there) {
   if (complete()) return std::nullopt;
-  unseen_ = unseen_ || s.after_gap;
+  unseen_ = unseen_ || shown_there.after_gap;
+  turn_found_ = turn_found_ && !shown_there.after_gap;
+  find_turn(shown_there);
+  const Standstill s = turned(shown_there, turns_deg_);
   lowest_ = std::min(lowest_, s.lowest.in_native());
   highest_ = std::max(highest_, s.highest.in_native());
   if (s.frozen_from_s) {
@@ -110,7 +120,7 @@ std::optional<CapturedReading> TargetMatcher::match(const Standstill& s) {
     return std::nullopt;
   }
   const auto target = target_at(s.position);
-  if (!target && at_turning_point(s.position)) {
+  if (!target && (at_turning_point(s.position) || at_overrun_of_a_turn(s))) {
     ++result_.overruns;
     return std::nullopt;
   }
@@ -141,6 +151,67 @@ std::optional<CapturedReading> TargetMatcher::match(const Standstill& s) {
   }
   explain(*target, s);
   return std::nullopt;
+}
+
+bool TargetMatcher::rolls(const Standstill& s) const { return rolls_from_s_ && s.used_to_s >= *rolls_from_s_; }
+
+/// Which turn of the plan the axis is in. A person may have turned it before the test, and behind missing samples
+/// nobody counted; else what the instrument shows counts on, but for a motion too fast to be followed. Of an instrument
+/// that was not seen to roll over what it shows is believed, unless nothing but whole turns are between that and what
+/// is due.
+void TargetMatcher::find_turn(const Standstill& s) {
+  if (plan_.axis.kind == AxisKind::linear || !s.arrival || s.frozen_from_s) return;
+  if (rolls(s)) tell_rollover(s);
+  const bool fits = target_at(turned(s, turns_deg_).position).has_value();
+  if (turn_found_ && (fits || !rolls(s) || !last_)) return;
+  const Approach& due = approaches_[due_];
+  const auto is_due = [&](double turns_deg) {
+    return due.direction == *s.arrival && target_at(turned(s, turns_deg).position) == due.target;
+  };
+  const bool known_before = fits && last_ && !rolls(s);
+  const auto found = known_before ? std::nullopt : turns_to_target(s);
+  const double turns_deg = found && (is_due(*found) || (rolls(s) && !turn_found_)) ? *found : turns_deg_;
+  const auto target = target_at(turned(s, turns_deg).position);
+  if (!target || (*target != due.target && !approach_for(*target, s))) return;
+  if (turns_deg != turns_deg_) lowest_ = highest_ = turned(s, turns_deg).position.in_native();
+  turn_found_ = true;
+  turns_deg_ = turns_deg;
+}
+
+/// The whole turns that put the standstill at a target: at the one of the earliest approach that it can be, or next to
+/// the one that is due.
+std::optional<double> TargetMatcher::turns_to_target(const Standstill& s) const {
+  const double due = plan_.targets[approaches_[due_].target].in_native();
+  const double x = s.position.in_native(), window = window_.in_native();
+  constexpr double most_deg = 1e9;  // farther a whole turn more is no other number before long
+  if (!(std::abs(x) <= most_deg)) return std::nullopt;
+  const double last = std::floor((plan_.targets.back().in_native() + window - x) / full_turn_deg);
+  std::optional<double> best;
+  std::pair<std::size_t, double> best_rank;
+  for (double n = std::ceil((plan_.targets.front().in_native() - window - x) / full_turn_deg); n <= last; n += 1.0) {
+    const double there = x + full_turn_deg * n;
+    const auto target = target_at(Position::native(there));
+    if (!target) continue;
+    const std::pair rank{approach_for(*target, s).value_or(approaches_.size()), std::abs(there - due)};
+    if (best && rank >= best_rank) continue;
+    best = full_turn_deg * n;
+    best_rank = rank;
+  }
+  return best;
+}
+
+/// Before the turn is known.
+bool TargetMatcher::at_overrun_of_a_turn(const Standstill& s) const {
+  if (turn_found_ || !rolls(s)) return false;
+  return std::ranges::any_of(turning_points_, [&](Position point) {
+    return std::abs(std::remainder(s.position.in_native() - point.in_native(), full_turn_deg)) <= window_.in_native();
+  });
+}
+
+void TargetMatcher::tell_rollover(const Standstill& s) {
+  if (std::exchange(rollover_told_, true)) return;
+  event(EventKind::zero, s.begin_s,
+        "the instrument shows the same again after each turn: its angles are counted on over 360°");
 }
 
 std::optional<std::size_t> TargetMatcher::target_at(Position position) const {
@@ -236,6 +307,7 @@ std::vector<CapturedReading> TargetMatcher::try_zero(const Standstill& standstil
     const double shown_there = (options_.reversed ? -1.0 : 1.0) * waiting_[first].position.in_native();
     options.datum = Position::native(plan_.targets[approaches_[0].target].in_native() - shown_there);
     TargetMatcher trial(plan_, options);
+    trial.rolls_from_s_ = rolls_from_s_;
     std::vector<CapturedReading> readings;
     for (std::size_t k = first; k < waiting_.size(); ++k)
       for (CapturedReading& reading : trial.take(waiting_[k])) readings.push_back(std::move(reading));

@@ -35,11 +35,16 @@ Position default_window(const Plan& plan);
 /// - Where samples are missing, or before the recording, the way is not known: then any later approach of that
 /// direction
 ///   will do. A standstill is never used when the motion towards it was not recorded.
+/// - Of a rotary axis, at first and behind missing samples: whole turns are added where that makes it the approach that
+///   is due; of an instrument that rolls over so that it is at a target, of several at the one that comes first.
 class TargetMatcher {
  public:
   /// Fails when the plan is not sound, or the window is not positive, reaches half way to the next target or an
   /// overrun.
   static Result<TargetMatcher> make(Plan plan, const MatcherOptions& options);
+
+  /// The instrument is known to show the same again after each turn from that time of the recording on (full_turns.h).
+  void rolls_from(double time_s) { rolls_from_s_ = time_s; }
 
   /// The readings that this standstill completes; mostly one or none.
   std::vector<CapturedReading> take(const Standstill& standstill);
@@ -58,7 +63,12 @@ class TargetMatcher {
   TargetMatcher(Plan plan, const MatcherOptions& options);
 
   Standstill in_plan(const Standstill& shown) const;
-  std::optional<CapturedReading> match(const Standstill& standstill);
+  std::optional<CapturedReading> match(const Standstill& shown);
+  bool rolls(const Standstill& standstill) const;
+  void find_turn(const Standstill& standstill);
+  std::optional<double> turns_to_target(const Standstill& standstill) const;
+  bool at_overrun_of_a_turn(const Standstill& standstill) const;
+  void tell_rollover(const Standstill& standstill);
   std::vector<CapturedReading> try_zero(const Standstill& standstill);
   std::optional<std::size_t> target_at(Position position) const;
   bool at_turning_point(Position position) const;
@@ -82,6 +92,10 @@ class TargetMatcher {
   double lowest_ = 0.0, highest_ = 0.0;  // range of the positions on the way since then
   bool unseen_ = true;                   // a part of that way is missing
   std::vector<Standstill> waiting_;      // standstills that wait until the zero is known
+  std::optional<double> rolls_from_s_;   // nothing of an instrument that was not seen to roll over
+  double turns_deg_ = 0.0;               // whole turns from what counts on as it is shown to the plan
+  bool turn_found_ = false;              // since the last gap it was at the target that is due, or read
+  bool rollover_told_ = false;
   double last_time_s_ = 0.0;
   CaptureResult result_;
 };

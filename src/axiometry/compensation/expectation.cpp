@@ -11,6 +11,7 @@
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
+#include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::compensation {
 namespace {
@@ -137,7 +138,8 @@ double quantile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTrials of_retest) {
+std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTrials of_retest) {
+  const Series predicted = without_empty_runs(numbered);  // a number without readings is no run that was not shifted
   const iso230_2::ScatterStudy study = iso230_2::scatter_study(predicted);
   // Runs that lie higher or lower as a whole do so in all targets alike, and leave the shape of the axis alone.
   const RunSpread spread = study.shifts ? run_spread_of(predicted) : RunSpread{};

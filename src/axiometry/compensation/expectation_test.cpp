@@ -168,6 +168,27 @@ TEST(ExpectedRetest, HoldsInReTestsOfFewerRuns) {
   EXPECT_NEAR(below_95 / static_cast<double>(axes), 0.95, 0.033);
 }
 
+TEST(ExpectedRetest, DoesNotDependOnTheNumbersOfTheRuns) {
+  const RunDeviations none(bent_targets.size(), testing_support::none);
+  std::vector<RunDeviations> up, down, up_apart, down_apart, up_one_way, down_one_way;
+  for (int j = 0; j < 5; ++j) {
+    RunDeviations of_up, of_down;
+    for (std::size_t i = 0; i < bent_targets.size(); ++i) {
+      of_up.push_back(3.0 * j + static_cast<double>((7 * i + 3 * static_cast<std::size_t>(j)) % 5) / 5.0);
+      of_down.push_back(2.0 * j - 4.0 + static_cast<double>((3 * i + 7 * static_cast<std::size_t>(j)) % 5) / 5.0);
+    }
+    for (auto* runs : {&up, &up_apart, &up_one_way}) runs->push_back(of_up);
+    for (auto* runs : {&down, &down_apart}) runs->push_back(of_down);
+    for (auto* runs : {&up_apart, &down_apart, &up_one_way, &down_one_way}) runs->push_back(none);
+    down_one_way.push_back(of_down);
+  }
+  const auto expected = expected_retest(make_series(bent_targets, up, down));
+  ASSERT_TRUE(expected);
+  for (const Series& other :
+       {make_series(bent_targets, up_apart, down_apart), make_series(bent_targets, up_one_way, down_one_way)})
+    EXPECT_EQ(expected_retest(other)->percent_95.R->in_native(), expected->percent_95.R->in_native());
+}
+
 TEST(ExpectedRetest, IsNothingWhereNothingIsKnownOfTheScatter) {
   EXPECT_FALSE(expected_retest(make_series({0, 1}, {{0, 1}}, {{0, 1}})));
 }

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/numeric/band_cholesky.h"
 #include "axiometry/numeric/moments.h"
 

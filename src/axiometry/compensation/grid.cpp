@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/model/axis_correction.h"
 #include "axiometry/numeric/median.h"
 

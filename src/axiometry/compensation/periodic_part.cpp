@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/compensation/prediction.h"
 #include "axiometry/numeric/moments.h"
 
@@ -146,7 +146,7 @@ std::vector<NamedFinding> findings_of_periodic(const PeriodicPart& part, Periodi
       {"compensation-periodic-aliased", true,
        fmt::format("found a periodic part with a period of {}, of an amplitude of {}, in the readings, and positions "
                    "of the table or targets up to {} {} apart, above half the period: the table holds what the targets "
-                   "happened to meet of it, and is wrong between them; --periodic leave leaves it out",
+                   "happened to meet of it, and is wrong between them; the part can be left out of it",
                    period, amplitudes(part, kind), format_rounded(spacing), position_unit(kind))}};
 }
 

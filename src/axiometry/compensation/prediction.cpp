@@ -118,7 +118,7 @@ bool has_reversal(const std::vector<RetestChange>& changes) {
   return sum > least_reversal * least_reversal * static_cast<double>(changes.size());
 }
 
-void add_reversal(const std::vector<RetestChange>& changes, Effect& effect) {
+void add_reversal(const std::vector<RetestChange>& changes, RetestEffect& effect) {
   double rr = 0.0, rf = 0.0, rv = 0.0, common = 0.0;
   const auto first_down = std::ranges::find(changes, Direction::down, &RetestChange::direction);
   auto down = first_down;  // both directions ascend
@@ -163,13 +163,13 @@ Result<Series> scatter_alone(const Series& series) {
                  [&](std::size_t i, Direction direction) { return -numeric::moments(series.cell(i, direction)).mean; });
 }
 
-std::optional<Effect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
-                                      const AxisCorrection* removed, double same_target_native) {
+std::optional<RetestEffect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
+                                            const AxisCorrection* removed, double same_target_native) {
   const std::vector<RetestChange> changes = changes_of(before, after, added, removed, same_target_native);
   if (changes.size() < 3) return std::nullopt;
   const ChangeLine line = line_of(changes, &RetestChange::wanted);
   if (!(line.ww > 0.0)) return std::nullopt;
-  Effect effect{line.share()};
+  RetestEffect effect{line.share()};
   effect.u_of_scatter = line.u_of_scatter();
   effect.compared = changes.size();
   for (const Direction direction : both_directions) {

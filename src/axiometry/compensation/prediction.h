@@ -43,7 +43,7 @@ struct TableShare {
 
 /// How a re-test relates to what the table should have done, over all targets and directions; a for what a new zero of
 /// the instrument does.
-struct Effect {
+struct RetestEffect {
   TableShare whole;
   double u_of_scatter = 0.0;  ///< the part of u that the scatter of both tests makes
   /// γ of x̄↑ − x̄↓ alone, which no new zero and no shape of the axis can hide: −1 where directions are exchanged, 2
@@ -58,12 +58,12 @@ struct Effect {
   /// positions mirrored from end to end.
   bool exchanged = false, mirrored = false;
   bool has_reversal = false;  ///< the table changes the reversal, by more than what rounding makes
-  std::size_t compared = 0;  ///< targets and directions that both tests have
+  std::size_t compared = 0;   ///< targets and directions that both tests have
 };
 
 /// `change` is what is added now less what was added in the first test. Nothing where fewer than three targets and
 /// directions are in both tests (within `same_target_native`), or the change is the same at all of them.
-std::optional<Effect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
-                                      const AxisCorrection* removed, double same_target_native);
+std::optional<RetestEffect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
+                                            const AxisCorrection* removed, double same_target_native);
 
 }  // namespace axiometry::compensation

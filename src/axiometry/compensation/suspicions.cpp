@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/standards/iso230_2/programme.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
@@ -93,53 +93,51 @@ bool is_about(const TableShare& found, double share, double enough) {
 }
 
 /// The re-test is the test but for what is small, and no share that matters could hide in it.
-bool is_not_active(const Effect& effect) {
-  const bool reversal =
-      effect.of_reversal && std::abs(*effect.of_reversal) > std::max(0.5, 3.0 * effect.u_of_reversal);
+bool is_not_active(const RetestEffect& effect) {
+  const bool reversal = effect.of_reversal && std::abs(*effect.of_reversal) > std::max(0.5, 3.0 * effect.u_of_reversal);
   return effect.whole.unchanged && !reversal && is_about(effect.whole, 0.0, near_enough) &&
          std::abs(effect.whole.share) + 2.0 * effect.whole.u < 0.5;
 }
 
 /// Each direction that tells, apart from the reversal.
-bool directions_agree(const Effect& effect, double share) {
+bool directions_agree(const RetestEffect& effect, double share) {
   return std::ranges::all_of(effect.directions, [&](const std::optional<TableShare>& way) {
     return !way || (way->is_line && is_about(*way, share, part_most));
   });
 }
 
 /// Measured, and within its uncertainty.
-bool reversal_may_be(const Effect& effect, double share) {
-  return effect.of_reversal &&
-         std::abs(*effect.of_reversal - share) <= std::max(part_most, 3.0 * effect.u_of_reversal);
+bool reversal_may_be(const RetestEffect& effect, double share) {
+  return effect.of_reversal && std::abs(*effect.of_reversal - share) <= std::max(part_most, 3.0 * effect.u_of_reversal);
 }
 
 /// One that was not measured contradicts nothing, and proves nothing either.
-bool reversal_contradicts(const Effect& effect, double share) {
+bool reversal_contradicts(const RetestEffect& effect, double share) {
   return effect.of_reversal && !reversal_may_be(effect, share);
 }
 
 /// The table has a reversal of which the re-test does not tell whether it is corrected: not measured, or as near to not
 /// at all, or to twice.
-bool is_reversal_untold(const Effect& effect) {
+bool is_reversal_untold(const RetestEffect& effect) {
   if (!effect.of_reversal) return effect.has_reversal;
   return reversal_may_be(effect, 1.0) && (reversal_may_be(effect, 0.0) || reversal_may_be(effect, 2.0));
 }
 
-bool acts_as_a_whole(const Effect& effect, double share) {
+bool acts_as_a_whole(const RetestEffect& effect, double share) {
   return effect.whole.is_line && is_about(effect.whole, share, near_enough) && directions_agree(effect, share) &&
          !reversal_contradicts(effect, share);
 }
 
 /// As it should, but perhaps for the reversal: by the whole where that is a line, or by both directions alone, where a
 /// reversal that is wrong puts the whole out of line.
-bool acts_in_each_direction(const Effect& effect, double enough) {
+bool acts_in_each_direction(const RetestEffect& effect, double enough) {
   if (effect.whole.is_line && is_about(effect.whole, 1.0, enough) && directions_agree(effect, 1.0)) return true;
   return reversal_contradicts(effect, 1.0) && std::ranges::all_of(effect.directions, [enough](const auto& way) {
-    return way && way->is_line && is_about(*way, 1.0, enough);
-  });
+           return way && way->is_line && is_about(*way, 1.0, enough);
+         });
 }
 
-NamedFinding finding_of_untold_reversal(const Effect& effect) {
+NamedFinding finding_of_untold_reversal(const RetestEffect& effect) {
   const std::string share = share_words(effect.whole);
   if (!effect.of_reversal)
     return {"retest-reversal-untold", false,
@@ -152,7 +150,7 @@ NamedFinding finding_of_untold_reversal(const Effect& effect) {
                       share, format_fixed(*effect.of_reversal, 2), format_fixed(2.0 * effect.u_of_reversal, 2))};
 }
 
-NamedFinding finding_of_active(const Effect& effect, const RetestContext& context) {
+NamedFinding finding_of_active(const RetestEffect& effect, const RetestContext& context) {
   const std::string share = share_words(effect.whole);
   if (!reversal_contradicts(effect, 1.0)) {
     if (!context.above_expected && is_reversal_untold(effect)) return finding_of_untold_reversal(effect);
@@ -186,7 +184,7 @@ NamedFinding finding_of_active(const Effect& effect, const RetestContext& contex
 }
 
 /// One direction does what it should, and nothing happened to the other.
-std::optional<NamedFinding> finding_of_one_direction(const Effect& effect) {
+std::optional<NamedFinding> finding_of_one_direction(const RetestEffect& effect) {
   for (const Direction active : {Direction::up, Direction::down}) {
     const Direction other = active == Direction::up ? Direction::down : Direction::up;
     const auto& acts = effect.directions[static_cast<std::size_t>(active)];
@@ -256,7 +254,7 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
                           fmt::format("found no reading {}: what the table does to approaches from there nobody "
                                       "measured, and the reversal error stays as it is",
                                       arrow(direction))});
-  if (curves == TableCurves::both_ways && series.has(Direction::up) && series.has(Direction::down))
+  if (curves == TableCurves::both_ways && series.has_both_directions())
     findings.push_back({"compensation-reversal-stays", false,
                         "the table has one curve for both directions: the reversal error stays as it is"});
   add_findings_of_programme(series, kind, findings);
@@ -296,11 +294,11 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
   const double first = series.targets().front().in_native(), last = series.targets().back().in_native();
   const double beyond = std::max(0.0, nodes.front() - first) + std::max(0.0, last - nodes.back());
   if (beyond > printed)
-    findings.push_back({"compensation-beyond-ends", beyond > much_beyond * (last - first),
-                        fmt::format("the table goes from {} to {}, the targets from {} to {}: {}",
-                                    place_words(nodes.front(), kind), place_words(nodes.back(), kind),
-                                    place_words(first, kind), place_words(last, kind),
-                                    beyond_its_ends(nodes, kind, rolls_over))});
+    findings.push_back(
+        {"compensation-beyond-ends", beyond > much_beyond * (last - first),
+         fmt::format("the table goes from {} to {}, the targets from {} to {}: {}", place_words(nodes.front(), kind),
+                     place_words(nodes.back(), kind), place_words(first, kind), place_words(last, kind),
+                     beyond_its_ends(nodes, kind, rolls_over))});
   if (nodes.front() < first - printed || nodes.back() > last + printed)
     findings.push_back({"compensation-ends-held", true,
                         fmt::format("the table goes from {} to {}, where {} to {} were measured: beyond them it holds "
@@ -316,7 +314,7 @@ std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorr
   return findings;
 }
 
-NamedFinding finding_of_retest(const Effect& effect, const RetestContext& context) {
+NamedFinding finding_of_retest(const RetestEffect& effect, const RetestContext& context) {
   const std::string share = share_words(effect.whole);
   if (effect.u_of_scatter > share_u_most || (effect.whole.is_line && effect.whole.u > share_u_most))
     return {"retest-tells-nothing", false,
@@ -333,9 +331,7 @@ NamedFinding finding_of_retest(const Effect& effect, const RetestContext& contex
                     effect.exchanged || effect.mirrored
                         ? ", or directions exchanged or positions mirrored, which would show alike"
                         : "",
-                    context.sign_inferred
-                        ? ", and make it with the sign that this control has: --turned-sign, or without it"
-                        : "")};
+                    context.sign_inferred ? ", and make it with the other sign" : "")};
   if (acts_as_a_whole(effect, 2.0))
     return {"retest-twice", true,
             fmt::format("the table is applied twice, the re-test shows {} of it: is an older one still active beside "

@@ -38,6 +38,6 @@ struct RetestContext {
 /// sign mistake (the error doubled), a table that was not active, or in one direction alone, one that was added twice,
 /// directions that are exchanged, positions mirrored, a reversal that is corrected twice. What nothing explains is told
 /// as that, and so is a reversal of the table of which the re-test does not tell whether it is corrected.
-NamedFinding finding_of_retest(const Effect& effect, const RetestContext& context = {});
+NamedFinding finding_of_retest(const RetestEffect& effect, const RetestContext& context = {});
 
 }  // namespace axiometry::compensation

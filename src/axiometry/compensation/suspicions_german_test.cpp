@@ -114,7 +114,7 @@ std::set<std::string> of_retests() {
   findings.push_back(finding_of_retest({.whole = no_line}));
   for (const bool exchanged : {false, true}) {
     findings.push_back(finding_of_retest({.whole = share_of(-1.0), .exchanged = exchanged}, {.sign_inferred = true}));
-    EXPECT_NE(findings.back().message.find("--turned-sign"), std::string::npos);
+    EXPECT_NE(findings.back().message.find("with the other sign"), std::string::npos);
     findings.push_back(finding_of_retest({.whole = share_of(-1.0), .exchanged = exchanged}));
   }
   for (const NamedFinding& finding : findings)
@@ -147,8 +147,7 @@ TEST(Suspicions, TellWhatIsBeyondTheEndsOfATableThatRollsOver) {
     return "";
   };
   EXPECT_EQ(said(AxisKind::linear, 50, 350, false), "beyond its ends the control holds the last value");
-  EXPECT_EQ(said(AxisKind::linear, 50, 350, true),
-            "over the targets beyond its ends the file holds the last value");
+  EXPECT_EQ(said(AxisKind::linear, 50, 350, true), "over the targets beyond its ends the file holds the last value");
   EXPECT_EQ(said(AxisKind::rotary, 0, 360, true),
             "beyond its ends the control begins the turn anew, and what is foretold there counts on the last value");
   EXPECT_TRUE(said(AxisKind::rotary, 30, 300, true).ends_with("where the turn closes"));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/formats/csv/csv_columns.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
@@ -62,8 +63,8 @@ Result<const Format*> recognise(std::string_view head) {
     AXIOMETRY_TRY_VOID(check_utf8(text));
   AXIOMETRY_TRY_VOID(check_table(text));
   return fail(fmt::format("found text that begins with {}, expected one of the {} formats that can be read; a CSV file "
-                          "begins with a header such as target_mm,direction,run,deviation_um",
-                          text::quoted(first_line(text)), format_table().size()),
+                          "begins with a header such as {}",
+                          text::quoted(first_line(text)), format_table().size(), long_table_head(AxisKind::linear)),
               {1, 1});
 }
 

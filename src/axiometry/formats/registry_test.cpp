@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "tests/support/manual_example.h"
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/language/french.h"
 #include "axiometry/language/phrase_book.h"
 #include "axiometry/language/phrase_file.h"
-#include "axiometry/language/reader.h"
+#include "axiometry/language/phrase_reader.h"
 
 namespace axiometry::language {
 namespace {
@@ -108,17 +108,17 @@ Language best_of(std::string_view accept_language) {
 
 std::string translated(std::string_view text, Language language, const NumberStyle& numbers) {
   if (language == Language::english) return std::string(text);
-  return words_of(Reader(book_of(language), numbers).read({std::string(text)}).text);
+  return words_of(PhraseReader(book_of(language), numbers).read({std::string(text)}).text);
 }
 
 TextPieces translated(const TextPieces& text, Language language, const NumberStyle& numbers) {
-  return language == Language::english ? text : Reader(book_of(language), numbers).read(text).text;
+  return language == Language::english ? text : PhraseReader(book_of(language), numbers).read(text).text;
 }
 
 bool is_known(std::string_view text, Language language) { return is_known(TextPieces{std::string(text)}, language); }
 
 bool is_known(const TextPieces& text, Language language) {
-  return language == Language::english || Reader(book_of(language), {}).read(text).known;
+  return language == Language::english || PhraseReader(book_of(language), {}).read(text).known;
 }
 
 std::span<const Phrase> phrases(Language language) {

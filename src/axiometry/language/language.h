@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 /// Finished English texts in another language. The rest of the library composes its sentences in English; where a
 /// person reads another language they are looked up as a whole, in a phrase book whose entries have places for what

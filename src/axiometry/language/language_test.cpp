@@ -30,6 +30,28 @@ TEST(LanguageOf, KnowsEveryLanguageOnce) {
   EXPECT_EQ(usual_numbers(Language::english).decimal_mark, '.');
 }
 
+/// Whatever a database has: what is wrong with it is said with its kind in the language.
+TEST(Translated, NamesEveryKindOfPartOfADatabase) {
+  const auto expect_german = [](const std::string& text) {
+    const std::string said = german(text);
+    EXPECT_NE(said.substr(0, said.find(' ')), text.substr(0, text.find(' '))) << said;
+    EXPECT_EQ(said.find("found"), std::string::npos) << said;
+    EXPECT_EQ(said.find("schema"), std::string::npos) << said;
+  };
+  for (const std::string part :
+       {"column at of audit", "constraint audit_pkey of audit", "inheritance a of audit", "policy p of audit",
+        "trigger audit_unchanged of audit", "reference a_fkey (RI_FKey_check of audit)", "function unchanged(text)",
+        "domain hash", "rule r of audit"})
+    for (const char* found :
+         {": found none, expected the one of schema 4", ": found it altered, 'a', expected 'b' of schema 4",
+          ": found one that schema 4 does not have, expected none"})
+      expect_german(part + found);
+  for (const char* part : {"trigger audit_unchanged of audit", "reference a_fkey (RI_FKey_check of audit)"})
+    expect_german(part + std::string(": found it switched off, expected it on"));
+  for (const char* part : {"table own", "view own of own"})
+    expect_german(part + std::string(": somebody's own, no part of schema 4"));
+}
+
 TEST(LanguageOf, ReadsWhatTagWrites) {
   for (const Language language : languages()) EXPECT_EQ(language_of(tag(language)), language);
 }
@@ -55,8 +77,8 @@ TEST(Translated, FindsWhatIsSaidOfAnErrorOfTheMachineOrOfSeveral) {
   ASSERT_NE(in_german, said);
   for (const std::string names : {"EYX", "EAX, ECZ", "C0Y, EXZ, EZZ, B0Z"}) {
     EXPECT_EQ(german(names + ": " + said), names + ": " + in_german);
-    EXPECT_TRUE(is_known("of the errors measured singly, from which this was made: " + names + ": " + said,
-                         Language::french));
+    EXPECT_TRUE(
+        is_known("of the errors measured singly, from which this was made: " + names + ": " + said, Language::french));
   }
   EXPECT_FALSE(is_known("EYQ: " + said, Language::german));
   EXPECT_FALSE(is_known("EYXX: " + said, Language::german));

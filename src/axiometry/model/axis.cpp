@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/says_nothing.h"
+#include "axiometry/base/text/says_nothing.h"
 
 namespace axiometry {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 
 namespace axiometry {
 

@@ -10,9 +10,9 @@
 #include <unordered_map>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry {
 

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry {
 namespace {

@@ -57,6 +57,8 @@ class Series {
   std::size_t count(std::size_t target, Direction direction) const;
   /// Whether any target was approached in this direction.
   bool has(Direction direction) const;
+  /// Whether it is a bidirectional test.
+  bool has_both_directions() const { return has(Direction::up) && has(Direction::down); }
   /// Number of readings in all.
   std::size_t reading_count() const;
   /// Whether every target has a reading of every run from both directions.

@@ -5,10 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/base/moment.h"
+#include "axiometry/base/time/moment.h"
 
 /// Temperatures as sensors recorded them about a test.
 namespace axiometry {
+
+/// Longest gap between two readings, s: what lay between others farther apart nobody knows.
+inline constexpr double longest_unrecorded_s = 1800.0;
 
 /// What one sensor recorded, in order of time; °C lie within −60 … 100.
 struct TemperatureCourse {

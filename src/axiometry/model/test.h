@@ -44,8 +44,9 @@ struct AppliedCorrection {
 
 /// What a reader must know about how a file was understood: it becomes a finding of the assessment.
 struct SourceRemark {
-  bool departs = false;  ///< such a test is no test after ISO 230-2: "averages only"
-  std::string message;   ///< what was found and how it was taken; a sentence without full stop
+  bool departs = false;            ///< such a test is no test after ISO 230-2: "averages only"
+  std::string message;             ///< what was found and how it was taken; a sentence without full stop
+  bool of_swapped_labels = false;  ///< the labels of direction contradict the order of the rows
 };
 
 /// Where a test's readings come from, so that a result can be traced to the byte.

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
@@ -78,10 +78,9 @@ Result<AxisCorrection> read_table(const AxisTable& table, std::string_view text,
   if (!table.turned_sign.empty()) {
     const std::string_view other = beginning_of(options.turned_sign ? table.sign : table.turned_sign);
     if (text.contains(other))
-      return fail(
-          fmt::format("found a table that says: {}; expected the sign that was asked for, --turned-sign or "
-                      "not as the table was made",
-                      other));
+      return fail(fmt::format(
+          "found a table that says: {}; expected the sign that was asked for, turned or not as the table was made",
+          other));
   }
   AXIOMETRY_TRY(AxisCorrection found, table.read(text, options));
   if (!options.turned_sign) return found;

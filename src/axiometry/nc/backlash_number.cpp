@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {

@@ -49,7 +49,7 @@ TEST(CrossTables, OfPmacAreRefusedWhereNoMotorCouldDoIt) {
   AxisTableOptions options;
   options.number = 1;
   options.output_axis = "#2";
-  EXPECT_NE(why_refused(write_table(pmac, leaning({0.0, 4.0, 12.0}), options)).find("--curves both-ways"),
+  EXPECT_NE(why_refused(write_table(pmac, leaning({0.0, 4.0, 12.0}), options)).find("expected one for both"),
             std::string::npos);
   for (const char* motor : {"Y", "0", "1", "33", "#", "2.0"}) {
     options.output_axis = motor;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::nc {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/nc/script.h"
 
 namespace axiometry::nc {

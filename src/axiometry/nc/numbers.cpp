@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::nc {
 namespace {

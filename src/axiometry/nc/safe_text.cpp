@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "axiometry/base/utf8.h"
+#include "axiometry/base/text/utf8.h"
 
 namespace axiometry::nc {
 namespace {

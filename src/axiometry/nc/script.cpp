@@ -10,8 +10,8 @@
 #include <optional>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/numbers.h"
 #include "axiometry/nc/walk.h"
 
@@ -96,7 +96,7 @@ Result<void> check_rollover(AxisKind kind, bool asked, const ControlLimits& limi
 std::string_view word_of(Direction direction) { return direction == Direction::up ? "UP" : "DOWN"; }
 
 /// What a stretch of several times does: "RUNS 1 TO 5".
-std::string loop_remark(const Stretch& stretch) {
+std::string loop_remark(const RepeatedMoves& stretch) {
   std::optional<Approach> first;
   bool one_target = true;
   for (const PlannedMove& move : stretch.moves) {
@@ -174,7 +174,7 @@ class ScriptWriter {
       : options_(options), limits_(limits), loops_left_(options.unrolled ? 0 : limits.loops) {}
 
   /// Everything that the plan's axes do.
-  void walk_plan(const Plan& plan, const Spelling& spelling, const std::vector<Stretch>& stretches) {
+  void walk_plan(const Plan& plan, const Spelling& spelling, const std::vector<RepeatedMoves>& stretches) {
     spelling_ = &spelling;
     if (options_.rollover) turn_.emplace(limits_.rollover, spelling.coordinates);
     for (Vector3 point : plan.way_in_mm) way(point, "WAY IN");
@@ -188,10 +188,10 @@ class ScriptWriter {
   }
 
   /// The stretches of a plan with as many loops as there are left.
-  std::vector<Stretch> stretches_of(const Plan& plan, std::vector<std::string>& remarks) {
-    std::vector<Stretch> list = walk(plan, loops_left_);
+  std::vector<RepeatedMoves> stretches_of(const Plan& plan, std::vector<std::string>& remarks) {
+    std::vector<RepeatedMoves> list = walk(plan, loops_left_);
     const auto loops =
-        static_cast<std::size_t>(std::ranges::count_if(list, [](const Stretch& s) { return s.times > 1; }));
+        static_cast<std::size_t>(std::ranges::count_if(list, [](const RepeatedMoves& s) { return s.times > 1; }));
     if (loops_left_ > 0 && loops == 0 && plan.cycle == TestCycle::user_defined)
       remarks.emplace_back("WRITTEN OUT, THE ORDER OF APPROACHES DOES NOT REPEAT");
     if (loops_left_ > 0 && loops == loops_left_)
@@ -211,12 +211,12 @@ class ScriptWriter {
     list_.push_back(Move{spelling_->at(point), spelling_->feed, std::move(remark)});
   }
 
-  void stretch(const Stretch& s) {
+  void stretch(const RepeatedMoves& s) {
     // Words that tell the way from the position before are right every time only where each ends as it began.
     const bool returns = !turn_ || turn_->is_at(s.moves.back().to);
     if (s.times > 1 && !returns) {
       for (const PlannedMove& move : s.moves) drive(move, false);
-      Stretch rest = s;
+      RepeatedMoves rest = s;
       --rest.times;
       for (PlannedMove& move : rest.moves)
         if (move.approach) ++move.approach->run;
@@ -226,7 +226,7 @@ class ScriptWriter {
   }
 
   /// `goes_on`: it is what is left of a stretch, whose runs may have come in any order.
-  void once_or_loop(const Stretch& s, bool goes_on) {
+  void once_or_loop(const RepeatedMoves& s, bool goes_on) {
     const bool loop = s.times > 1;
     if (loop) {
       remark(loop_remark(s));
@@ -378,7 +378,7 @@ Result<Script> make_script(std::span<const Plan> plans, const ProgramOptions& op
     if (!spelling && several) spelling.error().message += fmt::format(" ({})", place_of(plan, k));
     AXIOMETRY_TRY_VOID(spelling);
     std::vector<std::string> remarks = {decimals_remark(spelling->coordinates, plan, options)};
-    const std::vector<Stretch> stretches = writer.stretches_of(plan, remarks);
+    const std::vector<RepeatedMoves> stretches = writer.stretches_of(plan, remarks);
     if (several) {
       writer.remark(fmt::format("{} OF {}, {}", k + 1, plans.size(), line_name(plan)));
       for (std::string& line : line_headlines(plan)) writer.remark(std::move(line));

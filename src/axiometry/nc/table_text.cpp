@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/numbers.h"
 #include "axiometry/nc/safe_text.h"
 
@@ -171,7 +171,7 @@ Result<void> check_count_text(std::string_view said, AxisTableOptions& options, 
   const AxisKind kind = is_linear ? AxisKind::linear : AxisKind::rotary;
   if (kind == options.kind && !std::exchange(options.resolution_told, true)) options.resolution = *count;
   if (kind == options.kind && std::abs(*count - options.resolution) <= last_digit_of_count) return {};
-  return fail(fmt::format("found a table in counts of {} {}, expected {} {} (--resolution)", format_rounded(*count, 6),
+  return fail(fmt::format("found a table in counts of {} {}, expected {} {}", format_rounded(*count, 6),
                           deviation_unit(kind), format_rounded(options.resolution, 6), deviation_unit(options.kind)),
               {line.number, 0});
 }

@@ -56,7 +56,7 @@ std::size_t last_run(Moves list) {
   return 0;
 }
 
-Stretch stretch(Moves list, Repetition repetition) {
+RepeatedMoves stretch(Moves list, Repetition repetition) {
   const Moves once = list.first(repetition.period);
   return {.times = repetition.times,
           .moves = {once.begin(), once.end()},
@@ -65,13 +65,13 @@ Stretch stretch(Moves list, Repetition repetition) {
 
 }  // namespace
 
-std::vector<Stretch> walk(const Plan& plan, std::size_t loop_limit) {
+std::vector<RepeatedMoves> walk(const Plan& plan, std::size_t loop_limit) {
   const std::vector<PlannedMove> all = moves(plan);
   const std::size_t m = plan.targets.size();
   // There and back (warm-up, one target from one direction), one target from both, one pass, two passes.
   const std::array<std::size_t, 4> periods = {2, 4, m + 1, 2 * m + 2};
   Search search(all, periods);
-  std::vector<Stretch> list = {stretch(Moves(all).first(1), {})};
+  std::vector<RepeatedMoves> list = {stretch(Moves(all).first(1), {})};
   std::size_t loops = 0;
   bool plain = false;  // whether the last stretch takes further single moves
   for (Moves rest = Moves(all).subspan(1); !rest.empty();) {

@@ -20,9 +20,9 @@ Plan plan_of(TestCycle cycle, std::size_t runs, std::size_t warm_up_runs = 0) {
 }
 
 /// "-5 | 5x(0↑ 10↑ …)"
-std::string text_of(const std::vector<Stretch>& list) {
+std::string text_of(const std::vector<RepeatedMoves>& list) {
   std::string text;
-  for (const Stretch& stretch : list) {
+  for (const RepeatedMoves& stretch : list) {
     if (!text.empty()) text += " | ";
     if (stretch.times > 1) text += std::to_string(stretch.times) + "x(";
     for (std::size_t k = 0; k < stretch.moves.size(); ++k) {
@@ -65,7 +65,7 @@ TEST(Walk, IsThePlanWhenItIsReadOneAfterAnother) {
       for (std::size_t limit : {0, 1, 3, 99}) {
         const Plan plan = plan_of(cycle, runs, runs % 3);
         std::vector<Position> unfolded, expected;
-        for (const Stretch& stretch : walk(plan, limit))
+        for (const RepeatedMoves& stretch : walk(plan, limit))
           for (std::size_t k = 0; k < stretch.times; ++k)
             for (const PlannedMove& move : stretch.moves) unfolded.push_back(move.to);
         for (const PlannedMove& move : moves(plan)) expected.push_back(move.to);

@@ -2,8 +2,10 @@
 #include "axiometry/numeric/additive_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "axiometry/base/contract.h"
 
@@ -13,54 +15,81 @@ namespace {
 constexpr double absent = std::numeric_limits<double>::quiet_NaN();
 constexpr int passes_at_most = 60;
 
-/// What a sum takes of it: adding 0 changes no sum that began with 0.
-double present(double x) { return std::isnan(x) ? 0.0 : x; }
+/// The residuals while they are found: 0 where the table has no value, and `there` as much of a mean as a place takes
+/// of it, 1 or 0. So no sum and no difference asks whether there is a value.
+struct Working {
+  AdditiveFit& fit;
+  std::vector<double> there;
+};
 
-/// Takes the mean of every row out of the residuals; the largest of these means.
-double sweep_rows(AdditiveFit& fit) {
-  double largest = 0.0;
+Working begun(AdditiveFit& fit) {
+  Working working{fit, std::vector<double>(fit.residuals.size(), 1.0)};
+  for (std::size_t i = 0, k = 0; i < fit.levels.size(); ++i) {
+    fit.row_counts[i] = fit.columns;
+    for (std::size_t j = 0; j < fit.columns; ++j, ++k) {
+      if (!std::isnan(fit.residuals[k])) continue;
+      fit.residuals[k] = working.there[k] = 0.0;
+      --fit.row_counts[i];
+      --fit.column_counts[j];
+    }
+    fit.count += fit.row_counts[i];
+  }
+  return working;
+}
+
+template <typename Means>
+struct Swept {
+  Means of_columns;
+  double largest_of_rows = 0.0;
+};
+
+/// Takes `means` of the columns out of the residuals, and then the mean of every row; what means the columns are left
+/// with, and the largest of the rows. A table is walked once for both.
+template <typename Means>
+Swept<Means> sweep(Working& working, const Means means) {
+  const std::size_t columns = means.size();
+  AdditiveFit& fit = working.fit;
+  Swept<Means> swept{means};
+  Means sums = means;
+  std::ranges::fill(sums, 0.0);
   for (std::size_t i = 0; i < fit.levels.size(); ++i) {
     if (fit.row_counts[i] == 0) continue;
-    double* row = fit.residuals.data() + i * fit.columns;
+    double* row = fit.residuals.data() + i * columns;
+    const double* there = working.there.data() + i * columns;
     double sum = 0.0;
-    for (std::size_t j = 0; j < fit.columns; ++j) sum += present(row[j]);
-    const double mean = sum / static_cast<double>(fit.row_counts[i]);
-    for (std::size_t j = 0; j < fit.columns; ++j) row[j] -= mean;
-    fit.levels[i] += mean;
-    largest = std::max(largest, std::abs(mean));
-  }
-  return largest;
-}
-
-/// `means`: one of each column, for the sums.
-double sweep_columns(AdditiveFit& fit, std::vector<double>& means) {
-  means.assign(fit.columns, 0.0);
-  for (std::size_t i = 0; i < fit.levels.size(); ++i) {
-    const double* row = fit.residuals.data() + i * fit.columns;
-    for (std::size_t j = 0; j < fit.columns; ++j) means[j] += present(row[j]);
-  }
-  double largest = 0.0;
-  for (std::size_t j = 0; j < fit.columns; ++j) {
-    if (fit.column_counts[j] == 0) continue;
-    means[j] /= static_cast<double>(fit.column_counts[j]);
-    fit.shifts[j] += means[j];
-    largest = std::max(largest, std::abs(means[j]));
-  }
-  for (std::size_t i = 0; i < fit.levels.size(); ++i) {
-    double* row = fit.residuals.data() + i * fit.columns;
-    for (std::size_t j = 0; j < fit.columns; ++j) row[j] -= means[j];
-  }
-  return largest;
-}
-
-void count_values(AdditiveFit& fit) {
-  for (std::size_t i = 0; i < fit.levels.size(); ++i)
-    for (std::size_t j = 0; j < fit.columns; ++j) {
-      if (std::isnan(fit.residuals[i * fit.columns + j])) continue;
-      ++fit.row_counts[i];
-      ++fit.column_counts[j];
-      ++fit.count;
+    for (std::size_t j = 0; j < columns; ++j) {
+      row[j] -= there[j] * means[j];
+      sum += row[j];
     }
+    const double mean = sum / static_cast<double>(fit.row_counts[i]);
+    for (std::size_t j = 0; j < columns; ++j) {
+      row[j] -= there[j] * mean;
+      sums[j] += row[j];
+    }
+    fit.levels[i] += mean;
+    swept.largest_of_rows = std::max(swept.largest_of_rows, std::abs(mean));
+  }
+  for (std::size_t j = 0; j < columns; ++j)
+    swept.of_columns[j] = fit.column_counts[j] > 0 ? sums[j] / static_cast<double>(fit.column_counts[j]) : 0.0;
+  return swept;
+}
+
+/// `none`: a zero for each column.
+template <typename Means>
+void find_levels_and_shifts(Working& working, Means none) {
+  AdditiveFit& fit = working.fit;
+  Swept<Means> last = sweep(working, std::move(none));
+  double spread = 0.0;
+  for (double x : fit.residuals) spread = std::max(spread, std::abs(x));
+  for (int pass = 0; pass < passes_at_most; ++pass) {
+    double moved = 0.0;
+    for (std::size_t j = 0; j < fit.columns; ++j) {
+      fit.shifts[j] += last.of_columns[j];
+      moved = std::max(moved, std::abs(last.of_columns[j]));
+    }
+    last = sweep(working, std::move(last.of_columns));
+    if (std::max(pass == 0 ? 0.0 : moved, last.largest_of_rows) <= 1e-12 * spread) break;
+  }
 }
 
 /// Shifts with mean 0 over the columns there are, which the levels take.
@@ -90,20 +119,18 @@ AdditiveFit fit_additive(std::span<const double> table, std::size_t columns) {
                   {table.begin(), table.end()},
                   std::vector<double>(rows, 0.0),
                   std::vector<double>(columns, 0.0),
-                  std::vector<std::size_t>(rows, 0),
-                  std::vector<std::size_t>(columns, 0)};
-  count_values(fit);
-  sweep_rows(fit);
-  double spread = 0.0;
-  for (double x : fit.residuals) spread = std::max(spread, std::abs(present(x)));
-  std::vector<double> means;
-  for (int pass = 0; pass < passes_at_most; ++pass) {
-    const double moved = sweep_columns(fit, means);
-    const double back = sweep_rows(fit);
-    if (std::max(pass == 0 ? 0.0 : moved, back) <= 1e-12 * spread) break;
-  }
+                  std::vector<std::size_t>(rows, columns),
+                  std::vector<std::size_t>(columns, rows)};
+  Working working = begun(fit);
+  constexpr std::size_t usual = 5;  // runs of a test: their means stay in registers
+  if (columns == usual)
+    find_levels_and_shifts(working, std::array<double, usual>{});
+  else
+    find_levels_and_shifts(working, std::vector<double>(columns, 0.0));
   centre(fit);
-  for (double x : fit.residuals) fit.squares += present(x) * present(x);
+  for (double x : fit.residuals) fit.squares += x * x;
+  for (std::size_t k = 0; k < fit.residuals.size(); ++k)
+    if (working.there[k] == 0.0) fit.residuals[k] = absent;
   const auto used_rows = rows - static_cast<std::size_t>(std::ranges::count(fit.row_counts, std::size_t{0}));
   const auto used_columns = columns - static_cast<std::size_t>(std::ranges::count(fit.column_counts, std::size_t{0}));
   fit.degrees = std::max(0.0, static_cast<double>(fit.count + 1) - static_cast<double>(used_rows + used_columns));

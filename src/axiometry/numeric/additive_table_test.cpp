@@ -73,6 +73,26 @@ TEST(AdditiveTable, IsOneOfLeastSquaresWithAnyGaps) {
     }
 }
 
+// Five columns are swept by code of their own; a sixth one without values takes them to that of any number.
+TEST(AdditiveTable, IsTheSameToTheLastBitBesideAnEmptyColumn) {
+  std::mt19937 engine(3);
+  std::normal_distribution<double> scatter(0.0, 2.0);
+  for (const std::size_t gaps : {0u, 1u, 4u, 9u}) {
+    std::vector<double> table, wider;
+    for (std::size_t k = 0; k < 55; ++k) table.push_back(10.0 * double(k % 5) + scatter(engine));
+    for (std::size_t g = 0; g < gaps; ++g) table[engine() % table.size()] = gone;
+    for (std::size_t k = 0; k < 55; ++k) {
+      wider.push_back(table[k]);
+      if (k % 5 == 4) wider.push_back(gone);
+    }
+    const AdditiveFit fit = fit_additive(table, 5), of_wider = fit_additive(wider, 6);
+    EXPECT_EQ(of_wider.levels, fit.levels);
+    EXPECT_EQ(std::vector(of_wider.shifts.begin(), of_wider.shifts.end() - 1), fit.shifts);
+    EXPECT_EQ(of_wider.squares, fit.squares);
+    EXPECT_EQ(of_wider.degrees, fit.degrees);
+  }
+}
+
 // Gaps that take a whole row or column, or leave parts without a link.
 TEST(AdditiveTable, IsOneOfLeastSquaresWhereNothingTiesItsParts) {
   const std::vector<double> no_row = {1.0, 2.0, 6.0, gone, gone, gone, 4.0, 4.0, 5.0};

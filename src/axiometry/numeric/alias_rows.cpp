@@ -24,8 +24,8 @@ void AliasRows::set(std::size_t row, std::span<const double> weights) {
   AXIOMETRY_CONTRACT(weights.size() == alternatives_ && (row + 1) * alternatives_ <= entries_.size());
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   AXIOMETRY_CONTRACT(sum > 0.0 && std::isfinite(sum));
-  std::array<double, most_alternatives> share;         // of a part, 1 on average
-  std::array<std::uint32_t, most_alternatives> heaps;  // those below 1 from the front on, the others from the back
+  std::array<double, most_alternatives> share;         // share of each alternative, 1 on average
+  std::array<std::uint32_t, most_alternatives> heaps;  // shares below 1 from the front, the others from the back
   std::size_t below = 0, above = alternatives_;
   for (std::size_t k = 0; k < alternatives_; ++k) {
     share[k] = weights[k] / sum * static_cast<double>(alternatives_);

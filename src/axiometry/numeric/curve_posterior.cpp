@@ -19,13 +19,13 @@ const CurveKernel& curve_kernel_of(VectorTarget target) { return curve_kernel_ta
 
 namespace {
 
-constexpr std::size_t axes_places_max = 64;  // from about here on a draw by states is the quicker one
+constexpr std::size_t axes_places_max = 64;  // with more places a draw by states is faster
 constexpr double least_in_noise = 0.05;      // amplitudes from a twentieth of the noise …
 constexpr double most_in_seen = 4.0;         // … to four times what was seen beside the trend
 constexpr std::size_t grid_size_max = 24;
 constexpr std::size_t lengths_max = 4;
-constexpr double likely = 1.0 / 2048;         // hypotheses whose coordinates are kept
-constexpr std::size_t normals_by_states = 5;  // three of the process, its noise, and what of that is rough
+constexpr double likely = 1.0 / 2048;         // least weight of a hypothesis whose coordinates are kept
+constexpr std::size_t normals_by_states = 5;  // numbers per place: three of the process, its noise, its rough part
 
 /// 0, then octaves from `least` to `most`.
 std::vector<double> octaves(double least, double most) {
@@ -262,7 +262,7 @@ void CurvePosterior::draw_by_axes(const Numbers& numbers, Rows<double> curves) c
     const std::size_t chosen = choice_(numbers.choices[t]);
     const double* own = nullptr;
     if (kept_[chosen] == not_kept) {
-      rare.reserve(count * 2 * m);  // so that none is moved
+      rare.reserve(count * 2 * m);  // so that growing moves no coordinates
       append_coordinates(hypotheses_[chosen], rare);
       own = rare.data() + rare.size() - 2 * m;
     } else {

@@ -13,9 +13,9 @@ namespace axiometry::numeric {
 namespace {
 
 constexpr std::size_t grid_size = 128;          // 4.5 % from point to point; draws move within a step
-constexpr std::size_t values_of_freedom = 256;  // of the sum of squares, that many cells share
+constexpr std::size_t values_of_freedom = 256;  // points of the table over the sum of squares
 constexpr std::size_t level_step = 2;           // levels stand on every second grid point
-constexpr double lowest = 0.02;                 // of the larger of noise and pooled scatter
+constexpr double lowest = 0.02;                 // smallest σ as a share of the larger of noise and pooled scatter
 constexpr double highest = 6.0;
 constexpr double negligible = 1e-6;  // posterior weight, against the largest, that is left out
 constexpr double largest_uniform = 1.0 - 0x1p-53;
@@ -223,7 +223,7 @@ void SpreadPosterior::consider_hypotheses(const std::vector<double>& likelihoods
   for (std::size_t k = 0; k < candidates.size(); ++k) log_weights[k] += candidates[k].log_prior;
   const double best = *std::ranges::max_element(log_weights);
   std::vector<double> kept;
-  std::vector<Window> uneven;  // windows of those whose cells differ
+  std::vector<Window> uneven;  // windows of the hypotheses whose cells differ
   std::vector<std::size_t> uneven_places;
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     if (log_weights[k] < best + std::log(negligible)) continue;
@@ -254,7 +254,7 @@ void SpreadPosterior::draw(const Randoms& randoms, std::span<double> sds, std::s
     for (std::size_t c = 0; c < cells_; ++c) sds[c * stride] = grid[hypothesis.of_cells(c, randoms.cells[c])] * shift;
     return;
   }
-  for (std::size_t c = 0; c < cells_; ++c) {  // what is left of a number that has chosen is uniform again
+  for (std::size_t c = 0; c < cells_; ++c) {  // a uniform number that has chosen is uniform again once it is rescaled
     const auto next = static_cast<double>(memberships_[c].next);
     const double uniform = randoms.cells[c];
     const bool is_next = uniform < next;

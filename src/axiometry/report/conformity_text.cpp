@@ -145,12 +145,42 @@ std::string rule_statement(std::span<const Judgement> judgements, AxisKind kind,
 }
 
 std::string incomplete_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {
-  const bool asks = std::ranges::any_of(judgements, [](const Judgement& j) {
+  const bool decides = std::ranges::any_of(judgements, [](const Judgement& j) {
     return j.rule.kind != DecisionRule::Kind::simple && j.uncertainty.has_value();
   });
   const auto found = std::ranges::find(assessment.findings, "uncertainty-stated", &iso230_2::Finding::id);
-  if (!asks || found == assessment.findings.end()) return "";
-  return fmt::format("p_c and verdicts hold only as far as what lacks is negligible: {}.", found->message);
+  if ((!decides && !any_probability(judgements)) || found == assessment.findings.end()) return "";
+  return decides ? fmt::format("p_c and verdicts hold only as far as what lacks is negligible: {}.", found->message)
+                 : fmt::format("p_c and risks hold only as far as what lacks is negligible: {}.", found->message);
+}
+
+std::string noise_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {
+  const auto found = std::ranges::find(assessment.findings, "noise-beside-scatter", &iso230_2::Finding::id);
+  if (found == assessment.findings.end()) return "";
+  const iso230_2::AxisParameters& p = assessment.evaluation.parameters;
+  // Without any scatter A is E, and R no less than B.
+  const auto least = [&p](std::string_view key) -> double {
+    const auto& of = key == "A" ? p.E : key == "A_up" ? p.E_up : key == "A_down" ? p.E_down : key == "R" ? p.B : p.A;
+    return key.starts_with("R_") || !of ? 0.0 : std::abs(of->in_native());
+  };
+  std::vector<std::string_view> symbols;
+  for (const Judgement& j : judgements) {
+    const std::string_view key = j.tolerance.parameter->key;
+    if (!(key.starts_with('A') || key.starts_with('R')) || !j.withheld.empty() || !j.magnitude) continue;
+    const double limit = j.tolerance.limit.in_native();
+    if (j.magnitude->in_native() > limit && least(key) <= limit) symbols.push_back(j.tolerance.parameter->symbol);
+  }
+  if (symbols.empty()) return "";
+  const std::string all = fmt::format("{}", fmt::join(symbols, ", "));
+  return symbols.size() == 1
+             ? fmt::format(
+                   "A limit that {} seems to exceed may be kept: noise of the readings makes A and R larger, by "
+                   "more than the method of record sees.",
+                   all)
+             : fmt::format(
+                   "Limits that {} seem to exceed may be kept: noise of the readings makes A and R larger, by "
+                   "more than the method of record sees.",
+                   all);
 }
 
 std::vector<std::string> withheld_statements(std::span<const Judgement> judgements) {

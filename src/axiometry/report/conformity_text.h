@@ -34,6 +34,10 @@ std::string rule_statement(std::span<const iso230_2::Judgement> judgements, Axis
 std::string incomplete_statement(std::span<const iso230_2::Judgement> judgements,
                                  const iso230_2::Assessment& assessment);
 
+/// That noise makes A and R larger than the uncertainty of record knows, where one of them lies beyond its limit and a
+/// finding tells it (noise-beside-scatter); else empty.
+std::string noise_statement(std::span<const iso230_2::Judgement> judgements, const iso230_2::Assessment& assessment);
+
 /// Why nothing was decided on some parameters, a sentence for each reason: "A, E: undecided, because …".
 std::vector<std::string> withheld_statements(std::span<const iso230_2::Judgement> judgements);
 

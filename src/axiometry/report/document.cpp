@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/utf8.h"
+#include "axiometry/base/text/utf8.h"
 #include "axiometry/base/version.h"
 
 namespace axiometry::report {

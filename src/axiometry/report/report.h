@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/result.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/language/language.h"
 #include "axiometry/model/test.h"
 #include "axiometry/report/documents/verified.h"

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/text/number_text.h"
+
 namespace axiometry::report {
 
 namespace {
@@ -68,7 +70,10 @@ std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Op
 std::string shown_exact(double x, const Options& options) { return localised(format_exact(x), options); }
 
 std::string shown_short(double x, const Options& options, int significant_digits) {
-  return localised(fmt::format("{:.{}g}", x, significant_digits), options);
+  constexpr double written_out_below = 1e9;
+  std::string text = fmt::format("{:.{}g}", x, significant_digits);
+  if (text.contains("e+") && std::abs(x) < written_out_below) text = fmt::format("{:.0f}", parse_number(text).value());
+  return localised(text, options);
 }
 
 std::string shown_vector(Vector3 v, const Options& options, int significant_digits) {

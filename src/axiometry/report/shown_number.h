@@ -52,7 +52,8 @@ std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Op
 /// Shortest text that reads back the same, with the decimal mark and a true minus sign.
 std::string shown_exact(double x, const Options& options);
 
-/// So many significant digits at most, for numbers that were computed: 1744.209.
+/// So many significant digits at most, for numbers that were computed: 1744.209, and with three 1740. Written out below
+/// 10⁹.
 std::string shown_short(double x, const Options& options, int significant_digits = 7);
 
 /// "(0.5, −1, 2)" to so many significant digits; separated by semicolons where the decimal mark is a comma.

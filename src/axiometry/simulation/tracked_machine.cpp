@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/simulation/elementary.h"
@@ -199,8 +199,8 @@ Result<SimulatedLocation> simulate_location(const TrackedMachine& machine, const
   return location;
 }
 
-Result<SimulatedLengths> simulate_lengths(const TrackedMachine& machine, const VirtualTracker& tracker,
-                                          const TrackingPlan& plan, Duration begin, std::uint64_t seed) {
+Result<SimulatedLineLengths> simulate_lengths(const TrackedMachine& machine, const VirtualTracker& tracker,
+                                              const TrackingPlan& plan, Duration begin, std::uint64_t seed) {
   AXIOMETRY_TRY_VOID(check_sound(machine));
   AXIOMETRY_TRY_VOID(check_sound(tracker));
   if (plan.lines.empty()) return fail("found a plan without lines, expected at least one");
@@ -217,7 +217,7 @@ Result<SimulatedLengths> simulate_lengths(const TrackedMachine& machine, const V
   motion.begin_at(begin);
   Display display(tracker, {seed, stream_length, block_lines}, readings);
   if (!is_aligned(plan.setup)) display.move_to(tracker.station_mm);
-  SimulatedLengths lengths;
+  SimulatedLineLengths lengths;
   for (const TrackingLine& line : plan.lines) {
     // The direction is made a unit vector here, without std::hypot.
     SpatialLine way = *spatial_line(line.plan.axis);

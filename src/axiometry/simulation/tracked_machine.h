@@ -109,7 +109,7 @@ Result<SimulatedLocation> simulate_location(const TrackedMachine& machine, const
                                             std::span<const Vector3> points_mm, const PointDrive& drive,
                                             std::uint64_t seed);
 
-struct SimulatedLengths {
+struct SimulatedLineLengths {
   std::vector<LengthReading> readings = {};  ///< readings in the order of measurement
   std::vector<TrueLength> truth = {};        ///< truth of each reading
   Duration end;                              ///< time of the last move
@@ -118,8 +118,8 @@ struct SimulatedLengths {
 /// Walks the lines of a plan, ways and overruns included, from the time `begin` on. A dead path that is absent is the
 /// distance of the first reading. Fails as check_sound() does, on a plan that cannot be walked, without lines or with
 /// lines that are none in space, and on a beam that breaks after the last reading.
-Result<SimulatedLengths> simulate_lengths(const TrackedMachine& machine, const VirtualTracker& tracker,
-                                          const TrackingPlan& plan, Duration begin, std::uint64_t seed);
+Result<SimulatedLineLengths> simulate_lengths(const TrackedMachine& machine, const VirtualTracker& tracker,
+                                              const TrackingPlan& plan, Duration begin, std::uint64_t seed);
 
 struct SimulatedRanges {
   std::vector<RangeReading> readings;      ///< l = (1 + κ) L − L_0

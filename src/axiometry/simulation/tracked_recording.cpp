@@ -18,8 +18,8 @@ double way_mm(Vector3 a) { return std::sqrt(dot(a, a)); }
 }  // namespace
 
 Result<TrackedRecording> TrackedRecording::make(const TrackedMachine& machine, const VirtualTracker& tracker,
-                                                const TrackingPlan& plan, const SimulatedLengths& lengths, double rate,
-                                                std::uint64_t seed) {
+                                                const TrackingPlan& plan, const SimulatedLineLengths& lengths,
+                                                double rate, std::uint64_t seed) {
   AXIOMETRY_CONTRACT(!lengths.truth.empty());
   TrackedRecording recording(tracker, rate, seed);
   if (!recording.tracker_.dead_path_mm) recording.tracker_.dead_path_mm = lengths.truth.front().distance_mm;

@@ -25,7 +25,7 @@ class TrackedRecording {
   /// `lengths` are those that simulate_lengths() made of the same machine, tracker and plan. Fails on a rate outside
   /// 0.001 to 1e7 samples a second, and on more than 1e10 samples.
   static Result<TrackedRecording> make(const TrackedMachine& machine, const VirtualTracker& tracker,
-                                       const TrackingPlan& plan, const SimulatedLengths& lengths, double rate,
+                                       const TrackingPlan& plan, const SimulatedLineLengths& lengths, double rate,
                                        std::uint64_t seed);
 
   std::size_t samples() const { return count_.arrived; }

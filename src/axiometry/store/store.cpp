@@ -138,6 +138,10 @@ Result<std::vector<MachineTests>> Store::machine_tests(std::optional<Id> machine
   return state_->read([&](Connection& connection) { return find_machine_tests(connection, machine); });
 }
 
+Result<std::vector<AxisLatest>> Store::axes_latest(std::optional<Id> machine) const {
+  return state_->read([&](Connection& connection) { return find_axes_latest(connection, machine); });
+}
+
 Result<std::vector<TrendPoint>> Store::trend(Id axis, std::span<const std::string> parameters,
                                              std::int64_t limit) const {
   return state_->read([&](Connection& connection) { return find_trend(connection, axis, parameters, limit); });

@@ -123,6 +123,8 @@ class Store {
   Result<std::vector<CompensationRow>> compensations(const CompensationFilter& filter) const;
   /// Of every machine that has any, or of one, by its id.
   Result<std::vector<MachineTests>> machine_tests(std::optional<Id> machine = {}) const;
+  /// Of every axis that has a test, or of those of one machine, by machine and axis.
+  Result<std::vector<AxisLatest>> axes_latest(std::optional<Id> machine = {}) const;
   /// By the date of measurement, then of arrival; the newest `limit`. Of the same bytes kept twice one counts.
   Result<std::vector<TrendPoint>> trend(Id axis, std::span<const std::string> parameters, std::int64_t limit) const;
 

@@ -17,7 +17,7 @@
 namespace axiometry::store {
 
 /// Whose turn it is to write: who waits for another thread does not keep a connection from readers.
-class Turn {
+class WritingTurn {
  public:
   /// Whether it came within that time; then it is over with pass().
   bool wait_for(std::chrono::seconds longest) {
@@ -52,7 +52,7 @@ struct Store::State {
 
   ConnectionPool pool;
   Info info;
-  Turn turn;
+  WritingTurn turn;
 
   /// What `function(connection)` reads is of one moment. Once more where the connection turns out to be lost.
   template <typename Function>
@@ -77,7 +77,8 @@ struct Store::State {
     if (!turn.wait_for(std::chrono::seconds(10)))
       return fail(ErrorKind::unavailable,
                   "found the store busy with another change for ten seconds, expected it to become free");
-    const std::unique_ptr<Turn, void (*)(Turn*)> passing(&turn, [](Turn* taken) { taken->pass(); });
+    const std::unique_ptr<WritingTurn, void (*)(WritingTurn*)> passing(&turn,
+                                                                       [](WritingTurn* taken) { taken->pass(); });
     if (pool.times_silent() != silent_before) return ConnectionPool::fail_silent();
     AXIOMETRY_TRY(const ConnectionPool::Lease connection, begun());
     Rollback rollback(*connection);

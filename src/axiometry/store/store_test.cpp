@@ -155,6 +155,47 @@ TEST_P(StoreTest, TellsOfEachMachineHowManyTestsItHasAndTheLatest) {
   EXPECT_TRUE(must(store->machine_tests(3)).empty());
 }
 
+/// A machine is due when one of its axes is, whatever was measured of the others.
+TEST_P(StoreTest, TellsOfEachAxisTheLatestTest) {
+  const auto store = new_store();
+  EXPECT_TRUE(must(store->axes_latest()).empty());
+  std::vector<NewTest> tests;
+  for (const auto& [axis, day] : {std::pair{"X", "2020-01-03"},
+                                  {"Z", "2017-05-01"},
+                                  {"X", "2020-01-03"},
+                                  {"X", "2020-01-09"},
+                                  {"Z", "2016-05-01"},
+                                  {"Y", ""}}) {
+    tests.push_back(new_test(day));
+    tests.back().state.measured_on = day;
+    tests.back().state.axis.name = axis;
+  }
+  tests[1].state.evaluation.verdict = "undecided";
+  tests[5].state.machine.name = "Mill 2";
+  tests[5].state.machine.serial_number = "4712";
+  must(store->receive(content_of("abc"), tests, by_anna));
+  must(store->withdraw(4, true, by_anna));
+  const auto all = must(store->axes_latest());
+  ASSERT_EQ(all.size(), 3u);
+  EXPECT_EQ(all[0].machine, 1);
+  EXPECT_EQ(all[0].test, 3) << "of two on a day the one that came later, and none that is withdrawn";
+  EXPECT_EQ(all[1].test, 2);
+  EXPECT_EQ(all[1].day(), "2017-05-01");
+  EXPECT_EQ(all[1].verdict, "undecided");
+  EXPECT_EQ(all[2].machine, 2);
+  EXPECT_EQ(all[2].measured_on, "");
+  EXPECT_EQ(all[2].day(), all[2].received_at.substr(0, 10));
+  const auto one = must(store->axes_latest(2));
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].test, 6);
+  // One without a day counts by the day on which it arrived, which is later than that of the others.
+  std::vector<NewTest> undated{new_test("undated")};
+  undated.back().state.measured_on = "";
+  undated.back().state.axis.name = "Z";
+  must(store->receive(content_of("abd"), undated, by_anna));
+  EXPECT_EQ(must(store->axes_latest(1))[1].test, 7);
+}
+
 TEST_P(StoreTest, RefusesWhatOneOfTheDatabasesCouldNotKeep) {
   const auto store = new_store();
   EXPECT_THAT(why(store->receive(content_of("a"), std::vector{new_test("\xff")}, by_anna)), HasSubstr("UTF-8"));
@@ -232,6 +273,24 @@ TEST_P(StoreTest, ShowsTheHistoryOfAnAxisByTheDateOfMeasurement) {
   ASSERT_EQ(points[0].figures.size(), 1u);
   EXPECT_EQ(points[0].figures[0].value, 3.0);
   EXPECT_EQ(store->trend(2, {}, 3).error().kind, ErrorKind::not_found);
+}
+
+TEST_P(StoreTest, ShowsATestWithoutADateInTheHistoryOnTheDayItCame) {
+  const auto store = new_store();
+  std::vector<NewTest> tests;
+  for (const char* day : {"", "2020-01-01", "2020-01-02"}) {
+    tests.push_back(new_test("of this axis", static_cast<double>(tests.size() + 1)));
+    tests.back().state.measured_on = day;
+  }
+  must(store->receive(content_of("abc"), tests, by_anna));
+  const auto newest = [&](std::int64_t limit) {
+    std::vector<Id> ids;
+    for (const TrendPoint& point : must(store->trend(1, std::vector<std::string>{"A"}, limit)))
+      ids.push_back(point.test);
+    return ids;
+  };
+  EXPECT_EQ(newest(3), (std::vector<Id>{2, 3, 1}));
+  EXPECT_EQ(newest(2), (std::vector<Id>{3, 1}));
 }
 
 TEST_P(StoreTest, CountsOneMeasurementOnceInTheHistoryOfItsAxis) {

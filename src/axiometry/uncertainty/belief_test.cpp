@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry::uncertainty {
 namespace {

@@ -26,7 +26,7 @@ struct InputQuantity {
   static InputQuantity of(std::string name, const Distribution& distribution);
 };
 
-struct Contribution {
+struct InputContribution {
   double sensitivity = 0.0;        ///< c_i = ∂f/∂x_i
   double sensitivity_error = 0.0;  ///< bound of its numerical error; 0 where the caller gave the derivative
   double contribution = 0.0;       ///< c_i u(x_i), with the sign of c_i
@@ -42,9 +42,9 @@ struct SecondOrder {
 
 /// The uncertainty of one output.
 struct Budget {
-  double estimate = 0.0;                    ///< y = f(x)
-  double standard_uncertainty = 0.0;        ///< u_c(y), eq. 10 or 13
-  std::vector<Contribution> contributions;  ///< contributions in the order of the inputs
+  double estimate = 0.0;                         ///< y = f(x)
+  double standard_uncertainty = 0.0;             ///< u_c(y), eq. 10 or 13
+  std::vector<InputContribution> contributions;  ///< contributions in the order of the inputs
   /// ν_eff, G.2b; infinite where no degrees of freedom limit it. Absent where an input of limited degrees of freedom
   /// that counts is correlated with another that counts: the formula holds for independent inputs only.
   std::optional<double> degrees_of_freedom;

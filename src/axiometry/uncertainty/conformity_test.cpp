@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry::uncertainty {
 namespace {

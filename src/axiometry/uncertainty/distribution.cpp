@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry::uncertainty {
 namespace {

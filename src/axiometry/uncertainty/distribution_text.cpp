@@ -8,8 +8,8 @@
 #include <type_traits>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/uncertainty/distribution.h"
 
 namespace axiometry::uncertainty {
@@ -165,8 +165,7 @@ Result<Distribution> Distribution::parse(std::string_view text) {
     numbers.push_back(*x);
   }
   if (kind->count == 0 ? numbers.empty() : numbers.size() != kind->count)
-    return fail(fmt::format("found {} after '{}', expected {}",
-                            counted(numbers.size(), "number"), kind->name,
+    return fail(fmt::format("found {} after '{}', expected {}", counted(numbers.size(), "number"), kind->name,
                             kind->parameters));
   return make(kind->make(numbers));
 }

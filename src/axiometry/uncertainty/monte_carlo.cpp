@@ -62,7 +62,7 @@ struct Tally {
 
 class Run {
  public:
-  Run(const BlockModel& model, std::size_t outputs, const MonteCarloOptions& options)
+  Run(const BlockModel& model, std::size_t outputs, const PropagationOptions& options)
       : model_(model), outputs_(outputs), options_(options), adaptive_(!options.trials) {
     AXIOMETRY_CONTRACT(options.least_tolerances.empty() || options.least_tolerances.size() == outputs);
     trials_end_ = adaptive_ ? options.trials_max : *options.trials;
@@ -286,7 +286,7 @@ class Run {
 
   const BlockModel& model_;
   const std::size_t outputs_;
-  const MonteCarloOptions& options_;
+  const PropagationOptions& options_;
   const bool adaptive_;
   std::size_t trials_end_ = 0;
   std::size_t threads_ = 1;
@@ -308,7 +308,7 @@ class Run {
   std::exception_ptr thrown_;
 };
 
-Result<void> check_options(const MonteCarloOptions& options) {
+Result<void> check_options(const PropagationOptions& options) {
   const std::size_t trials = options.trials.value_or(options.trials_max);
   if (trials < 100) return fail(fmt::format("found {}, expected at least 100", counted(trials, "trial")));
   if (trials > 4'000'000'000) return fail(fmt::format("found {} trials, expected at most 4000000000", trials));
@@ -329,7 +329,7 @@ double numerical_tolerance(double standard_uncertainty, int digits) {
   return 0.5 * std::pow(10.0, exponent);
 }
 
-Result<MonteCarloResult> propagate(const BlockModel& model, std::size_t outputs, const MonteCarloOptions& options) {
+Result<MonteCarloResult> propagate(const BlockModel& model, std::size_t outputs, const PropagationOptions& options) {
   AXIOMETRY_CONTRACT(outputs > 0);
   AXIOMETRY_TRY_VOID(check_options(options));
   return Run(model, outputs, options).carry_out();

@@ -44,7 +44,7 @@ struct LeastTolerance {
   double ends = 0.0;  ///< tolerance of the ends of the interval
 };
 
-struct MonteCarloOptions {
+struct PropagationOptions {
   /// Rounded up to whole blocks only in the work, never in the result. Absent: adaptive (7.9), at least ten
   /// blocks, until the numerical tolerance of every output is met.
   std::optional<std::size_t> trials = std::nullopt;
@@ -87,6 +87,6 @@ double numerical_tolerance(double standard_uncertainty, int digits);
 /// trials. Fails when on_progress stopped it, when an output is not finite or is beyond 1e150, and on options that
 /// make no sense (trials below 100 or above 4e9, coverage outside 0 to 1, digits outside 1 to 4). Contract: least
 /// tolerances of all outputs or none. What the model throws is thrown here.
-Result<MonteCarloResult> propagate(const BlockModel& model, std::size_t outputs, const MonteCarloOptions& options);
+Result<MonteCarloResult> propagate(const BlockModel& model, std::size_t outputs, const PropagationOptions& options);
 
 }  // namespace axiometry::uncertainty

@@ -25,13 +25,13 @@ BlockModel drawn_from(std::vector<std::string_view> texts, std::uint64_t seed = 
   };
 }
 
-MonteCarloResult run(const BlockModel& model, std::size_t outputs, const MonteCarloOptions& options) {
+MonteCarloResult run(const BlockModel& model, std::size_t outputs, const PropagationOptions& options) {
   auto result = propagate(model, outputs, options);
   EXPECT_TRUE(result) << result.error().to_string();
   return result ? std::move(*result) : MonteCarloResult{};
 }
 
-std::string error_of(const BlockModel& model, const MonteCarloOptions& options) {
+std::string error_of(const BlockModel& model, const PropagationOptions& options) {
   const auto result = propagate(model, 1, options);
   return result ? "no error" : result.error().message;
 }
@@ -86,7 +86,7 @@ TEST(MonteCarlo, StatesStandardErrorsThatAreTrue) {
     OutputSummary last;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       const BlockModel model = drawn_from({"uniform -1 1"}, seed);
-      MonteCarloOptions options{.trials_max = 100'000, .threads = 1};
+      PropagationOptions options{.trials_max = 100'000, .threads = 1};
       if (!adaptive) options.trials = 20'000;
       MonteCarloResult result = run(model, 1, options);
       means.push_back(result.outputs[0].mean);

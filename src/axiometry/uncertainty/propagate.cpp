@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/text.h"
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/uncertainty/derivatives.h"
 
 namespace axiometry::uncertainty {
@@ -32,12 +32,12 @@ Result<void> check_inputs(std::span<const InputQuantity> inputs, double coverage
 }
 
 /// One row per output.
-using Jacobian = std::vector<std::vector<Contribution>>;
+using Jacobian = std::vector<std::vector<InputContribution>>;
 
 Jacobian given(const JacobianFunction& function, std::size_t outputs, std::span<const double> x) {
   std::vector<double> flat(outputs * x.size());
   function(x, flat);
-  Jacobian jacobian(outputs, std::vector<Contribution>(x.size()));
+  Jacobian jacobian(outputs, std::vector<InputContribution>(x.size()));
   for (std::size_t k = 0; k < outputs; ++k)
     for (std::size_t i = 0; i < x.size(); ++i) jacobian[k][i].sensitivity = flat[k * x.size() + i];
   return jacobian;
@@ -45,7 +45,7 @@ Jacobian given(const JacobianFunction& function, std::size_t outputs, std::span<
 
 Result<Jacobian> computed(const ModelFunction& model, std::size_t outputs, std::span<const InputQuantity> inputs,
                           std::span<const double> x) {
-  Jacobian jacobian(outputs, std::vector<Contribution>(inputs.size()));
+  Jacobian jacobian(outputs, std::vector<InputContribution>(inputs.size()));
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     double step = inputs[i].standard_uncertainty;
     // An input without uncertainty contributes nothing; its sensitivity is shown all the same.
@@ -65,7 +65,8 @@ Result<Jacobian> computed(const ModelFunction& model, std::size_t outputs, std::
 }
 
 /// Σ_ij a_i r_ij b_j over contributions.
-double covariance(const std::vector<Contribution>& a, const std::vector<Contribution>& b, const Correlation& r) {
+double covariance(const std::vector<InputContribution>& a, const std::vector<InputContribution>& b,
+                  const Correlation& r) {
   double sum = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j) sum += a[i].contribution * r(i, j) * b[j].contribution;

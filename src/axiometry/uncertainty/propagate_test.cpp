@@ -38,7 +38,7 @@ TEST(LawOfPropagation, HoldsTheErrorItStatesForItsDerivatives) {
   for (const Function& function : functions) {
     const ModelFunction model = [&](std::span<const double> x, std::span<double> y) { y[0] = function.f(x[0]); };
     const LawResult law = propagated(model, 1, {{"x", function.x, function.u}}, Correlation::none(1));
-    const Contribution& c = law.outputs[0].contributions[0];
+    const InputContribution& c = law.outputs[0].contributions[0];
     EXPECT_NEAR(c.sensitivity, function.derivative(function.x), c.sensitivity_error + 1e-15 * std::abs(c.sensitivity));
     EXPECT_LE(c.sensitivity_error, 1e-6 * std::abs(c.sensitivity));
   }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry::uncertainty {
 namespace {

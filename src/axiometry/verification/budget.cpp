@@ -130,13 +130,21 @@ struct ExactSum {
   bool any = false;
 };
 
-/// A.11 and A.14 as printed, or of one swing of the range E_VE = U_EVE/0.6 over the test.
+/// A.11 and A.14 as printed, for fewer than five approaches by what noise does to s of so few, or of one swing of the
+/// range E_VE = U_EVE/0.6 over the test.
 struct RepeatabilityTerms {
   Interval one_way, both_ways;
 
-  RepeatabilityTerms(const Interval& eve, const Interval& n, bool slow)
+  RepeatabilityTerms(const Interval& eve, std::size_t runs, bool slow)
       : one_way(Interval(2) * eve), both_ways(Interval::of(2.2) * eve) {
-    if (!slow) return;
+    if (runs < 2 || (runs >= 5 && !slow)) return;
+    const Interval n = static_cast<int>(runs);
+    if (!slow) {
+      const Interval of_s = Interval(16) / (n - Interval(1));
+      one_way = root(of_s) * eve;
+      both_ways = root(of_s + Interval(4) / n) * eve;
+      return;
+    }
     const Interval range = eve / Interval::of(0.6);
     const Interval s = range * root(n / (Interval(8) * (n - Interval(1))));
     one_way = Interval(4) * s;
@@ -149,7 +157,7 @@ ExactParameters combined(const ExactSum& sum, const ExactParameters& measured, s
   const Interval n = static_cast<int>(runs);
   const Interval of_E = root(sum.squares + squared(eve) / n);
   const Interval of_M = root(sum.squares + squared(eve) / (Interval(2) * n));
-  const auto [one_way, both_ways] = RepeatabilityTerms(eve, n, slow && runs > 1);
+  const auto [one_way, both_ways] = RepeatabilityTerms(eve, runs, slow);
   const Interval factor = runs == 5 ? Interval::of(0.9) : Interval(2) / root(n);
   const Interval of_B = root(squared(factor * eve) + Interval(2) * squared(sum.probing.value_or(Interval(0))));
   const Interval of_A = root(squared(of_E) + squared(one_way));

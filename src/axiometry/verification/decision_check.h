@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/verification/clause3.h"
 #include "axiometry/verification/evidence.h"
 #include "axiometry/verification/ledger.h"

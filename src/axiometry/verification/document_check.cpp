@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/verification/document_parts.h"
 
 namespace axiometry::verification {
@@ -126,9 +126,9 @@ void check_table_row(std::string_view head, std::string_view row, const Value& r
   for (const auto& [name, verdict] : {std::pair("does_not_conform", "does not conform"), {"undecided", "undecided"}}) {
     const auto at = std::ranges::find(heads, name);
     if (at == heads.end()) continue;
-    ++ledger.verdicts;
-    ledger.words([&] { return fmt::format("{} in the table of tests", name); },
-                 cells[static_cast<std::size_t>(at - heads.begin())], keys_with(result, verdict));
+    const std::string& printed = cells[static_cast<std::size_t>(at - heads.begin())];
+    if (!printed.empty()) ++ledger.verdicts;
+    ledger.words([&] { return fmt::format("{} in the table of tests", name); }, printed, keys_with(result, verdict));
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/report/document.h"
 #include "axiometry/verification/ledger.h"
 #include "axiometry/verification/result_check.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/report/document.h"
 #include "axiometry/verification/ledger.h"
 #include "axiometry/verification/printed_table.h"

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/report/document.h"
 #include "axiometry/verification/evidence.h"

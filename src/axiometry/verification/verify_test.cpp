@@ -89,6 +89,12 @@ TEST(Verification, FindsAWholeResultAgain) {
   }
 }
 
+TEST(Verification, CountsNoVerdictWhereNoneWasMade) {
+  const auto counts = app::second_opinion(evaluated(testing_support::table2::complete_test(), with_limits({})), {}, {});
+  ASSERT_TRUE(counts) << counts.error().message;
+  EXPECT_EQ(counts->verdicts, 0U);
+}
+
 /// Of every kind of noise and both measurands: the interval is the envelope of several distributions.
 TEST(Verification, FindsAMonteCarloResultWithAnEnvironmentAgain) {
   for (const auto kind : {EnvironmentKind::unknown, EnvironmentKind::white, EnvironmentKind::drift})

@@ -1392,6 +1392,161 @@ export interface components {
             source: components["schemas"]["ResultSource"];
             program: components["schemas"]["Program"];
         } & components["schemas"]["ComparisonOfRules"];
+        /** @description Of a fit. Without u and U where it is not significant. */
+        FittedValue: {
+            value: number;
+            u: number | null;
+            U: number | null;
+        };
+        /** @description Of one direction of approach: lengths of positions in mm or °, deviations in the result's unit. */
+        PeriodicDirection: {
+            /** @enum {string} */
+            direction: "up" | "down";
+            targets: number;
+            runs: number;
+            origin: number;
+            period_known: boolean;
+            period: components["schemas"]["FittedValue"];
+            amplitude: components["schemas"]["FittedValue"];
+            phase_deg: components["schemas"]["FittedValue"];
+            phase_at_zero_deg: components["schemas"]["FittedValue"];
+            harmonics: {
+                order: number;
+                amplitude: components["schemas"]["FittedValue"];
+                phase_deg: components["schemas"]["FittedValue"];
+                chance: number;
+                in_curve: boolean;
+            }[];
+            peak_to_valley: components["schemas"]["FittedValue"];
+            range_about_line: number;
+            range_of_residuals: number;
+            residual_sd: number;
+            degrees_of_freedom: number;
+            coverage_factor: number;
+            scatter_of_means: number | null;
+            slope: components["schemas"]["FittedValue"];
+            offset: components["schemas"]["FittedValue"];
+            false_alarm_probability: number;
+            false_alarm_probability_correlated: number;
+            residual_correlation: number;
+            significant: boolean;
+            periods_covered: number;
+            targets_per_period: number;
+            further_period: {
+                period: number;
+                amplitude: number;
+                false_alarm_probability: number;
+            } | null;
+            points: {
+                target: number;
+                deviation: number;
+                line: number;
+                curve: number;
+                residual: number;
+            }[];
+        };
+        PeriodicError: {
+            standard: string;
+            clause: string;
+            /** @constant */
+            result: "periodic-error";
+            axis: {
+                name: string;
+                /** @enum {string} */
+                kind: "linear" | "rotary";
+            };
+            /** @enum {string} */
+            unit: "um" | "arcsec";
+            /** @description Whether nothing departs from the test of Annex C. */
+            conforming: boolean;
+            label?: string;
+            directions: components["schemas"]["PeriodicDirection"][];
+            findings: components["schemas"]["Finding"][];
+            metadata: components["schemas"]["Metadata"];
+            source: components["schemas"]["ResultSource"];
+            program: components["schemas"]["Program"];
+        };
+        /** @description As `axiometry periodic --json` writes it. */
+        PeriodicReport: components["schemas"]["PeriodicError"];
+        PeriodicShown: {
+            document: components["schemas"]["ReportDocument"];
+        } & components["schemas"]["PeriodicError"];
+        /** @description A report in its parts, in the words of the reader. */
+        ReportDocument: {
+            kind: string;
+            title: string;
+            edition: string;
+            status: components["schemas"]["ReportNotice"][];
+            sections: {
+                id: string;
+                title: string;
+                blocks: components["schemas"]["ReportBlock"][];
+            }[];
+        };
+        /** @description A piece of text in one style. */
+        TextRun: {
+            text: string;
+            italic?: boolean;
+            bold?: boolean;
+            /** @enum {string} */
+            script?: "sub" | "super";
+        };
+        ReportCell: {
+            text: components["schemas"]["TextRun"][];
+            /** @enum {string} */
+            tone: "normal" | "quiet" | "good" | "caution" | "bad";
+        };
+        ReportNotice: {
+            /** @enum {string} */
+            tone: "normal" | "quiet" | "good" | "caution" | "bad";
+            heading: components["schemas"]["TextRun"][];
+            lines: components["schemas"]["TextRun"][][];
+        };
+        ReportTable: {
+            /** @constant */
+            kind: "table";
+            caption: components["schemas"]["TextRun"][];
+            groups: {
+                head: components["schemas"]["TextRun"][];
+                columns: number;
+            }[];
+            columns: {
+                head: components["schemas"]["TextRun"][];
+                /** @enum {string} */
+                align: "start" | "centre" | "decimal";
+                names_row: boolean;
+                /** @description Running text, which wraps. */
+                takes_space: boolean;
+            }[];
+            rows: components["schemas"]["ReportCell"][][];
+            notes: components["schemas"]["TextRun"][][];
+        };
+        ReportFigure: {
+            /** @constant */
+            kind: "figure";
+            title: string;
+            description: string;
+            svg: string;
+        };
+        ReportBlock: components["schemas"]["ReportTable"] | components["schemas"]["ReportFigure"] | {
+            /** @constant */
+            kind: "paragraph";
+            /** @enum {string} */
+            tone: "normal" | "quiet" | "good" | "caution" | "bad";
+            text: components["schemas"]["TextRun"][];
+        } | {
+            /** @constant */
+            kind: "notice";
+            notice: components["schemas"]["ReportNotice"];
+        } | {
+            /** @constant */
+            kind: "facts";
+            title: string;
+            facts: {
+                name: components["schemas"]["TextRun"][];
+                value: components["schemas"]["ReportCell"];
+            }[];
+        };
         CalibrationResult: components["schemas"]["TrackingEvaluation"] | components["schemas"]["VolumetricResult"] | components["schemas"]["MotionResult"];
         CompensationFigure: {
             /** @description `E` */
@@ -1681,6 +1836,15 @@ export interface components {
                 measured_on: string;
                 verdict: components["schemas"]["Verdict"] | null;
             } | null;
+            /** @description Of each axis that has tests the latest, by the day it was measured or, where none is known, received. */
+            latest_of_axes: {
+                axis: components["schemas"]["Id"];
+                id: components["schemas"]["Id"];
+                /** @description Empty: no day is known. */
+                measured_on: string;
+                received_at: string;
+                verdict: components["schemas"]["Verdict"] | null;
+            }[];
         } & components["schemas"]["MachineVersion"];
         MachineEdit: {
             name: string;
@@ -2628,6 +2792,11 @@ export interface components {
             format: components["schemas"]["Named"] | null;
             /** @description Why the file is not taken; then there are no tests. */
             refused: components["schemas"]["Problem"] | null;
+            /**
+             * @description What a refused file is instead of a test: see `/api/dynamic`, `/api/motions` and `/api/plans`.
+             * @enum {string|null}
+             */
+            instead: "recording" | "error-motion" | "plan" | null;
             tests: components["schemas"]["PreviewedTest"][];
             /** @description Tests with these very bytes. */
             same_content: components["schemas"]["Id"][];
@@ -2843,6 +3012,8 @@ export interface components {
             tests?: unknown;
             /** @description Passed over. */
             latest_test?: unknown;
+            /** @description Passed over. */
+            latest_of_axes?: unknown;
         };
         Sha256: string;
         /** @description A parameter as people read it, with the uncertainty of record, and what it was held against. */
@@ -3324,6 +3495,8 @@ export interface components {
                 L0: number;
                 covariance: components["schemas"]["Matrix"];
                 covariance_stated: components["schemas"]["Matrix"];
+                /** @description As wide as a normal station must have it for bounds that hold 95 %: what plans and lines take. */
+                covariance_for_bounds: components["schemas"]["Matrix"];
                 inflation: number;
                 L0_variance: number;
                 residuals: number[];
@@ -4379,6 +4552,18 @@ export type ComparedRule = components['schemas']['ComparedRule'];
 export type ComparisonOfRules = components['schemas']['ComparisonOfRules'];
 export type RulesCompared = components['schemas']['RulesCompared'];
 export type RulesReport = components['schemas']['RulesReport'];
+export type FittedValue = components['schemas']['FittedValue'];
+export type PeriodicDirection = components['schemas']['PeriodicDirection'];
+export type PeriodicError = components['schemas']['PeriodicError'];
+export type PeriodicReport = components['schemas']['PeriodicReport'];
+export type PeriodicShown = components['schemas']['PeriodicShown'];
+export type ReportDocument = components['schemas']['ReportDocument'];
+export type TextRun = components['schemas']['TextRun'];
+export type ReportCell = components['schemas']['ReportCell'];
+export type ReportNotice = components['schemas']['ReportNotice'];
+export type ReportTable = components['schemas']['ReportTable'];
+export type ReportFigure = components['schemas']['ReportFigure'];
+export type ReportBlock = components['schemas']['ReportBlock'];
 export type CalibrationResult = components['schemas']['CalibrationResult'];
 export type CompensationFigure = components['schemas']['CompensationFigure'];
 export type CompensationTest = components['schemas']['CompensationTest'];

@@ -38,13 +38,6 @@ const t = texts({
   curves_each: 'a curve for each direction',
 });
 
-/** What flags of `tracking evaluate` and `volumetric identify` are called here; a flag with its word, where a choice has a name. */
-const flags = {
-  tolerance: 'tolerances', rule: 'rule', reversed: 'reversed', 'break-threshold': 'break_threshold', curves: 'curves', 'curves legendre': 'legendre',
-  'curves nodes': 'nodes', spans: 'spans', reversal: 'reversal', smoothness: 'smoothness', drift: 'drift',
-} as const;
-export const option_label = (flag: string): string | undefined => (flag in flags ? t(flags[flag as keyof typeof flags]) : undefined);
-
 export type Options = Readonly<Record<string, unknown>>;
 
 const fields = {

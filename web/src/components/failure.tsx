@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ApiError } from '../api/client';
 import { texts } from '../i18n/texts';
-import { page_words } from './page_words';
 
 const t = texts({
   offline: 'The workbench does not answer. Is the program still running? The connection is tried again every two seconds.',
@@ -28,7 +27,7 @@ export function FailureNotice({ error, message = error.message, retry }: { error
     <div class={`notice ${error.kind === 'kept' ? 'caution' : 'bad'} ${error.kind === 'offline' ? 'offline' : ''}`} role="alert">
       {heading && <p class="heading">{heading}</p>}
       <p>
-        {error.kind === 'offline' ? t('offline') : page_words(message)}
+        {error.kind === 'offline' ? t('offline') : message}
         {error.place !== '' && <span class="quiet"> ({t('line', { place: error.place })})</span>}
       </p>
       {retry && may_pass(error) && <button type="button" onClick={retry}>{t('again')}</button>}

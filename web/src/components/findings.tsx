@@ -2,7 +2,6 @@
 import type { Finding } from '../api/types';
 import { texts } from '../i18n/texts';
 import { Formula } from './formula';
-import { page_words } from './page_words';
 
 const t = texts({
   departure: 'Departure',
@@ -11,9 +10,8 @@ const t = texts({
   clause: 'clause {clause}',
 });
 
-/** In the words of the page, with a capital letter and a full stop, unless it begins with a symbol ("s_i") or ends already. */
-export function sentence(told: string): string {
-  const message = page_words(told);
+/** With a capital letter and a full stop, unless it begins with a symbol ("s_i") or ends already. */
+export function sentence(message: string): string {
   const begins_with_key = /^\p{Ll}[^\s]*[._]\S/u.test(message);
   const begun = !begins_with_key && /^(\p{Ll}{2}|\p{Ll}’|à |a \p{Ll}{2})/u.test(message) ? message.charAt(0).toUpperCase() + message.slice(1) : message;
   return /[.?!]$/.test(begun) ? begun : `${begun}.`;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The uncertainty of record in words: which method found it, and how lists name it.
-import type { FigureOfTest, Method, MonteCarloOutput } from '../api/types';
+import type { Evaluated, FigureOfTest, Method, MonteCarloOutput } from '../api/types';
 import { texts } from '../i18n/texts';
+import { fixed, shortest } from '../numbers';
 
 const t = texts({
   annex_a: 'Annex A',
@@ -9,6 +10,9 @@ const t = texts({
   monte_carlo: 'Monte Carlo',
   unnamed: 'method not kept',
   of_record: 'Uncertainty of record: {method}.',
+  k: 'k = {k}',
+  k_range: 'k = {least} to {most}',
+  percent: '{percent} %',
   of_each: 'Uncertainty of record: of each test by its own method, named with it.',
 });
 
@@ -22,6 +26,22 @@ export const all_methods: readonly Method[] = ['annex_a', 'gum', 'monte_carlo'];
 export function stated_interval({ value, low, high, symmetric, refusal }: MonteCarloOutput): [number, number] | null {
   if (refusal !== undefined) return null;
   return [Math.min(value, low ?? symmetric[0]), Math.max(value, high ?? symmetric[1])];
+}
+
+/** What U or interval of a method mean: k of U, of several parameters its range, or the probability of an interval; '' where it states none. */
+export function coverage_words({ result: { uncertainty } }: Evaluated, method: Method): string {
+  if (method === 'annex_a') return t('k', { k: 2 });
+  if (method === 'monte_carlo') return uncertainty.monte_carlo_run ? t('percent', { percent: shortest(Number((100 * uncertainty.monte_carlo_run.coverage).toFixed(4))) }) : '';
+  const factors = Object.values(uncertainty.gum ?? {}).flatMap((of_one) => (of_one ? [of_one.k] : []));
+  if (factors.length === 0) return '';
+  const [least, most] = [fixed(Math.min(...factors), 2), fixed(Math.max(...factors), 2)];
+  return least === most ? t('k', { k: least }) : t('k_range', { least, most });
+}
+
+/** A method and what its U or interval mean: "Annex A, k = 2". */
+export function method_with_coverage(evaluated: Evaluated, method: Method): string {
+  const words = coverage_words(evaluated, method);
+  return words === '' ? t(method) : `${t(method)}, ${words}`;
 }
 
 const is_stated = ({ U, low }: FigureOfTest): boolean => U !== null || low !== null;

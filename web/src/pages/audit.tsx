@@ -9,7 +9,7 @@ import { DataTable } from '../components/table';
 import { when } from '../numbers';
 import { place } from '../router';
 import { action_text, detail_name, subject_path, subject_text } from './settings/actions';
-import './settings.css';
+import './settings/settings.css';
 import { t } from './settings/texts';
 
 const page_size = 100;

@@ -10,8 +10,8 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/workbench/calibrations/calibrations.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/store/kept/calibration_kinds.h"
 #include "axiometry/store/store.h"

@@ -15,13 +15,14 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/workbench/compensations/compensations.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/store/store.h"
 #include "cli/failure.h"
 #include "cli/flags/compensate_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/store_flags.h"
+#include "cli/text/flags_of_words.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
 #include "cli/verbs/store/store_report.h"
@@ -161,7 +162,7 @@ void print_kept(const app::KeptCompensation& kept) {
     fmt::print("  {}{} {}\n", left(file.role, 18), file.content.substr(0, 12), report::printable(file.name));
   fmt::print("  {}\n", course(head));
   for (const app::KeptFinding& finding : kept.findings)
-    fmt::print("  {}: {}\n", finding.severity, report::printable(finding.message));
+    fmt::print("  {}: {}\n", finding.severity, report::printable(with_flags(finding.message, finding.message)));
 }
 
 Result<void> revise(const app::Workbench& workbench, const CompensationArguments& a) {

@@ -9,7 +9,7 @@
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/failure.h"
 
 /// Reports of what is kept, as --report asks for them.

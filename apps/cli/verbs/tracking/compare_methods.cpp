@@ -12,7 +12,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/tracking/compare_methods.h"
 #include "axiometry/app/tracking/tracking_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/tracking/ranges_csv.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"

@@ -10,13 +10,14 @@
 #include "axiometry/app/files/number_list.h"
 #include "axiometry/app/tracking/tracking_locate.h"
 #include "axiometry/app/tracking/tracking_text.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/translated.h"
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/ranging_flag.h"
+#include "cli/text/flags_of_words.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/commands.h"
 #include "cli/verbs/tracking/tracking.h"
@@ -118,7 +119,7 @@ std::string summary(const app::Located& located, const report::Options& options,
   if (!location.findings.empty()) text += "\n";
   for (const tracking::Finding& f : location.findings)
     text += (f.serious ? terminal.red(left(said("serious"), 9)) : terminal.faint(left(said("note"), 9))) +
-            wrapped(report::printable(said(f.message)), terminal.width(), 9) + "\n";
+            wrapped(report::printable(with_flags(said(f.message), f.message)), terminal.width(), 9) + "\n";
   return text;
 }
 

@@ -11,7 +11,7 @@
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/tracking/tracking_locate.h"
 #include "axiometry/app/tracking/tracking_plan.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/ranging_flag.h"
@@ -206,16 +206,7 @@ void add_outputs(const Verb& verb, TrackingPlanArguments& arguments) {
       ->check(fault_of_name)
       ->type_name("FILE")
       ->group(group);
-  verb.add_option("--sheet,--report", arguments.outputs.reports,
-                  "Sheet to take to the machine to FILE, by its extension html, pdf, svg, png or csv; may be repeated")
-      ->type_name("FILE")
-      ->one_at_a_time()
-      ->group(group);
-  Flag decimal =
-      add_decimal(verb, arguments.report.numbers.decimal_mark, "Decimal mark in summary and sheet: point or comma")
-          ->group(group);
-  add_language(verb, arguments.report, decimal)->group(group);
-  verb.add_flag("--quiet,-q", arguments.quiet, "No summary in the terminal")->group(group);
+  add_sheet_flags(verb, "--sheet,--report", arguments.outputs, arguments.report, arguments.quiet);
 }
 
 app::InputFiles inputs_of(const app::SetupRequest& setup) {
@@ -275,9 +266,7 @@ void add_tracking_plan(const Verb& tracking, int& exit_code) {
   add_location(*verb, *arguments);
   add_outputs(*verb, *arguments);
   verb->callback([arguments, &exit_code] {
-    check_json_out(arguments->outputs.json, "; --sheet writes tables and documents of it");
-    if (auto outputs = app::check_outputs(arguments->outputs); !outputs)
-      throw UsageError("--sheet", outputs.error().message);
+    check_sheet_outputs(arguments->outputs);
     exit_code = run(*arguments);
   });
 }

@@ -9,13 +9,14 @@
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/volumetric/tables/volume_compensation.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/axis_table.h"
 #include "cli/failure.h"
 #include "cli/flags/compensate_flags.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/flags/verb.h"
+#include "cli/text/flags_of_words.h"
 #include "cli/verbs/commands.h"
 #include "cli/verbs/serious_findings.h"
 #include "cli/verbs/volumetric/volumetric.h"
@@ -59,7 +60,7 @@ void print_made(const app::VolumeCompensation& made) {
   sizes("95 % below", made.effect.before.percent_95, made.effect.after.percent_95);
   fmt::print("  {}\n", nc::sign_of(*made.control, made.options));
   for (const NamedFinding& finding : made.findings)
-    fmt::print("  {}: {}\n", finding.serious ? "serious" : "note", finding.message);
+    fmt::print("  {}: {}\n", finding.serious ? "serious" : "note", with_flags(finding.message, finding.message));
 }
 
 int run(VolumetricCompensateArguments& arguments) {

@@ -8,7 +8,7 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "cli/failure.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/experiment_flags.h"

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

@@ -32,7 +32,7 @@ struct ModelStatements {
   std::vector<Pair> correlations;
   std::vector<Formula> formulas;
   std::optional<FormulaModel> model;
-  uncertainty::MonteCarloOptions options{.trials = 1'000'000};
+  uncertainty::PropagationOptions options{.trials = 1'000'000};
   std::uint64_t seed = 1;
 
   /// Place of an input or output of this name.

@@ -7,8 +7,8 @@
 
 #include "axiometry/app/cases/case_expectation.h"
 #include "axiometry/app/cases/case_model.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/uncertainty/validation.h"
 
 namespace axiometry::app {

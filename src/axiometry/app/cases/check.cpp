@@ -11,9 +11,9 @@
 #include "axiometry/app/cases/case_model.h"
 #include "axiometry/app/cases/case_text.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/readings/nde_correction.h"
 
@@ -151,10 +151,9 @@ class CaseReader {
     if (operation_->targets.empty()) return unexpected_word(s, 0, "'targets' before the runs");
     const std::size_t found = s.words.size() - 1;  // with the unit
     if (found != operation_->targets.size() + 1)
-      return fail(
-          fmt::format("found {} after '{}', expected {} readings (- where one is missing) and their unit",
-                      counted(found, "value"), s.words[0].text, operation_->targets.size()),
-          s.at(1));
+      return fail(fmt::format("found {} after '{}', expected {} readings (- where one is missing) and their unit",
+                              counted(found, "value"), s.words[0].text, operation_->targets.size()),
+                  s.at(1));
     AXIOMETRY_TRY(const formats::Unit* unit, read_deviation_unit(s, found, operation_->kind));
     std::size_t& runs = direction == Direction::up ? operation_->runs_up : operation_->runs_down;
     if (runs == read_budget::runs)

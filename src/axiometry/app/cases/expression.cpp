@@ -9,7 +9,7 @@
 #include <memory>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

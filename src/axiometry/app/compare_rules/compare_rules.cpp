@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/app/files/output.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/rules.h"
 #include "axiometry/standards/rules/rule_trials.h"
 

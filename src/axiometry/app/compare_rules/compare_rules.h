@@ -7,7 +7,7 @@
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/standards/rules/comparison.h"
 
 /// The use case "from a measured file to its figures by several rules".

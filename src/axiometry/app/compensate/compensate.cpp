@@ -13,10 +13,11 @@
 #include "axiometry/app/compensate/measured_state.h"
 #include "axiometry/app/compensate/table_positions.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/compensation/suspicions.h"
+#include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::app {
 namespace {
@@ -238,8 +239,8 @@ Result<std::optional<double>> period_of(const CompensateRequest& request, const 
   if (expected && expected->in_native() > 0.0) return std::optional(expected->in_native());
   if (request.periodic == compensation::Periodic::leave)
     return fail(
-        "found a periodic part to leave out and no period, expected one: axis.expected_period of the test, or "
-        "--period");
+        "found a periodic part to leave out and no period, expected one: axis.expected_period of the test, or one for "
+        "this table");
   return std::optional<double>();
 }
 
@@ -318,7 +319,6 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   const Result<void> measures_axis = check_measures_axis(test);
   if (!measures_axis && !axis.is_kept) return std::unexpected(in_file(measures_axis.error(), name));
   AXIOMETRY_TRY_VOID(in_file(compensation::check_plausible(test.series, test.metadata.axis.kind), name));
-
   if (control->limits.cross_only)
     return fail(
         fmt::format("found {} for a test of one axis, which it does not correct; expected it of the 21 errors, "
@@ -347,7 +347,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(std::string text, in_file(write_over_targets(*control, fit.correction, s.series, s.options), name));
   AXIOMETRY_TRY(AxisCorrection applied, in_file(proved(s, text, before), name));
 
-  std::vector<NamedFinding> findings = findings_of_state(test, s.existing.has_value());
+  std::vector<NamedFinding> findings = findings_of_state(test, s.curves, s.existing.has_value());
   if (!measures_axis) findings.push_back(finding_of_kept_table(measures_axis.error()));
   std::ranges::move(compensation::findings_of_readings(test.series, s.options.kind, s.curves),
                     std::back_inserter(findings));
@@ -364,8 +364,8 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
   AXIOMETRY_TRY(const Series scatter, compensation::scatter_alone(test.series));
   auto expected = compensation::expected_retest(corrected);
   AXIOMETRY_TRY_VOID(in_file(check_worth_it(before, expected, scatter, s), name));
-  if (axis.retest && axis.retest->test.series.run_count() != test.series.run_count())
-    expected = compensation::expected_retest(corrected, {.runs = axis.retest->test.series.run_count()});
+  if (axis.retest && most_runs_made(axis.retest->test.series) != most_runs_made(test.series))
+    expected = compensation::expected_retest(corrected, {.runs = most_runs_made(axis.retest->test.series)});
   AXIOMETRY_TRY(auto known,
                 in_file(compensation::compensated_positions(test, {applied, fit.correction, removed}), name));
   std::optional<Retest> retest;
@@ -373,8 +373,7 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
     AXIOMETRY_TRY(retest, retest_of(*std::move(axis.retest), test, {applied, expected}, s, findings));
   }
   if (request.axis.empty() && test.metadata.axis.name.empty())
-    findings.push_back(
-        {"compensation-axis-assumed", false, "neither the test nor --axis names the axis: the table is made for X"});
+    findings.push_back({"compensation-axis-assumed", false, "nobody names the axis: the table is made for X"});
   std::ranges::stable_partition(findings, &NamedFinding::serious);
   return CompensatedAxis{.test = std::move(test),
                          .control = control,

@@ -78,7 +78,7 @@ Result<MeasuredAxis> read_measured_axis(const CompensateFiles& files);
 struct Retest {
   Test test;
   iso230_2::Evaluation evaluation;
-  std::optional<compensation::Effect> effect;
+  std::optional<compensation::RetestEffect> effect;
 };
 
 struct CompensatedAxis {

@@ -12,7 +12,7 @@
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/compensate/compensate_options.h"
 #include "axiometry/app/workbench/compensations/compensation_json.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/language/language.h"
 #include "tests/support/repository_file.h"
 #include "tests/support/series.h"
@@ -121,9 +121,9 @@ TEST(GermanCompensation, SaysWhyNoTableIsMade) {
   const std::string in_mm = "0 0 0\n400.5 400.5 400.5\n", in_inch = "0 0 0\n15.75 15.75 15.75\n";
   CompensateRequest inch = usual;
   inch.table.in_inch = true;
-  refused_with(in_mm, inch, "--existing-unit");
-  refused_with(in_inch, usual, "--existing-unit");
-  refused_with("-50.5 -50.5 -50.5\n450 450 450\n", usual, "--hold-ends");
+  refused_with(in_mm, inch, "or the unit of the existing table stated");
+  refused_with(in_inch, usual, "or the unit of the existing table stated");
+  refused_with("-50.5 -50.5 -50.5\n450 450 450\n", usual, "the last value held beyond the targets");
   CompensateRequest stated = usual;
   stated.existing_in_inch = true;
   expect_refused({sloping_axis(quarters)}, stated, "no such table");

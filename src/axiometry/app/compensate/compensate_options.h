@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/app/compensate/compensate.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// What a table depends on beside the readings, as JSON: CompensationOptions of apps/server/openapi.json. Members have
 /// the names of the verb's flags.

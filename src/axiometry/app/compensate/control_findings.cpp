@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 
 namespace axiometry::app {
 namespace {
@@ -17,22 +17,18 @@ namespace {
 NamedFinding finding_of_count(const nc::AxisTableOptions& options, bool was_read) {
   constexpr std::string_view wrong = "where it is another amount, all that the table does is wrong in that proportion";
   if (options.kind == AxisKind::rotary)
-    return {"compensation-count-assumed", true,
-            fmt::format("one count of the control is taken for 1 ″ (--resolution), and many controls count in 0.001° "
-                        "(3.6 ″): {}",
-                        wrong)};
-  if (options.in_inch)
-    return {"compensation-count-assumed", true,
-            fmt::format("one count of the control is taken for 1 µm (--resolution), and many controls in inches count "
-                        "in 0.0001 inch (2.54 µm): {}",
-                        wrong)};
-  if (was_read)
     return {
         "compensation-count-assumed", true,
-        fmt::format("one count of the control is taken for 1 µm (--resolution), in the table that was active too: {}",
-                    wrong)};
-  return {"compensation-count-assumed", false,
-          fmt::format("one count of the control is taken for 1 µm (--resolution): {}", wrong)};
+        fmt::format("one count of the control is taken for 1 ″, and many controls count in 0.001° (3.6 ″): {}", wrong)};
+  if (options.in_inch)
+    return {"compensation-count-assumed", true,
+            fmt::format("one count of the control is taken for 1 µm, and many controls in inches count in 0.0001 inch "
+                        "(2.54 µm): {}",
+                        wrong)};
+  if (was_read)
+    return {"compensation-count-assumed", true,
+            fmt::format("one count of the control is taken for 1 µm, in the table that was active too: {}", wrong)};
+  return {"compensation-count-assumed", false, fmt::format("one count of the control is taken for 1 µm: {}", wrong)};
 }
 
 /// Of a table that rolls over: what it does beyond its ends nobody expects. Round a turn it has none.
@@ -70,8 +66,8 @@ std::vector<NamedFinding> findings_of_control(const nc::AxisTable& control, cons
                      control.backlash, backlash, deviation_unit(options.kind))});
   if (control.uses.steps_per_unit && options.steps_per_unit == 0.0)
     findings.push_back({"compensation-scale-left-out", false,
-                        "nobody tells the steps per unit of the control (--steps-per-unit): the scale is in the file "
-                        "as a comment alone, and what is predicted is of the backlash"});
+                        "nobody tells the steps per unit of the control: the scale is in the file as a comment alone, "
+                        "and what is predicted is of the backlash"});
   if (control.limits.rolls_over)
     if (auto ends = finding_of_ends(applied)) findings.push_back(*std::move(ends));
   return findings;

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/nc/numbers.h"
 
 namespace axiometry::app {
@@ -45,8 +45,7 @@ Result<void> check_unit_of_length(const AxisCorrection& existing, const Series& 
   if (common_share(as_read, targets) >= little || common_share(otherwise, targets) <= most) return {};
   return fail(
       fmt::format("found a table from {} to {} mm where the targets go from {} to {} mm, which it would fit in {}: "
-                  "expected it in {}, "
-                  "as the table to make, or --existing-unit that says what it is in",
+                  "expected it in {}, as the table to make, or the unit of the existing table stated",
                   format_rounded(as_read.low), format_rounded(as_read.high), format_rounded(targets.low),
                   format_rounded(targets.high), in_inch ? "mm" : "inches", in_inch ? "inches" : "mm"));
 }
@@ -99,10 +98,9 @@ Result<void> check_within_targets(const AxisCorrection& existing, const Series& 
   if (table.low >= targets.low - beside && table.high <= targets.high + beside) return {};
   const std::string_view unit = position_unit(existing.kind());
   return fail(fmt::format(
-      "found the existing table from {} to {} {}, beyond the targets from {} to {} {}: what it should become there "
-      "nobody measured; expected --hold-ends, which changes it there as at the last target, or --start, --end, --step "
-      "or "
-      "--points, which give the new one other positions",
+      "found the existing table from {} to {} {}, beyond the targets from {} to {} {}: what it should "
+      "become there nobody measured; expected the last value held beyond the targets, which changes it there "
+      "as at the last target, or other positions of the new one",
       format_rounded(table.low), format_rounded(table.high), unit, format_rounded(targets.low),
       format_rounded(targets.high), unit));
 }

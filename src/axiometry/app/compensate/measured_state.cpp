@@ -7,7 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/model/swapped_labels.h"
 #include "axiometry/standards/iso230_2/inputs/uncorrected_effects.h"
 
 namespace axiometry::app {
@@ -56,8 +57,11 @@ NamedFinding finding_of_kept_table(const Error& why_not_made) {
           fmt::format("the table is kept, and of such a test none is made any more: {}", why_not_made.message)};
 }
 
-std::vector<NamedFinding> findings_of_state(const Test& test, bool table_given) {
+std::vector<NamedFinding> findings_of_state(const Test& test, TableCurves curves, bool table_given) {
   std::vector<NamedFinding> findings;
+  if (curves != TableCurves::both_ways && has_swapped_labels(test))
+    findings.push_back({"compensation-directions-swapped", true,
+                        fmt::format("the table's two directions may be exchanged: {}", swapped_labels)});
   for (const iso230_2::UncorrectedEffect& effect : iso230_2::uncorrected_effects(test))
     findings.push_back({"compensation-uncorrected", true,
                         fmt::format("the table corrects what is not of the axis: {}", effect.reason())});
@@ -66,17 +70,18 @@ std::vector<NamedFinding> findings_of_state(const Test& test, bool table_given) 
   const std::string said = !axis.compensation_points.empty()
                                ? "sampling points of a compensation (axis.compensation_points)"
                                : fmt::format("{} as axis.compensation", text::quoted(text::trim(axis.compensation)));
-  findings.push_back(
-      {"compensation-active-table-unknown", true,
-       fmt::format(
-           "the test states {}, and nobody gives a table that was active (--existing): where there was one, this "
-           "table in its place gives up what it corrected",
-           said)});
+  findings.push_back({"compensation-active-table-unknown", true,
+                      fmt::format("the test states {}, and nobody gives a table that was active: where there was one, "
+                                  "this table in its place gives up what it corrected",
+                                  said)});
   return findings;
 }
 
 std::vector<NamedFinding> findings_of_retest_state(const Test& retest) {
   std::vector<NamedFinding> findings;
+  if (has_swapped_labels(retest))
+    findings.push_back({"retest-directions-swapped", true,
+                        fmt::format("the re-test's two directions may be exchanged: {}", swapped_labels)});
   for (const iso230_2::UncorrectedEffect& effect : iso230_2::uncorrected_effects(retest))
     findings.push_back(
         {"retest-uncorrected", true, fmt::format("the re-test shows what is not of the axis: {}", effect.reason())});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
+#include "axiometry/model/axis_correction.h"
 #include "axiometry/model/named_finding.h"
 #include "axiometry/model/test.h"
 
@@ -18,11 +19,12 @@ Result<void> check_measures_axis(const Test& test);
 /// Of a table that is kept since before check_measures_axis() failed with this.
 NamedFinding finding_of_kept_table(const Error& why_not_made);
 
-/// Of the test a table is made of, each serious: effects on the readings that the metadata tell of and nothing was done
-/// about (uncorrected_effects.h); a compensation that was active, and no table to count from (`table_given`).
-std::vector<NamedFinding> findings_of_state(const Test& test, bool table_given);
+/// Of the test a table is made of, each serious: labels of direction that its rows contradict, unless the table has one
+/// curve for both; effects on the readings that the metadata tell of and nothing was done about
+/// (uncorrected_effects.h); a compensation that was active, and no table to count from (`table_given`).
+std::vector<NamedFinding> findings_of_state(const Test& test, TableCurves curves, bool table_given);
 
-/// Of its re-test: such effects alone.
+/// Of its re-test: such labels, and such effects.
 std::vector<NamedFinding> findings_of_retest_state(const Test& retest);
 
 /// Fails where both are one file with the same readings: it proves nothing. Several tests of one file are none such.

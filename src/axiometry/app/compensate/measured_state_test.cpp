@@ -12,6 +12,7 @@
 
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/language/language.h"
+#include "axiometry/model/swapped_labels.h"
 #include "tests/support/series.h"
 
 namespace axiometry::app {
@@ -64,7 +65,7 @@ void expect_refused(NamedTest test, const std::string& part) {
 TEST(MeasuredState, AReversedSignMakesNoTable) {
   NamedTest axis = stated_axis();
   axis.test.metadata.instrument.sign_reversed = true;
-  expect_refused(axis, "--correct sign");
+  expect_refused(axis, "the correction of the sign");
   EvaluateOptions options;
   options.corrections.sign = true;
   auto corrected = prepare_test(axis.test, options);
@@ -87,6 +88,22 @@ TEST(MeasuredState, AKeptTableIsShownAlthoughNoneIsMadeOfItsTestAnyMore) {
     expect_in_both_languages(told->message);
   }
   EXPECT_TRUE(serious_ids(stated_axis()).empty());
+}
+
+TEST(MeasuredState, DirectionsThatTheRowsContradictAreSeriousWhereTheTableKnowsDirections) {
+  NamedTest swapped = stated_axis();
+  swapped.test.provenance.remarks.push_back(swapped_labels_remark());
+  EXPECT_EQ(serious_ids(swapped), std::vector<std::string>{"compensation-directions-swapped"});
+  const auto one_curve = compensate({swapped}, {.control = "linuxcnc", .curves = TableCurves::both_ways});
+  ASSERT_TRUE(one_curve) << one_curve.error().message;
+  EXPECT_TRUE(std::ranges::none_of(one_curve->findings, &NamedFinding::serious));
+
+  const auto made = compensate({stated_axis(), {}, std::move(swapped)}, {.control = "linuxcnc"});
+  ASSERT_TRUE(made) << made.error().message;
+  const auto found = std::ranges::find(made->findings, "retest-directions-swapped", &NamedFinding::id);
+  ASSERT_NE(found, made->findings.end());
+  EXPECT_TRUE(found->serious);
+  expect_in_both_languages(found->message);
 }
 
 TEST(MeasuredState, WhatWasNotCorrectedIsSerious) {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 
 namespace axiometry::app {
 namespace {

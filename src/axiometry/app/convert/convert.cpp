@@ -10,8 +10,9 @@
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/model/swapped_labels.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::app {
@@ -44,6 +45,7 @@ std::string lost_in(const std::string& text, const formats::Format& format, cons
   };
   if (departures_in(*again) < departures_in(test))
     return fmt::format("why it is none of {}", standard_of(test.metadata.axis));
+  if (has_swapped_labels(test) && !has_swapped_labels(*again)) return "that rows contradict its labels of direction";
   for (const Field& field : metadata_fields())
     if (field.get(again->metadata) != field.get(test.metadata)) return std::string(field.key);
   return "";
@@ -73,8 +75,9 @@ Result<const formats::Format*> format_to_write(const std::string& to, const std:
     known.push_back(format->id);
   }
   if (id.empty())
-    return fail(fmt::format("found the output {}, expected a file ending in .json or .csv, or --to with one of {}",
-                            text::quoted(output), fmt::join(known, ", ")));
+    return fail(
+        fmt::format("found the output {}, expected a file ending in .json or .csv, or its format stated as one of {}",
+                    text::quoted(output), fmt::join(known, ", ")));
   return fail(fmt::format("found the format {}, expected one that can be written: {}", text::quoted(id),
                           fmt::join(known, ", ")));
 }

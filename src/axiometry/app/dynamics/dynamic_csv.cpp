@@ -7,7 +7,7 @@
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/app/files/piecewise.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
 namespace {

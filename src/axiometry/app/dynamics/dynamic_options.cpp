@@ -6,7 +6,7 @@
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/app/files/request_members.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/figures/recorded_motion.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
@@ -165,8 +165,9 @@ struct DynamicReport {
             format_fixed(m.record.time_s(m.spectrum_stretch.last), 3, options.numbers),
             report::shown_short(m.spectrum.resolution_hz, options, 3))),
         plain(fmt::format(
-            "Shown is what stands above {} {}, as white noise alone would do in one recording of a hundred, and above "
-            "what a drift and higher peaks may leave beside themselves.",
+            "Shown is what stands above the noise about its frequency (nowhere less than {} {}), as white noise or a "
+            "random walk alone would do in one recording of twenty at most, noise that the instrument has averaged "
+            "more often; and above what a drift and higher peaks may leave beside themselves.",
             report::shown_short(m.spectrum.threshold, options, 2), deviation_unit(m.kind)))};
     if (m.spectrum.peaks_more > 0)
       table.notes.push_back(plain(fmt::format("Not shown: {}.", counted(m.spectrum.peaks_more, "lower peak"))));

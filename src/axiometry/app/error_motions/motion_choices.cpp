@@ -9,8 +9,8 @@
 
 #include "axiometry/app/files/request_members.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app {

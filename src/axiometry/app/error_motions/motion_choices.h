@@ -10,7 +10,7 @@
 
 #include "axiometry/app/error_motions/motion_evaluation.h"
 #include "axiometry/app/files/given_file.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// How files of straightness, rotations or squareness are evaluated, as the archive keeps it and a request asks for it.
 namespace axiometry::app {

@@ -9,8 +9,8 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/standards/error_motions/abbe_offset.h"
@@ -84,8 +84,8 @@ Result<void> check_statements(const MeasuredMotion& measured, bool may_be_positi
         "# positive: -Y, or the direction that holds, in its place");
   if (may_be_positions && !measured.error && !measured.sense)
     return fail(
-        "found deviations of an error that nobody names, which may be those of positions; expected "
-        "# error: EYX, --error EYX or the column straightness_um");
+        "found deviations of an error that nobody names, which may be those of positions; expected # error: EYX or the "
+        "column straightness_um, or the error stated beside the file");
   return {};
 }
 
@@ -195,9 +195,10 @@ Result<error_motions::AxisAngles> angles_of(const std::vector<MeasuredMotion>& l
   const MeasuredMotion& first = list.front();
   for (const MeasuredMotion& m : list) {
     if (!m.error)
-      return in_file(Result<error_motions::AxisAngles>(
-                         fail("found no name of the error, expected # error: EAX, EBX or ECX, or --error")),
-                     m.file);
+      return in_file(
+          Result<error_motions::AxisAngles>(
+              fail("found no name of the error, expected # error: EAX, EBX or ECX, or one stated beside the file")),
+          m.file);
     if (m.error->axis != first.error->axis)
       return fail(fmt::format("found {} and {}, expected rotations of one axis", first.error->text(), m.error->text()));
     auto& place = angles.urad[static_cast<std::size_t>(m.error->coordinate - 'A')];

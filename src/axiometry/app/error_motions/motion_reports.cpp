@@ -7,7 +7,7 @@
 #include "axiometry/app/error_motions/motion_evaluation.h"
 #include "axiometry/app/error_motions/motion_tables.h"
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/shown_number.h"
 
 namespace axiometry::app {
@@ -39,9 +39,9 @@ std::vector<std::string> square_remarks(const SquarenessMeasurement& s) {
     remarks.push_back("the uncertainty of the optical square is stated as 0, which no square has: U does not hold it");
   if (!s.square.in_axes)
     remarks.push_back(
-        "nothing states which way the readings of both lines are positive (--positive, or # positive: +Y in each "
-        "file): θ₂ − θ₁ is their squareness where the optical square turned that way with the beam; where both are "
-        "positive along the axes of the machine it is −θ₂ − θ₁");
+        "nothing states which way the readings of both lines are positive, as # positive: +Y in each file does: θ₂ − "
+        "θ₁ is their squareness where the optical square turned that way with the beam; where both are positive along "
+        "the axes of the machine it is −θ₂ − θ₁");
   if (!s.first.error || !s.second.error)
     remarks.push_back("the files do not both name their error: whether they are of one plane was not checked");
   return remarks;

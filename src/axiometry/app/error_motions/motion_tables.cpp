@@ -10,7 +10,7 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/figures/axis_motion.h"
 #include "axiometry/report/shown_number.h"
@@ -92,9 +92,8 @@ std::string_view uncertainty_note(const MeasuredMotion& measured) {
                : "U for about 95 %, from the runs alone; of ranges and the largest reversal without the bias that "
                  "noise gives them.";
   if (measured.motion.runs > 1)
-    return instrument
-               ? "U for about 95 %, from runs and instrument; of a range without the bias noise gives it."
-               : "U for about 95 %, from the runs alone; of a range without the bias that noise gives it.";
+    return instrument ? "U for about 95 %, from runs and instrument; of a range without the bias noise gives it."
+                      : "U for about 95 %, from the runs alone; of a range without the bias that noise gives it.";
   if (measured.motion.principal().slope_per_m.scatter == MotionEstimate::Scatter::residuals)
     return instrument ? "U for about 95 %, of a line from its residuals and the instrument, of a range from the "
                         "instrument alone."

@@ -9,7 +9,7 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"

@@ -15,7 +15,7 @@
 #include "axiometry/app/evaluate/test_and_log.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/read_recording.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
@@ -23,6 +23,7 @@
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
 #include "axiometry/standards/iso230_2/rules/environment_findings.h"
 #include "axiometry/standards/iso230_2/rules/uncertainty_findings.h"
+#include "axiometry/standards/iso230_2/severity_order.h"
 #include "axiometry/standards/readings/artefact.h"
 #include "axiometry/standards/readings/test_course.h"
 
@@ -39,10 +40,10 @@ Result<const formats::Format*> format_of_id(std::string_view head, const std::st
     if (found.recording == nullptr) return std::move(found.format);
     if (formats::sensors_of_log(head))
       return fail(
-          fmt::format("found a log of temperatures, or another recording ({}), expected a measured test; 'axiometry "
-                      "temperatures' and --temperatures take a log, --plan a recording of positions",
+          fmt::format("found a log of temperatures, or another recording ({}), expected a measured test; a log is "
+                      "given beside a test, a recording of positions with its plan",
                       found.recording->title));
-    return fail(fmt::format("found a continuous recording ({}), expected --plan with the plan the axis moved after",
+    return fail(fmt::format("found a continuous recording ({}), expected the plan the axis moved after with it",
                             found.recording->title));
   }
   AXIOMETRY_TRY_VOID(formats::check_no_other_error(head));
@@ -153,7 +154,7 @@ Result<void> evaluate_source(Source& source, const EvaluateOptions& options, con
   AXIOMETRY_TRY(const formats::Format* format, format_of(source, {options.format, options.profile}, std::move(known)));
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (holds_many(*format, head)) {
-    if (options.temperatures) return fail("found a file of many tests, expected one test with --temperatures");
+    if (options.temperatures) return fail("found a file of many tests, expected one test beside a log of temperatures");
     return evaluate_many(source, *format, options, threads, sink);
   }
   AXIOMETRY_TRY(Test test, read_single(source, *format, options.profile));
@@ -304,7 +305,7 @@ Result<Evaluated> evaluate_test(Test measured, const EvaluateOptions& options, i
         {iso230_2::uncertainties_of_record(assessment), iso230_2::comparison_slack(test.series), assessment.uncorrected,
          iso230_2::refusals_of_record(assessment), iso230_2::lower_bounds(assessment.evaluation)});
   std::ranges::move(demanded.findings, std::back_inserter(assessment.findings));
-  std::ranges::stable_sort(assessment.findings, {}, &iso230_2::Finding::severity);
+  iso230_2::sort_by_severity(assessment.findings);
   result->tolerance_band = std::move(demanded.band);
   return result;
 }

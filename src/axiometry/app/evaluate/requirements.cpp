@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::app {

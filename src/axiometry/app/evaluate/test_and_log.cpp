@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/moment.h"
-#include "axiometry/base/says_nothing.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/says_nothing.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/standards/environment/ambient_course.h"
 
 namespace axiometry::app {

@@ -9,8 +9,8 @@
 #include <span>
 
 #include "axiometry/app/files/source.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/text_source.h"
 

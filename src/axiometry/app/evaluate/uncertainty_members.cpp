@@ -8,8 +8,8 @@
 
 #include "axiometry/app/evaluate/uncertainty_text.h"
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/app/evaluate/evaluate.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/text/json_members.h"
 

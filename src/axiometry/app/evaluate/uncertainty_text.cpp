@@ -9,8 +9,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "axiometry/app/files/source.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
-#include "axiometry/base/utf8.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/text/utf8.h"
 #include "axiometry/store/records.h"
 
 namespace axiometry::app {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// What a person gives for the archive: names, titles, notes, numbers of records.

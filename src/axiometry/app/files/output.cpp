@@ -16,7 +16,7 @@
 
 #include "axiometry/app/files/fail_system.h"
 #include "axiometry/app/files/synced.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

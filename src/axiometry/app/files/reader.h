@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/language/language.h"
 
 namespace axiometry::app {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "axiometry/base/result.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 
 /// Members that requests of the workbench have, and files have not: switches, numbers that may be left out.

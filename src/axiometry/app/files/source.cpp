@@ -138,6 +138,7 @@ Result<std::optional<std::string>> Source::sha256_ahead() {
   AXIOMETRY_CONTRACT(beginning_consumed_ == 0);
   if (!size_ || in_memory_ || *size_ > most_ahead) return whole_sha256();
   AXIOMETRY_TRY_VOID(head());
+  ahead_.reserve(*size_);
   std::vector<char> block(block_size);
   while (true) {
     AXIOMETRY_TRY(const std::size_t got, read_file(block));

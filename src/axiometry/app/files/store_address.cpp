@@ -17,7 +17,7 @@ Result<std::string> user_data_folder() {
   // By the specification a path that is not absolute is ignored.
   if (const std::string data = environment("XDG_DATA_HOME"); data.starts_with('/')) return data;
   if (const std::string home = environment("HOME"); !home.empty()) return home + "/.local/share";
-  return fail("found no home for the store, expected --store, AXIOMETRY_STORE, XDG_DATA_HOME or HOME");
+  return fail("found no home for the store, expected its address, AXIOMETRY_STORE, XDG_DATA_HOME or HOME");
 }
 
 Result<std::string> default_store_address() {

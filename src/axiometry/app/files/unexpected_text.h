@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "axiometry/base/result.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 /// Private to app/: a text of the command line that says something else than it should.
 namespace axiometry::app {

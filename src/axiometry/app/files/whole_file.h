@@ -24,4 +24,7 @@ Result<T> in_file(Result<T> result, const std::string& file) {
 /// 64 MiB.
 Result<std::string> whole_file(const std::string& name);
 
+/// Whether it is a file: not the standard input, nor a pipe, which are empty after the first time.
+bool can_be_read_twice(const std::string& name);
+
 }  // namespace axiometry::app

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/standards/readings/air_refraction.h"
 

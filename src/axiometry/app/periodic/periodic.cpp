@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/periodic/periodic.h"
 
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
 #include "axiometry/app/files/output.h"
+#include "axiometry/app/results/document_json.h"
+#include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/results/uncertainty_json.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/test/metadata_json.h"
 #include "axiometry/report/periodic.h"
+#include "axiometry/report/translated.h"
 
 namespace axiometry::app {
 namespace {
@@ -13,27 +23,31 @@ namespace {
 using iso230_2::PeriodicDirection;
 using json::Value;
 
-Value estimate(double value, double u, double k) {
+/// u and U are null where `told` is false: of what noise alone makes as large no interval holds the truth as often as
+/// U says.
+Value estimate(double value, double u, double k, bool told = true) {
   Value object = Value::object();
   object.add("value", value);
-  object.add("u", u);
-  object.add("U", k * u);
+  object.add("u", told ? Value(u) : Value());
+  object.add("U", told ? Value(k * u) : Value());
   return object;
 }
 
-Value estimate(const iso230_2::Estimate<Deviation>& x, double k) {
-  return estimate(x.value.in_native(), x.u.in_native(), k);
+Value estimate(const iso230_2::Estimate<Deviation>& x, double k, bool told = true) {
+  return estimate(x.value.in_native(), x.u.in_native(), k, told);
 }
 
-Value estimate(const iso230_2::Estimate<Angle>& x, double k) { return estimate(x.value.in_deg(), x.u.in_deg(), k); }
+Value estimate(const iso230_2::Estimate<Angle>& x, double k, bool told) {
+  return estimate(x.value.in_deg(), x.u.in_deg(), k, told);
+}
 
 Value harmonics_to_json(const PeriodicDirection& d) {
   Value list = Value::array();
   for (const auto& h : d.harmonics) {
     Value& row = list.push(Value::object());
     row.add("order", h.order);
-    row.add("amplitude", estimate(h.amplitude, d.coverage_factor));
-    row.add("phase_deg", estimate(h.phase, d.coverage_factor));
+    row.add("amplitude", estimate(h.amplitude, d.coverage_factor, d.significant && h.significant));
+    row.add("phase_deg", estimate(h.phase, d.coverage_factor, d.significant && h.significant));
     row.add("chance", h.chance);
     row.add("in_curve", h.order == 1 || h.significant);
   }
@@ -70,19 +84,14 @@ Value direction_to_json(const PeriodicDirection& d) {
   object.add("runs", d.runs);
   object.add("origin", d.origin.in_native());
   object.add("period_known", d.period_known);
-  object.add("period", d.period_known ? [&] {
-    Value known = Value::object();
-    known.add("value", d.period.value.in_native());
-    known.add("u", Value());
-    known.add("U", Value());
-    return known;
-  }() : estimate(d.period.value.in_native(), d.period.u.in_native(), k));
+  object.add("period",
+             estimate(d.period.value.in_native(), d.period.u.in_native(), k, !d.period_known && d.significant));
   const auto& fundamental = d.harmonics.front();
-  object.add("amplitude", estimate(fundamental.amplitude, k));
-  object.add("phase_deg", estimate(fundamental.phase, k));
-  object.add("phase_at_zero_deg", estimate(d.phase_at_zero, k));
+  object.add("amplitude", estimate(fundamental.amplitude, k, d.significant));
+  object.add("phase_deg", estimate(fundamental.phase, k, d.significant));
+  object.add("phase_at_zero_deg", estimate(d.phase_at_zero, k, d.significant));
   object.add("harmonics", harmonics_to_json(d));
-  object.add("peak_to_valley", estimate(d.peak_to_valley, k));
+  object.add("peak_to_valley", estimate(d.peak_to_valley, k, d.significant));
   object.add("range_about_line", d.range_about_line.in_native());
   object.add("range_of_residuals", d.range_of_residuals.in_native());
   object.add("residual_sd", d.residual_sd.in_native());
@@ -109,12 +118,22 @@ Result<EvaluatedPeriodic> evaluate_periodic(const std::string& file, const Evalu
   AXIOMETRY_TRY(Test measured, read_test(file, reading.format));
   const auto evaluate = [&]() -> Result<EvaluatedPeriodic> {
     AXIOMETRY_TRY(Test test, prepare_test(std::move(measured), reading));
-    AXIOMETRY_TRY(iso230_2::PeriodicError result, iso230_2::periodic_error(test, options));
-    return EvaluatedPeriodic{std::move(test), std::move(result)};
+    return periodic_error_of(std::move(test), options);
   };
   auto evaluated = evaluate();
   if (!evaluated && evaluated.error().file.empty()) evaluated.error().file = file == "-" ? "(standard input)" : file;
   return evaluated;
+}
+
+Result<EvaluatedPeriodic> periodic_error_of(Test test, const iso230_2::PeriodicOptions& options) {
+  AXIOMETRY_TRY(iso230_2::PeriodicError result, iso230_2::periodic_error(test, options));
+  return EvaluatedPeriodic{std::move(test), std::move(result)};
+}
+
+Result<Position> parsed_period(std::string_view text) {
+  const auto x = parse_number(text);
+  if (!x || !(*x > 0.0)) return fail(fmt::format("found {}, expected a number above 0", text::quoted(text)));
+  return Position::native(*x);
 }
 
 json::Value to_json(const EvaluatedPeriodic& evaluated) {
@@ -140,6 +159,13 @@ json::Value to_json(const EvaluatedPeriodic& evaluated) {
   object.add("metadata", std::move(metadata_object));
   object.add("source", source_to_json(evaluated.test.provenance));
   object.add("program", program_to_json());
+  return object;
+}
+
+json::Value to_json(const EvaluatedPeriodic& evaluated, const report::Options& options, bool dark) {
+  Value object = localised_result(to_json(evaluated), ResultKind::periodic, {options.language, options.numbers});
+  const report::Document document = report::compose({evaluated.test, evaluated.result}, options);
+  object.add("document", document_to_json(report::translated(document, options), dark));
   return object;
 }
 

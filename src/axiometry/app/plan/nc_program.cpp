@@ -11,8 +11,8 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
@@ -115,10 +115,9 @@ Result<std::string> program_of(const Programme& programme, const nc::Dialect& di
 /// One station with one tool: the operator moves the instrument and changes the tool between programs.
 Result<nc::PointTour> tour_of(const volumetric::CalibrationPlan& plan, const NcRequest& request) {
   if (!request.line.empty())
-    return fail(
-        fmt::format("found the line {} asked for, expected none: this is the plan of a volumetric calibration, "
-                    "which has runs (--part)",
-                    text::quoted(request.line)));
+    return fail(fmt::format(
+        "found the line {} asked for, expected none: this is the plan of a volumetric calibration, which has runs",
+        text::quoted(request.line)));
   if (request.options.stop_at_lines)
     return fail(
         "found a stop before each line asked for, expected none: this is the plan of a volumetric calibration, whose "

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/report/report.h"

@@ -9,8 +9,8 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/plan_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/rules/planned_rule.h"
 
 namespace axiometry::app {
@@ -235,9 +235,8 @@ constexpr PlanOption plan_option_table[] = {
 };
 
 constexpr PlanOptionPair apart[] = {
-    {"--periodic", "--period"}, {"--targets", "--interval"},  {"--targets", "--periodic"},
-    {"--cycle", "--periodic"},  {"--sequence", "--periodic"}, {"--error", "--periodic"},
-    {"--standard", "--periodic"},
+    {"--periodic", "--period"},   {"--targets", "--interval"}, {"--targets", "--periodic"},  {"--cycle", "--periodic"},
+    {"--sequence", "--periodic"}, {"--error", "--periodic"},   {"--standard", "--periodic"},
 };
 
 Result<void> check_plan_names(const Plan& plan) {

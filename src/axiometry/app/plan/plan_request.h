@@ -10,7 +10,7 @@
 
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/plan/plan.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 #include "axiometry/standards/rules/rule.h"

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {

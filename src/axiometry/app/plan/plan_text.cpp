@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "axiometry/app/files/unexpected_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/programme.h"
 
 namespace axiometry::app {

@@ -9,8 +9,8 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/raw_recording.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/model/simulated.h"
 
@@ -60,8 +60,8 @@ bool is_certain(std::string_view head, std::size_t before) {
 Result<Plan> of_positions(Plan plan) {
   if (measures_positions(plan)) return plan;
   return fail(
-      fmt::format("found a plan made for {}, expected one of positions; axiometry capture --stops leads through "
-                  "one of other errors",
+      fmt::format("found a plan made for {}, expected one of positions; one of other errors is captured where it is "
+                  "stated what tells the stops",
                   errors_text(plan)));
 }
 
@@ -104,6 +104,7 @@ Result<CaptureSession> CaptureSession::open(Plan plan, const CaptureOptions& opt
     return session;
   }
   session.detector_ = std::make_unique<capture::StandstillDetector>(rest);
+  if (plan.axis.kind == AxisKind::rotary) session.turns_.emplace(capture::fastest_turn(plan.feed));
   capture::MatcherOptions matcher = options.matcher;
   matcher.shortest = rest.shortest;
   AXIOMETRY_TRY(capture::TargetMatcher made, capture::TargetMatcher::make(std::move(plan), matcher));
@@ -198,9 +199,16 @@ SampleSink CaptureSession::sink() {
   return [this](std::span<const Sample> samples) -> Result<void> {
     samples_ += samples.size();
     if (motion_) return motion_->push(samples, reader_->unit());
-    stops_ ? stops_->push(samples) : match(detector_->push(samples));
+    stops_ ? stops_->push(samples) : take_positions(samples);
     return {};
   };
+}
+
+void CaptureSession::take_positions(std::span<const Sample> samples) {
+  if (!turns_) return match(detector_->push(samples));
+  samples = turns_->follow(samples);
+  if (const auto rolls = turns_->rolls_from_s()) matcher_->rolls_from(*rolls);
+  match(detector_->push(samples));
 }
 
 SampleSink CaptureSession::sink_beside() {
@@ -282,7 +290,10 @@ std::size_t CaptureSession::expected() const {
 
 std::optional<capture::StandstillDetector::Whereabouts> CaptureSession::now() const {
   if (motion_) return axis_;
-  return stops_ ? stops_->now() : detector_->now();
+  if (stops_) return stops_->now();
+  auto now = detector_->now();
+  if (now && turns_) now->position = Position::native(turns_->shown_deg(now->position.in_native()));
+  return now;
 }
 
 std::vector<std::string> CaptureSession::remarks() const {

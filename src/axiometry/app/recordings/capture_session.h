@@ -10,6 +10,7 @@
 
 #include "axiometry/app/recordings/motion_listener.h"
 #include "axiometry/base/result.h"
+#include "axiometry/capture/full_turns.h"
 #include "axiometry/capture/stop_lengths.h"
 #include "axiometry/capture/target_matcher.h"
 #include "axiometry/formats/recording.h"
@@ -110,6 +111,7 @@ class CaptureSession {
   void interrupt();
   Result<bool> begin(bool whole);
   Result<std::vector<capture::CapturedReading>> read(std::string_view bytes);
+  void take_positions(std::span<const Sample> samples);
   void match(const std::vector<capture::Standstill>& standstills);
   SampleSink sink();
   SampleSink sink_beside();
@@ -118,6 +120,7 @@ class CaptureSession {
   CaptureOptions options_;
   std::optional<capture::TargetMatcher> matcher_;
   std::unique_ptr<capture::StandstillDetector> detector_;
+  std::optional<capture::FullTurns> turns_;       // of a rotary axis
   std::unique_ptr<capture::StopListener> stops_;  // in place of both others, where lengths are captured
   std::unique_ptr<MotionListener> motion_;        // likewise
   std::optional<capture::StandstillDetector::Whereabouts> axis_;

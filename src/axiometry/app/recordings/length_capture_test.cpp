@@ -33,7 +33,7 @@ struct RecordedLines {
   double rate = 100.0;
   std::function<bool(const Sample&)> keep = [](const Sample&) { return true; };
 
-  simulation::SimulatedLengths truth() const {
+  simulation::SimulatedLineLengths truth() const {
     return *simulation::simulate_lengths(machine, tracker, plan, Duration::s(0.0), 7);
   }
 
@@ -200,7 +200,8 @@ TEST(LengthCapture, CountsDownWhereThatIsSaid) {
   Source wrong = Source::of_bytes("run.csv", text);
   const auto refused = read_length_recording(wrong, lines.plan, options);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().message.find("--reversed"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().message.find("the instrument counts the other way"), std::string::npos)
+      << refused.error().message;
   options.matcher.reversed = true;
   Source right = Source::of_bytes("run.csv", text);
   const auto found = read_length_recording(right, lines.plan, options);

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/motions/motion_units.h"
 
@@ -27,13 +27,13 @@ Result<MotionName> error_of(const Plan& plan, const std::optional<MotionName>& s
   for (const MotionName& error : plan.errors)
     if (error.rotation() || error.straightness()) possible.push_back(error);
   if (!stated && possible.size() != 1)
-    return fail(fmt::format("found a plan made for {}, expected --error, which says what is read",
+    return fail(fmt::format("found a plan made for {}, expected the error that is read",
                             plan.errors.empty() ? std::string("positions") : errors_text(plan)));
   const MotionName error = stated.value_or(possible.empty() ? MotionName{} : possible.front());
   if (!error.rotation() && !error.straightness())
     return fail(
-        fmt::format("found the error {}, whose readings are positions and show the stops themselves; expected "
-                    "a straightness or a rotation, or no --stops",
+        fmt::format("found the error {}, whose readings are positions and show the stops themselves; expected a "
+                    "straightness or a rotation, or that nothing else tells the stops",
                     error.text()));
   AXIOMETRY_TRY_VOID(formats::check_error_of_plan(error, error.rotation() ? MotionUnit::urad : MotionUnit::um, plan));
   return error;
@@ -51,12 +51,12 @@ Result<void> check_statement(const MotionStatement& stated, const MotionName& er
     return fail(fmt::format("found readings positive towards {}, expected +{} or -{} as {} is", stated.sense->text(),
                             error.coordinate, error.coordinate, error.text()));
   if (needs_column(stated.sign) && !stated.stop_column)
-    return fail(fmt::format("found no column of the {}, expected --stop-column with its number beside the time",
+    return fail(fmt::format("found no column of the {}, expected its number among those beside the time",
                             stated.sign == StopSign::trigger ? "trigger" : "position"));
   if (!needs_column(stated.sign) && stated.stop_column)
-    return fail("found a column of the stops, expected one with --stops trigger or position alone");
+    return fail("found a column of the stops, expected one only where a trigger or a position tells the stops");
   if (stated.window && (stated.sign == StopSign::readings || stated.sign == StopSign::position))
-    return fail("found a window of the readings, expected one with --stops keys or trigger alone");
+    return fail("found a window of the readings, expected one only where a key or a trigger tells the stops");
   if (stated.still && stated.sign == StopSign::readings)
     return fail("found how still readings must be, expected it where more than one is taken at a stop");
   return {};
@@ -74,7 +74,8 @@ Result<MotionListener> MotionListener::make(Plan plan, const MotionStatement& st
   AXIOMETRY_TRY_VOID(check_statement(stated, error));
   const bool of_positions = stated.sign == StopSign::position;
   if (!of_positions && (matcher.window || matcher.reversed || matcher.datum != Position{}))
-    return fail("found a target window, a datum or a reversed direction, expected them with --stops position alone");
+    return fail(
+        "found a target window, a datum or a reversed direction, expected them only where a position tells the stops");
   capture::ValueOptions options{.sign = stated.sign, .still = {}, .rest = rest, .matcher = matcher};
   options.matcher.shortest = rest.shortest;
   options.window = stated.window.value_or(capture::value_window(plan));
@@ -109,8 +110,8 @@ Result<void> MotionListener::settle_unit(const formats::Unit* named) {
   if (unit_ != nullptr) return {};
   if (named == nullptr && stated_.unit == nullptr)
     return fail(
-        "found readings without a unit, expected --unit um, mm, urad, arcsec, mrad or deg, as the instrument "
-        "sends them");
+        "found readings without a unit, expected the unit of the stream, as the instrument sends them: um, mm, urad, "
+        "arcsec, mrad or deg");
   if (named != nullptr && stated_.unit != nullptr && named != stated_.unit)
     return fail(fmt::format("found readings in {} by the stream's header, expected {} as stated", named->symbol,
                             stated_.unit->symbol));

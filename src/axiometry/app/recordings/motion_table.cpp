@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/capture/capture_result.h"
 #include "axiometry/model/simulated.h"
 

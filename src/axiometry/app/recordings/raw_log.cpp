@@ -89,8 +89,8 @@ Result<RawLog> RawLog::create(const std::string& name) {
   const int bytes = ::open(name.c_str(), flags, 0666);
   if (bytes < 0 && errno == EEXIST)
     return std::unexpected(
-        Error{"found a file of this name, expected none: raw data are never overwritten (--resume "
-              "goes on with it)",
+        Error{"found a file of this name, expected none: raw data are never overwritten, though a capture can go on "
+              "with them",
               name,
               {}});
   if (bytes < 0) return fail_system(name, "write");

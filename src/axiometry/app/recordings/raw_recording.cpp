@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/simulated.h"
 
 namespace axiometry::app {
@@ -83,7 +83,7 @@ std::string RecordingEncoder::head() const {
   switch (layout_) {
     case RawLayout::text:
       return fmt::format("# {}\ntime_s,{}\n", simulated_note,
-                         setting_.lengths                     ? "length_mm"
+                         setting_.lengths                    ? "length_mm"
                          : setting_.kind == AxisKind::linear ? "position_mm"
                                                              : "position_deg");
     case RawLayout::npy: return npy_head(setting_.samples);

@@ -8,7 +8,7 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/recordings/capture_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 

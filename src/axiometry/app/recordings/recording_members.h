@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "axiometry/app/recordings/capture_session.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/text/json_members.h"
 

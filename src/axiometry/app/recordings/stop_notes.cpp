@@ -8,7 +8,7 @@
 
 #include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
 namespace {

@@ -73,18 +73,17 @@ void add_corrections(json::Object& object, const Test& test) {
   if (test.as_measured) put_corrected_readings(object.at("readings"), test.series, *test.as_measured);
 }
 
-Value drift_to_json(const Test& test) {
+void put_drift(json::Place place, const Test& test) {
   const auto drift = drift_of(test);
-  if (!drift) return {};
+  if (!drift) return place.put(std::nullopt);
   const bool timed = drift->course.duration.has_value();
   const auto rate = [&](Deviation d) { return timed ? *drift->per_hour(d) : drift->per_reading(d); };
-  Value object = Value::object();
+  json::Object object(place);
   object.add(timed ? "per_hour" : "per_reading", rate(drift->over_test));
-  object.add("standard_uncertainty", drift->u ? Value(rate(*drift->u)) : Value());
+  object.add("standard_uncertainty", drift->u ? std::optional(rate(*drift->u)) : std::nullopt);
   object.add("over_test", drift->over_test.in_native());
   object.add("degrees_of_freedom", drift->degrees_of_freedom);
   object.add("basis", drift->course.basis);
-  return object;
 }
 
 }  // namespace axiometry::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/base/json_place.h"
+#include "axiometry/base/json/json_place.h"
 #include "axiometry/model/test.h"
 
 /// What was done to the readings, as machines read it; belongs to result_json.h. docs/results.md describes the keys.
@@ -12,6 +12,6 @@ namespace axiometry::app {
 void add_corrections(json::Object& object, const Test& test);
 
 /// "drift": per hour or per reading with its standard uncertainty; null where it cannot be estimated.
-json::Value drift_to_json(const Test& test);
+void put_drift(json::Place place, const Test& test);
 
 }  // namespace axiometry::app

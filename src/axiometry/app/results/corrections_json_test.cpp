@@ -37,6 +37,10 @@ TEST(Wire, HasNoReadingsWhereNothingWasDoneToThem) {
   EXPECT_EQ(result.find("readings"), nullptr);
 }
 
+json::Value drift_of_json(const axiometry::Test& test) {
+  return json::tree_of([&](json::Place place) { put_drift(place, test); });
+}
+
 TEST(Wire, HasTheDriftPerReadingOrPerHour) {
   const json::Value result = result_of({});
   const json::Value& drift = *result.find("drift");
@@ -45,8 +49,8 @@ TEST(Wire, HasTheDriftPerReadingOrPerHour) {
   EXPECT_EQ(drift.find("per_hour"), nullptr);
   axiometry::Test test{{}, testing_support::make_series({0, 1}, {{0, 1}, {3, 1}}, {}), {}};
   test.times_s = {0, 3600, 1800, 5400, 0, 0, 0, 0};
-  EXPECT_NEAR(drift_to_json(test).find("per_hour")->number(), 1.5, 1e-12);
-  EXPECT_TRUE(drift_to_json({{}, testing_support::make_series({0, 1}, {{0, 1}}, {}), {}}).is(json::Kind::null));
+  EXPECT_NEAR(drift_of_json(test).find("per_hour")->number(), 1.5, 1e-12);
+  EXPECT_TRUE(drift_of_json({{}, testing_support::make_series({0, 1}, {{0, 1}}, {}), {}}).is(json::Kind::null));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/report/document.h"
 
 /// A computation that no measured file stands behind: its result for people and for programs.

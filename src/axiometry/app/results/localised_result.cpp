@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/language/language.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 
@@ -89,6 +89,8 @@ constexpr std::string_view in_field_difference[] = {"after.findings.[].message",
 constexpr std::string_view in_compensation[] = {"findings.[].message", "known_to_within.notes.[]", "sign",
                                                 "verified.inferred", "verified.verified"};
 
+constexpr std::string_view in_periodic[] = {"findings.[].message", "label"};
+
 constexpr std::string_view in_findings_beside_all[] = {"findings.[].message"};
 
 constexpr std::string_view in_findings[] = {"[].message"};
@@ -125,6 +127,7 @@ const SentencePlaces& places_of(ResultKind kind) {
       {ResultKind::test, places_in_test()},
       {ResultKind::lines, places_in_lines()},
       {ResultKind::motions, places_in(in_motions)},
+      {ResultKind::periodic, places_in(in_periodic)},
       {ResultKind::dynamic, places_in(in_dynamic)},
       {ResultKind::volumetric, places_in(in_volumetric)},
       {ResultKind::coordinates, places_in(in_coordinates)},

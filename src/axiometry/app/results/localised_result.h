@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "axiometry/app/files/reader.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// Results in the language of their reader, those just made as well as those that the archive keeps.
 namespace axiometry::app {
@@ -14,6 +14,7 @@ enum class ResultKind {
   test,                 ///< a test of one axis
   lines,                ///< a plan's lines
   motions,              ///< straightness, angles, squareness
+  periodic,             ///< a periodic positioning error
   dynamic,              ///< a recording without standstills
   volumetric,           ///< the 21 errors of a machine, from lengths or measured singly
   coordinates,          ///< points from lengths, or from lengths with angles

@@ -63,6 +63,7 @@ TEST(LocalisedResult, OfEveryOtherKindHasItsSentencesInTheLanguage) {
   expect_sentences(R"({"remarks": ["@"], "angles": [{"remarks": ["@"]}], "lines": [{"remarks": ["@"]}],
     "straightness": {"remarks": ["@"]}})",
                    ResultKind::motions);
+  expect_sentences(R"({"label": "@", "findings": [{"message": "@"}]})", ResultKind::periodic);
   expect_sentences(R"({"remarks": ["@", "@"]})", ResultKind::dynamic);
   expect_sentences(R"({"findings": [{"message": "@"}], "remarks": ["@"],
     "gauge": {"means": "@", "straightness": "@"}})",

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/model/named_finding.h"
 
 namespace axiometry::app {

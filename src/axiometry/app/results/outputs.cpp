@@ -14,7 +14,7 @@
 #include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/results/told_results.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {
@@ -60,9 +60,8 @@ Result<void> check_folder(const std::string& report) {
 
 bool has_figure(const report::Document& document) {
   return std::ranges::any_of(document.sections, [](const report::Section& section) {
-    return std::ranges::any_of(section.blocks, [](const report::Block& block) {
-      return std::holds_alternative<report::Figure>(block);
-    });
+    return std::ranges::any_of(
+        section.blocks, [](const report::Block& block) { return std::holds_alternative<report::Figure>(block); });
   });
 }
 

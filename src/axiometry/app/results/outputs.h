@@ -14,7 +14,7 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/output.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/report/report.h"
 #include "axiometry/report/writer.h"
 

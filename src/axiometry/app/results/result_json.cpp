@@ -10,8 +10,8 @@
 #include "axiometry/app/results/told_results.h"
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/app/temperatures/temperatures.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/base/version.h"
 #include "axiometry/formats/test/metadata_place.h"
 #include "axiometry/standards/iso230_2/error_symbol.h"
@@ -102,8 +102,7 @@ void put_findings(Place place, std::span<const iso230_2::Finding> findings) {
 }
 
 void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::TestEnvironment* surroundings,
-                const Series& series) {
-  const bool both = series.has(Direction::up) && series.has(Direction::down);
+                const Test& test) {
   json::List list(place);
   for (const iso230_2::Claim& claim : claims) {
     json::Object row = list.object();
@@ -111,7 +110,7 @@ void put_claims(Place place, const iso230_2::Claims& claims, const iso230_2::Tes
     row.add("title", claim.title);
     row.add("holds", claim.holds());
     put_findings(row.at("missing"), claim.against);
-    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(surroundings, both));
+    if (claim.kind == iso230_2::ClaimKind::tested) row.add("remark", iso230_2::word_of_the_tester(test, surroundings));
   }
 }
 
@@ -240,7 +239,7 @@ void put_result(json::Place place, const Evaluated& evaluated) {
   put_axis(object.at("axis"), metadata.axis);
   object.add("unit", deviation_unit_key(metadata.axis.kind));
   object.add("conforming", assessment.conforming());
-  put_claims(object.at("claims"), iso230_2::claims_of(test, assessment), evaluated.environment(), test.series);
+  put_claims(object.at("claims"), iso230_2::claims_of(test, assessment), evaluated.environment(), test);
   if (!assessment.label.empty()) object.add("label", assessment.label);
   put_parameters(object.at("parameters"), assessment.evaluation.parameters);
   add_symbols(object, evaluated);
@@ -248,7 +247,7 @@ void put_result(json::Place place, const Evaluated& evaluated) {
   add_conformity(object, evaluated);
   add_information(object, test, assessment.evaluation.parameters);
   put_positions(object.at("positions"), assessment.evaluation.positions);
-  object.add("drift", drift_to_json(test));
+  put_drift(object.at("drift"), test);
   if (evaluated.temperatures) object.add("environment", environment_to_json(*evaluated.temperatures));
   if (evaluated.stated_environment) object.add("environment", environment_to_json(*evaluated.stated_environment));
   put_findings(object.at("findings"), assessment.findings);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "axiometry/app/evaluate/evaluate.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// Results as machines read them: JSON objects and the rows of a combined CSV. The one place that
 /// spells their keys; docs/results.md describes them.

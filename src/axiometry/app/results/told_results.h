@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "axiometry/app/evaluate/evaluate.h"
-#include "axiometry/base/json_place.h"
+#include "axiometry/base/json/json_place.h"
 
 /// The shape of a result in JSON, told once: to_json() and its like of result_json.h and uncertainty_json.h make a tree
 /// of it, json_line() a text.

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "axiometry/app/results/uncertainty_json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 
 namespace axiometry::app {

@@ -9,7 +9,7 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/annex_a_json.h"
 #include "axiometry/app/results/told_results.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/resolved_text.h"
 #include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 

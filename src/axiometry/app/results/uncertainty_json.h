@@ -6,7 +6,7 @@
 #include <string>
 
 #include "axiometry/app/evaluate/evaluate.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// The uncertainties of an evaluation as machines read them; belongs to result_json.h. docs/results.md describes the
 /// keys.

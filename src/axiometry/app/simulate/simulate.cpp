@@ -13,7 +13,7 @@
 #include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/simulate/simulation_truth.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "axiometry/app/files/amount_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

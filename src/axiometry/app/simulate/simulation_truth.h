@@ -6,7 +6,7 @@
 #include <string>
 
 #include "axiometry/app/simulate/simulate_text.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/simulation/simulate.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 

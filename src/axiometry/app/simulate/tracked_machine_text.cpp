@@ -9,8 +9,8 @@
 
 #include "axiometry/app/files/amount_text.h"
 #include "axiometry/app/files/number_list.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/simulate/tracked_truth.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/simulation/tracked_recording.h"
@@ -27,7 +27,7 @@ Result<void> check_output_names(const TrackedFiles& files) {
   std::vector<std::string> names;
   for (const std::string* name : {&files.points, &files.lengths, &files.recording, &files.ranges, &files.truth})
     if (!name->empty()) names.push_back(*name);
-  if (names.empty()) return fail("found no output, expected --points, --lengths, --recording, --ranges or --truth");
+  if (names.empty()) return fail("found no output, expected points, lengths, a recording, ranges or the truth");
   if (!files.recording.empty()) {
     AXIOMETRY_TRY(const RawLayout layout, raw_layout_of(files.recording));
     if (layout == RawLayout::umd)
@@ -46,7 +46,7 @@ Result<void> check_output_names(const TrackedFiles& files) {
 
 /// Evenly over the places of the reflector that the travels allow.
 Result<std::vector<Vector3>> grid_points(const TrackedSimulation& request, const std::optional<TrackingPlan>& plan) {
-  if (!plan) return fail("found no plan whose travels a grid could fill, expected --plan or --location-point");
+  if (!plan) return fail("found no plan whose travels a grid could fill, expected a plan or points of the location");
   const auto& [nx, ny, nz] = request.grid;
   if (nx == 0 || ny == 0 || nz == 0 || nx > grid_most || ny > grid_most || nz > grid_most || nx * ny > grid_most ||
       nx * ny * nz > grid_most)
@@ -67,8 +67,7 @@ Result<std::vector<Vector3>> grid_points(const TrackedSimulation& request, const
 Result<std::vector<Vector3>> location_points_of(const TrackedSimulation& request,
                                                 const std::optional<TrackingPlan>& plan) {
   if (!request.location_points_mm.empty()) return request.location_points_mm;
-  if (!plan)
-    return fail("found no points of a station location, expected --location-point or a plan to choose them for");
+  if (!plan) return fail("found no points of a station location, expected some, or a plan to choose them for");
   AXIOMETRY_TRY(auto chosen, tracking::plan_location(plan->setup, location_points));
   return std::move(chosen.points_mm);
 }
@@ -89,9 +88,9 @@ Result<TrackedResults> simulate(const TrackedSimulation& request, const TrackedF
   if (aligned && (request.station_mm || !files.points.empty() || !files.recording.empty() || !files.ranges.empty()))
     return fail(
         "found a station, points, a recording or ranges for a plan whose interferometer is aligned with each line, "
-        "expected --lengths and --truth");
+        "expected lengths and the truth alone");
   if (!request.station_mm && !results.plan)
-    return fail("found neither a true station nor a plan that has one, expected --station-true or --plan");
+    return fail("found neither a true station nor a plan that has one, expected one of them");
   if (aligned)
     results.tracker.station_mm = setup_along(results.plan->setup, results.plan->lines.at(0)).station.position_mm;
   else
@@ -110,7 +109,7 @@ Result<TrackedResults> simulate(const TrackedSimulation& request, const TrackedF
     begin = results.location->duration;
   }
   if (!files.lengths.empty() || !files.recording.empty()) {
-    if (!results.plan) return fail("found no plan of lines to walk, expected --plan");
+    if (!results.plan) return fail("found no plan of lines to walk, expected one");
     AXIOMETRY_TRY(results.lengths,
                   simulation::simulate_lengths(machine, results.tracker, *results.plan, begin, request.seed));
   }

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/formats/tracking/location_points_csv.h"
+#include "axiometry/formats/tracking/ranges_csv.h"
+#include "axiometry/formats/tracking/tracking_lengths_csv.h"
 
 namespace axiometry::app {
 namespace {
@@ -97,7 +100,7 @@ Value lines_value(const simulation::TrackedMachine& machine, const TrackingPlan&
   return list;
 }
 
-Value lengths_value(const simulation::SimulatedLengths& lengths) {
+Value lengths_value(const simulation::SimulatedLineLengths& lengths) {
   Value list = Value::array();
   for (std::size_t k = 0; k < lengths.readings.size(); ++k) {
     const LengthReading& r = lengths.readings[k];
@@ -153,15 +156,15 @@ Value tracked_truth_value(const TrackedSimulation& request, const TrackedResults
 }
 
 std::string location_table(const TrackedSimulation& request, const simulation::SimulatedLocation& location) {
-  std::string text = no_measurement(request) + "x_mm,y_mm,z_mm,length_difference_mm\n";
+  std::string text = fmt::format("{}{}\n", no_measurement(request), formats::location_points_head);
   for (const LocationPoint& p : location.points)
     text += fmt::format("{},{},{},{}\n", format_exact(p.at_mm.x), format_exact(p.at_mm.y), format_exact(p.at_mm.z),
                         format_exact(p.length_difference_mm));
   return text;
 }
 
-std::string length_table(const TrackedSimulation& request, const simulation::SimulatedLengths& lengths) {
-  std::string text = no_measurement(request) + "line,target,direction,run,length_difference_mm,segment,time_s\n";
+std::string length_table(const TrackedSimulation& request, const simulation::SimulatedLineLengths& lengths) {
+  std::string text = fmt::format("{}{},segment,time_s\n", no_measurement(request), formats::tracking_lengths_head);
   for (std::size_t k = 0; k < lengths.readings.size(); ++k) {
     const LengthReading& r = lengths.readings[k];
     text += fmt::format("{},{},{},{},{},{},{:.2f}\n", r.line, r.approach.target + 1,
@@ -172,7 +175,7 @@ std::string length_table(const TrackedSimulation& request, const simulation::Sim
 }
 
 std::string range_table(const TrackedSimulation& request, const TrackedResults& results) {
-  std::string text = no_measurement(request) + "point,station,length_mm,segment,x_mm,y_mm,z_mm\n";
+  std::string text = fmt::format("{}{},segment,x_mm,y_mm,z_mm\n", no_measurement(request), formats::ranges_head);
   for (const RangeReading& r : results.ranges->readings) {
     const Vector3 at = results.range_points_mm[r.point];
     text += fmt::format("{},{},{},{},{},{},{}\n", r.point + 1, r.station + 1, format_exact(r.length_mm), r.segment,

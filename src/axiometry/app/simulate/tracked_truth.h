@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "axiometry/app/simulate/tracked_simulation.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 namespace axiometry::app {
 
@@ -13,7 +13,7 @@ struct TrackedResults {
   simulation::VirtualTracker tracker;  ///< tracker with its station
   std::optional<simulation::SimulatedLocation> location;
   std::optional<TrackingPlan> plan;
-  std::optional<simulation::SimulatedLengths> lengths;
+  std::optional<simulation::SimulatedLineLengths> lengths;
   std::vector<Vector3> range_points_mm;
   std::vector<Vector3> stations_mm;
   std::optional<simulation::SimulatedRanges> ranges;
@@ -24,7 +24,7 @@ json::Value tracked_truth_value(const TrackedSimulation& request, const TrackedR
 
 /// The tables that the other verbs of `axiometry tracking` read; each says that it is no measurement.
 std::string location_table(const TrackedSimulation& request, const simulation::SimulatedLocation& location);
-std::string length_table(const TrackedSimulation& request, const simulation::SimulatedLengths& lengths);
+std::string length_table(const TrackedSimulation& request, const simulation::SimulatedLineLengths& lengths);
 std::string range_table(const TrackedSimulation& request, const TrackedResults& results);
 
 }  // namespace axiometry::app

@@ -109,7 +109,7 @@ uncertainty::BlockModel monte_carlo_bench_model(const MonteCarloBench& bench) {
 
 Result<json::Value> bench_monte_carlo(const MonteCarloBench& bench) {
   const unsigned threads = bench.threads > 0 ? bench.threads : std::max(1u, std::thread::hardware_concurrency());
-  uncertainty::MonteCarloOptions options;
+  uncertainty::PropagationOptions options;
   options.trials = bench.trials;
   options.threads = threads;
   const auto begin = std::chrono::steady_clock::now();

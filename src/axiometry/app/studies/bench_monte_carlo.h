@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/uncertainty/monte_carlo.h"
 

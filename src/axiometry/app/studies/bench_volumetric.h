@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// How fast the 21 errors are found, on a machine that other programs can be given too: XFYZ with travels of 1000, 600

@@ -21,7 +21,7 @@ std::uint64_t seed_of(std::uint64_t seed, std::size_t row) { return seed * 100 +
 VirtualTracker tracker_of(const Set& set) { return {.station_mm = set.station_mm, .noise = set.noise}; }
 
 /// Drives to the points with the machine's errors and locates the station from where they should have been.
-Result<Located> locate(const Set& set, const TrackedMachine& machine, std::size_t row) {
+Result<BothEstimates> locate(const Set& set, const TrackedMachine& machine, std::size_t row) {
   AXIOMETRY_TRY(const auto simulated,
                 simulation::simulate_location(machine, tracker_of(set), set.points_mm, {}, seed_of(set.seed, row)));
   // All lengths weigh the same, as in the paper. What is stated has no other use here; it must be more than 0.
@@ -31,7 +31,7 @@ Result<Located> locate(const Set& set, const TrackedMachine& machine, std::size_
   if (!location.linear || location.linear->rank < 5)
     return fail(fmt::format("found points on a {}, expected six from which eq. 14 has one solution",
                             tracking::critical_surface_name(location.surface)));
-  Located found{location.linear->station_mm, location.refined.station_mm, 0.0};
+  BothEstimates found{location.linear->station_mm, location.refined.station_mm, 0.0};
   for (const double r : location.refined.residuals_mm)
     found.largest_residual_mm = std::max(found.largest_residual_mm, std::abs(r));
   return found;
@@ -39,7 +39,7 @@ Result<Located> locate(const Set& set, const TrackedMachine& machine, std::size_
 
 double largest(Vector3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-Shift shift_of(std::string_view name, Vector3 printed_mm, const Located& found, const Located& baseline) {
+Shift shift_of(std::string_view name, Vector3 printed_mm, const BothEstimates& found, const BothEstimates& baseline) {
   return {std::string(name), printed_mm, found.linear_mm - baseline.linear_mm, found.refined_mm - baseline.refined_mm,
           found.largest_residual_mm};
 }
@@ -107,7 +107,7 @@ Result<CoordinateOffset> coordinate_offset(const Set& set, double offset_mm) {
     const Row& row = rows()[k];
     TrackedMachine machine;
     machine.offset_mm = offset_mm * row.given;
-    AXIOMETRY_TRY(const Located found, locate(set, machine, k + 1));
+    AXIOMETRY_TRY(const BothEstimates found, locate(set, machine, k + 1));
     const Shift& shift = result.shifts.emplace_back(shift_of(row.name, row.table2_mm, found, result.baseline));
     result.worst_linear_mm = std::max(result.worst_linear_mm, largest(shift.linear_mm + machine.offset_mm));
     result.worst_refined_mm = std::max(result.worst_refined_mm, largest(shift.refined_mm + machine.offset_mm));
@@ -119,13 +119,13 @@ Result<CoordinateOffset> coordinate_offset(const Set& set, double offset_mm) {
 Result<ProportionalError> proportional_error(const Fixture& fixture, Length noise, std::uint64_t seed) {
   const Set set{.station_mm = fixture.station_mm, .points_mm = fixture.points_mm, .noise = noise, .seed = seed};
   ProportionalError result{.fixture = fixture, .shifts = {}};
-  AXIOMETRY_TRY(const Located baseline, locate(set, {}, 0));
+  AXIOMETRY_TRY(const BothEstimates baseline, locate(set, {}, 0));
   for (std::size_t k = 0; k < row_count; ++k) {
     const Row& row = rows()[k];
     TrackedMachine machine;
     machine.origin_mm = fixture.origin_mm;
     for (std::size_t a = 0; a < 3; ++a) machine.scale[a] = RelativeLength::um_per_m(fixture.error * row.given[a] * 1e6);
-    AXIOMETRY_TRY(const Located found, locate(set, machine, k + 1));
+    AXIOMETRY_TRY(const BothEstimates found, locate(set, machine, k + 1));
     result.shifts.push_back(shift_of(row.name, row.table3_mm, found, baseline));
   }
   judge(result);

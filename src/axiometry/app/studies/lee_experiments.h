@@ -24,8 +24,8 @@ struct Set {
   std::uint64_t seed = 1;
 };
 
-/// A station located.
-struct Located {
+/// A station, located by both estimators.
+struct BothEstimates {
   Vector3 linear_mm;  ///< eq. 14
   Vector3 refined_mm;
   double largest_residual_mm = 0.0;  ///< of the refined fit: what the sixth equation says
@@ -44,7 +44,7 @@ struct Shift {
 struct CoordinateOffset {
   Set set;
   double offset_mm = 1.0;
-  Located baseline;
+  BothEstimates baseline;
   std::vector<Shift> shifts;
   double worst_linear_mm = 0.0;  ///< largest |shift + offset| of a coordinate
   double worst_refined_mm = 0.0;
@@ -89,7 +89,7 @@ struct LineSlopes {
 };
 struct Slopes {
   SlopeRequest request;
-  Located before, after;
+  BothEstimates before, after;
   std::vector<LineSlopes> lines;
 };
 /// Fails also on fewer than two distances.

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app::lee {
@@ -24,7 +24,7 @@ Value points_value(const std::vector<Vector3>& points) {
   return array;
 }
 
-Value located_value(const Located& located) {
+Value located_value(const BothEstimates& located) {
   Value object = Value::object();
   object.add("linear_mm", vector_value(located.linear_mm));
   object.add("refined_mm", vector_value(located.refined_mm));

@@ -9,10 +9,10 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/moment.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/digest/sha256.h"
 
 namespace axiometry::app {

@@ -3,7 +3,7 @@
 
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/temperatures/evaluated_temperatures.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/report/report.h"
 

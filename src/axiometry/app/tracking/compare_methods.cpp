@@ -8,7 +8,7 @@
 
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/report/translated.h"

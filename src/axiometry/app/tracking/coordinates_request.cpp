@@ -5,7 +5,7 @@
 
 #include "axiometry/app/files/request_members.h"
 #include "axiometry/app/tracking/tracking_text.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/tracking/polar/polar_network.h"
 

@@ -9,7 +9,7 @@
 #include "axiometry/app/files/given_file.h"
 #include "axiometry/app/tracking/multilaterate.h"
 #include "axiometry/app/tracking/polar.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// Points from lengths, and from lengths with angles, as the workbench asks for them: files that are at hand, and how

@@ -11,8 +11,8 @@
 #include "axiometry/app/files/request_members.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/uncertainty_json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/fields.h"
 

@@ -6,7 +6,7 @@
 #include "axiometry/app/files/given_file.h"
 #include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/app/tracking/tracking_evaluate.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// How lengths along lines are evaluated, as a request says it and the archive keeps it.

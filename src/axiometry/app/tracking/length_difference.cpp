@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/report/figures/tracking/length_difference.h"
 #include "axiometry/report/translated.h"

@@ -10,8 +10,8 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/tracking.h"
 
 namespace axiometry::app {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/formats/tracking/ranges_csv.h"
 #include "axiometry/report/report.h"
 #include "axiometry/tracking/ranges/multilateration.h"

@@ -9,8 +9,8 @@
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/tracking/multilaterate.h"
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app {

@@ -13,7 +13,7 @@
 #include "axiometry/app/files/unexpected_text.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/tracking/tracking_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/tracking/ranges_csv.h"
 
 namespace axiometry::app {

@@ -11,7 +11,7 @@
 #include "axiometry/app/files/given_file.h"
 #include "axiometry/app/recordings/capture_session.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/model/tracking.h"
 #include "axiometry/report/report.h"
 #include "axiometry/standards/iso230_6.h"

@@ -111,7 +111,7 @@ Value diagonals_to_json(const EvaluatedLines& evaluated) {
   return object;
 }
 
-Value squareness_to_json(const std::optional<tracking::Squareness>& squareness) {
+Value squareness_to_json(const std::optional<tracking::ScalesAndSquareness>& squareness) {
   if (!squareness) return {};
   Value object = Value::object();
   Value& terms = object.add("terms", Value::array());

@@ -5,6 +5,7 @@
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/model/station_bounds.h"
 
 namespace axiometry::app {
 namespace {
@@ -48,6 +49,10 @@ Value refined_to_json(const RefinedFit& fit) {
   object.add("L0", fit.L0_mm);
   object.add("covariance", matrix_value(fit.covariance_mm2));
   object.add("covariance_stated", matrix_value(fit.covariance_stated_mm2));
+  Matrix3 wide = fit.covariance_stated_mm2;
+  for (auto& row : wide)
+    for (double& x : row) x *= widening_for_bounds(fit.chi_squared, fit.degrees_of_freedom);
+  object.add("covariance_for_bounds", matrix_value(wide));
   object.add("inflation", fit.inflation);
   object.add("L0_variance", fit.L0_variance_mm2);
   object.add("residuals", list(fit.residuals_mm));

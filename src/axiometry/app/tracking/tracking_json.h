@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axiometry/app/tracking/tracking_locate.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// Results of station locations as machines read them; docs/howto/find-the-station.md tells their members.
 namespace axiometry::app {

@@ -12,8 +12,8 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/tracking/tracking_json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/tracking/location_points_csv.h"
 #include "axiometry/report/tracking.h"
 
@@ -69,9 +69,10 @@ Experiment present(const PlannedLocation& planned, const report::Options& option
 }
 
 std::string location_points_csv(const PlannedLocation& planned) {
-  std::string text =
+  std::string text = fmt::format(
       "# Drive the axes to each point in this order without breaking the beam and fill in the change of length.\n"
-      "point,axes_x_mm,axes_y_mm,axes_z_mm,x_mm,y_mm,z_mm,length_difference_mm\n";
+      "point,axes_x_mm,axes_y_mm,axes_z_mm,{}\n",
+      formats::location_points_head);
   for (std::size_t i = 0; i < planned.plan.points_mm.size(); ++i) {
     const Vector3 p = planned.plan.points_mm[i], q = p - planned.setup.tool_offset_mm;
     text += fmt::format("{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},\n", i + 1, q.x, q.y, q.z, p.x, p.y, p.z);

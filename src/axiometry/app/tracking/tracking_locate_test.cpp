@@ -4,8 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/tracking/station_json.h"
+#include "axiometry/model/station_bounds.h"
 #include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
@@ -52,7 +53,9 @@ TEST(TrackingLocate, PlannedPointsFindTheStationWhenTheirTableIsFilledIn) {
   const auto station = formats::read_station(json::dump(presented.json));
   ASSERT_TRUE(station) << station.error().to_string();
   EXPECT_EQ(station->position_mm, located->location.refined.station_mm);
-  EXPECT_EQ(station->covariance_mm2, located->location.refined.covariance_mm2);
+  const tracking::RefinedFit& fit = located->location.refined;
+  EXPECT_EQ((*station->covariance_mm2)[1][2],
+            fit.covariance_stated_mm2[1][2] * widening_for_bounds(fit.chi_squared, fit.degrees_of_freedom));
   EXPECT_EQ(present(*planned, {}).document.sections.size(), 3);
 }
 

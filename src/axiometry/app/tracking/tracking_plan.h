@@ -9,7 +9,7 @@
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/tracking/tracking_locate.h"
 #include "axiometry/app/tracking/tracking_text.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/tracking.h"
 #include "axiometry/report/report.h"

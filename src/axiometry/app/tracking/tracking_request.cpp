@@ -13,8 +13,8 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/plan/plan_request.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/aligned.h"
@@ -186,7 +186,7 @@ Result<EvaluatedLines> evaluate_presentable(const TrackingFiles& files, const Tr
   AXIOMETRY_TRY_VOID(in_file(check_presentable(plan), files.plan.name));
   if (!options.uncertainty.monte_carlo) return evaluate_tracking(files, options);
   TrackingEvaluateOptions in_time = options;
-  uncertainty::MonteCarloOptions& trials = in_time.uncertainty.trials.propagation;
+  uncertainty::PropagationOptions& trials = in_time.uncertainty.trials.propagation;
   const std::size_t most = most_trials / std::max<std::size_t>(plan.lines.size(), 1);
   if (trials.trials && *trials.trials > most)
     return fail(fmt::format("found {} trials for each of {} lines, expected at most {} in all", *trials.trials,

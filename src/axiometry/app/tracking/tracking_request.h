@@ -4,7 +4,7 @@
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/tracking/tracking_evaluate.h"
 #include "axiometry/app/tracking/tracking_plan.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// What the workbench asks of a tracking interferometer, and what it is answered: TrackingRequest, TrackingDraft and

@@ -14,8 +14,8 @@
 
 #include "axiometry/app/files/amount_text.h"
 #include "axiometry/app/files/unexpected_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/tracking/instruments/tracker_kinds.h"
 
 namespace axiometry::app {

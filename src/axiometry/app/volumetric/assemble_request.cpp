@@ -7,7 +7,7 @@
 
 #include "axiometry/app/files/request_members.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 

@@ -12,7 +12,7 @@ namespace axiometry::app {
 namespace {
 
 using json::Value;
-using volumetric::Coverage;
+using volumetric::CoverageStudy;
 using volumetric::CoverageTrial;
 
 Value share_value(const volumetric::Share& share) {
@@ -23,20 +23,20 @@ Value share_value(const volumetric::Share& share) {
   return value;
 }
 
-Value total_value(const Coverage::Total& total) {
+Value total_value(const CoverageStudy::Total& total) {
   Value value = share_value(total.share);
   value.add("standard_error", total.standard_error);
   return value;
 }
 
 /// Of counts in all trials.
-std::size_t sum_of(const Coverage& coverage, std::size_t CoverageTrial::*which) {
+std::size_t sum_of(const CoverageStudy& coverage, std::size_t CoverageTrial::*which) {
   std::size_t sum = 0;
   for (const CoverageTrial& trial : coverage.trials) sum += trial.*which;
   return sum;
 }
 
-double field_rms(const Coverage& coverage) {
+double field_rms(const CoverageStudy& coverage) {
   double sum = 0.0;
   for (const CoverageTrial& trial : coverage.trials) sum += trial.field_error_um_squared;
   return std::sqrt(sum / static_cast<double>(coverage.trials.size()));
@@ -44,7 +44,7 @@ double field_rms(const Coverage& coverage) {
 
 }  // namespace
 
-Result<Coverage> coverage_of(const SimulateRequest& request, std::size_t trials) {
+Result<CoverageStudy> coverage_of(const SimulateRequest& request, std::size_t trials) {
   AXIOMETRY_TRY(SimulationInputs inputs, simulation_inputs(request));
   volumetric::CoverageOptions options{.trials = trials, .seed = request.seed};
   if (inputs.has_errors) options.errors = std::move(inputs.errors);
@@ -57,7 +57,7 @@ Result<Coverage> coverage_of(const SimulateRequest& request, std::size_t trials)
   return volumetric::try_coverage(inputs.machine, options);
 }
 
-Value coverage_value(const SimulateRequest& request, const Coverage& coverage) {
+Value coverage_value(const SimulateRequest& request, const CoverageStudy& coverage) {
   Value root = Value::object();
   root.add("seed", static_cast<double>(request.seed));
   root.add("trials", coverage.trials.size());
@@ -87,14 +87,14 @@ Value coverage_value(const SimulateRequest& request, const Coverage& coverage) {
   return root;
 }
 
-std::string coverage_text(const Coverage& coverage) {
+std::string coverage_text(const CoverageStudy& coverage) {
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(
       out, "{} trials{}\n", coverage.trials.size(),
       coverage.failed > 0 ? fmt::format(", {} more failed: {}", coverage.failed, coverage.first_failure) : "");
   const auto line = [&](const char* what, volumetric::Share CoverageTrial::*which) {
-    const Coverage::Total total = coverage.total(which);
+    const CoverageStudy::Total total = coverage.total(which);
     if (total.share.count == 0 && which == &CoverageTrial::directions) return;
     fmt::format_to(out, "{} within 1.96 u: {:.2f} % +- {:.2f} % (95 % expected), rms of z {:.3f}, {} values\n", what,
                    100.0 * total.share.share(), 100.0 * total.standard_error, total.share.rms(), total.share.count);

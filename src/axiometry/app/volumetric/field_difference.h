@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "axiometry/app/volumetric/field_volume.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/field/error_model.h"
 

@@ -9,7 +9,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/result_model.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "axiometry/volumetric/identify/identification.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 using json::Value;
 using volumetric::ErrorModel;
-using volumetric::FieldValue;
+using volumetric::ToolPointError;
 
 /// Curves are stated over this range: how far readings reach, or to the ends of the travel that they nearly cover.
 Result<void> check_inside(const ErrorModel& model, const formats::VolumePoint& point) {
@@ -54,7 +54,7 @@ Result<FieldAtPoints> field_at_points(const FieldRequest& request) {
     if (auto inside = check_inside(model, point); !inside)
       return in_file(Result<FieldAtPoints>(std::unexpected(inside.error())), request.points);
     AXIOMETRY_TRY(const Vector3 tool, in_file(tool_at(model, point), request.points));
-    const FieldValue field = model.at(point.axes_mm, tool);
+    const ToolPointError field = model.at(point.axes_mm, tool);
     if (!field.is_whole()) ++incomplete;
     Value& item = points.push(Value::object());
     item.add("tool", point.tool);

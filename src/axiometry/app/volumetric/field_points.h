@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/named_finding.h"
 

@@ -11,8 +11,8 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/results/named_findings_json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 #include "axiometry/report/volumetric.h"
@@ -125,14 +125,14 @@ Experiment present(const FieldVolume& volume, const report::Options& options) {
 }
 
 std::string field_csv(const FieldVolume& volume) {
-  std::string table = "tool,x_mm,y_mm,z_mm,dx_um,dy_um,dz_um,ux_um,uy_um,uz_um\n";
+  std::string table = fmt::format("{},dx_um,dy_um,dz_um,ux_um,uy_um,uz_um\n", formats::volume_points_head);
   const std::size_t n = volume.request.nodes;
   const auto share = [&](std::size_t k) { return static_cast<double>(k) / static_cast<double>(n - 1); };
   for (const volumetric::Tool& tool : volume.model.machine().tools)
     for (std::size_t k = 0; k < n * n * n; ++k) {
       const Vector3 q =
           volumetric::place_in(volume.model.observed(), {share(k % n), share(k / n % n), share(k / n / n)});
-      const volumetric::FieldValue value = volume.model.at(q, tool.offset_mm);
+      const volumetric::ToolPointError value = volume.model.at(q, tool.offset_mm);
       fmt::format_to(std::back_inserter(table), "{},{},{},{}", formats::name_cell(text::no_formula(tool.name)),
                      format_exact(q.x), format_exact(q.y), format_exact(q.z));
       for (const auto& error : value.error_um) table += error ? fmt::format(",{:.4f}", *error) : std::string(",");

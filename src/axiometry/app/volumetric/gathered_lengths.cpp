@@ -13,7 +13,7 @@
 #include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/app/volumetric/part_lengths.h"
 #include "axiometry/app/volumetric/planned_points.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 

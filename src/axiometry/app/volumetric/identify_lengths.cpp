@@ -10,9 +10,9 @@
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
@@ -99,6 +99,7 @@ Result<IdentifiedMachine> identify_lengths(const IdentifyFiles& files, const Ide
                           .machine = files.machine ? files.machine->name : "",
                           .plan = files.plan ? files.plan->name : "",
                           .options = choices.model};
+  request.options.stop = files.stop;
   for (const GivenFile& file : files.lengths) request.lengths.files.push_back(file.name);
   AXIOMETRY_TRY(GatheredLengths gathered, gather_lengths(request.lengths, known.plan ? &*known.plan : nullptr));
   request.lengths.given.clear();  // whose bytes nobody keeps for us
@@ -132,7 +133,7 @@ std::string residuals_csv(const IdentifiedMachine& identified) {
   const volumetric::VolumetricLengths& lengths = identified.lengths;
   std::vector<bool> aside(lengths.readings.size(), false);
   for (const volumetric::SetAside& s : identified.identification.set_aside) aside[s.reading] = true;
-  std::string text = "station,tool,segment,x_mm,y_mm,z_mm,length_mm,residual_um,sigma_um,set_aside\n";
+  std::string text = fmt::format("{},residual_um,sigma_um,set_aside\n", formats::volumetric_lengths_head);
   for (std::size_t i = 0; i < lengths.readings.size(); ++i) {
     const volumetric::VolumetricReading& r = lengths.readings[i];
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{:.4f},{:.4f},{}\n",

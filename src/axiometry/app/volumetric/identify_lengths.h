@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,7 @@ Result<IdentifiedMachine> identify_lengths(const IdentifyRequest& request);
 struct IdentifyFiles {
   std::vector<GivenFile> lengths;
   std::optional<GivenFile> machine, plan;  ///< one of them at least
+  std::stop_token stop{};                  ///< nobody waits for the answer any more
 };
 
 using LengthsCheck = std::function<Result<void>(const volumetric::VolumetricLengths& lengths)>;

@@ -8,7 +8,7 @@
 
 #include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/app/volumetric/part_stops.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/identify/identification.h"
 

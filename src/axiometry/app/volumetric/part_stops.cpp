@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/volumetric/plan/run_way.h"
 
 namespace axiometry::app {

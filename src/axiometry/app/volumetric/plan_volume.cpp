@@ -10,8 +10,8 @@
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/volumetric/rank_json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
@@ -102,7 +102,7 @@ Value expectation_value(const PlannedCalibration& planned) {
 }
 
 std::string planned_points_csv(const CalibrationPlan& plan) {
-  std::string table = "station,tool,segment,x_mm,y_mm,z_mm,length_mm\n";
+  std::string table = fmt::format("{}\n", formats::volumetric_lengths_head);
   for (const PlannedRun& run : plan.runs) {
     std::size_t segment = 1;
     for (const volumetric::PlannedStop& stop : run.stops) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/volumetric/plan/planner.h"

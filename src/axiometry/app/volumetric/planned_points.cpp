@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "axiometry/app/volumetric/part_stops.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

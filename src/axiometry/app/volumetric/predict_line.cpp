@@ -15,9 +15,10 @@
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/field_volume.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/report/volumetric.h"
@@ -258,7 +259,14 @@ Result<void> check_tool(const TargetsOfFile& targets, const volumetric::Tool& to
   return {};
 }
 
-void tell_comparison(PredictedTest& test) {
+/// Whether a test is so uncertain that a prediction of no error at all would stand too: that it agrees tells little.
+bool fits_no_error(volumetric::PredictedLine predicted, const MeasuredMeans& means) {
+  for (auto* values : {&predicted.up, &predicted.down})
+    for (volumetric::Estimate& at : *values) at.value = 0.0;
+  return volumetric::compare(predicted, means).probability >= departs_below;
+}
+
+void tell_comparison(PredictedTest& test, const MeasuredMeans& means) {
   const LineComparison& c = *test.comparison;
   const auto largest = static_cast<std::size_t>(
       std::ranges::max_element(c.normalised, {}, [](double x) { return std::abs(x); }) - c.normalised.begin());
@@ -282,6 +290,10 @@ void tell_comparison(PredictedTest& test) {
                            "the comparison holds the uncertainty of the errors and the scatter of the test, but not "
                            "what all readings of the "
                            "test have in common, as its temperature or wavelength: that would appear as a slope"});
+  if (c.probability >= departs_below && fits_no_error(test.predicted, means))
+    test.findings.push_back({"volumetric-prediction-weak", false,
+                             "the measured test would fit an axis without any error as well: it tells little of "
+                             "whether the prediction is right"});
 }
 
 /// Serious findings of the comparison, not of the result that the prediction was made from.
@@ -294,6 +306,14 @@ bool is_of_comparison(const NamedFinding& finding) {
 
 Result<PredictedTest> predict_test(const PredictRequest& request) {
   AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
+  if (can_be_read_twice(request.measured) && can_be_read_twice(request.result)) {
+    AXIOMETRY_TRY(const std::string result, whole_file(request.result));
+    AXIOMETRY_TRY(const std::string measured, whole_file(request.measured));
+    if (result.contains(sha256(measured)))  // errors measured singly name the hash of each file
+      kept.against.push_back({"volumetric-prediction-same-file", false,
+                              "the measured test is one that the errors were taken from: the comparison proves "
+                              "nothing"});
+  }
   return predict_test(std::move(kept), request);
 }
 
@@ -326,7 +346,7 @@ Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request
   PredictedTest test{request, std::move(kept.model), tool, *std::move(predicted), {}, {}};
   if (targets && targets->means) {
     test.comparison = volumetric::compare(test.predicted, *targets->means);
-    tell_comparison(test);
+    tell_comparison(test, *targets->means);
   }
   std::ranges::move(findings, std::back_inserter(test.findings));
   std::ranges::stable_partition(test.findings, &NamedFinding::serious);

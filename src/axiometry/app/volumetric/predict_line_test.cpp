@@ -69,6 +69,27 @@ const NamedFinding* finding_of(const PredictedTest& test, std::string_view id) {
   return at == test.findings.end() ? nullptr : &*at;
 }
 
+TEST(PredictTest, SaysThatATestWhoseScatterHidesTheErrorsTellsLittle) {
+  const testing_support::TemporaryFolder folder;
+  PredictRequest request{.result = result_file(folder), .axis = "X", .at = "y=300,z=-250", .tool = "T1"};
+  request.measured = measured_file(folder, 0.0);
+  const auto sharp = predict_test(request);
+  ASSERT_TRUE(sharp) << sharp.error().to_string();
+  EXPECT_EQ(finding_of(*sharp, "volumetric-prediction-weak"), nullptr);
+  std::string text = "target_mm,direction,run,deviation_um\n";
+  for (int run = 1; run <= 2; ++run)
+    for (const char* direction : {"up", "down"})
+      for (int k = 0; k < 11; ++k)
+        fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", 50 + 90 * k, direction, run,
+                       400 * ((k * 7 + run * 3 + (direction[0] == 'u' ? 2 : 0)) % 5 - 2));
+  request.measured = folder.written("scattered.csv", text);
+  const auto weak = predict_test(request);
+  ASSERT_TRUE(weak) << weak.error().to_string();
+  ASSERT_NE(finding_of(*weak, "volumetric-prediction-agrees"), nullptr) << weak->comparison->chi_squared;
+  ASSERT_NE(finding_of(*weak, "volumetric-prediction-weak"), nullptr);
+  EXPECT_FALSE(finding_of(*weak, "volumetric-prediction-weak")->serious);
+}
+
 TEST(PredictTest, DoesNotJustAgreeWithATestWhoseReversalTheErrorsDoNotHold) {
   const testing_support::TemporaryFolder folder;
   PredictRequest request{.result = result_file(folder), .axis = "X", .at = "y=300,z=-250", .tool = "T1"};

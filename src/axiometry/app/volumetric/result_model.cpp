@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
 
 namespace axiometry::app {

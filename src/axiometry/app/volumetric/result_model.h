@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "axiometry/app/results/named_findings_json.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/error_model.h"

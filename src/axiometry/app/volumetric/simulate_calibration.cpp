@@ -12,7 +12,7 @@
 #include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/true_errors_json.h"
@@ -47,7 +47,7 @@ struct NamedRecording {
 Result<std::vector<NamedRecording>> recordings_of(const SimulatedCalibration& calibration, const std::string& name) {
   std::vector<NamedRecording> recordings;
   if (name.empty()) return recordings;
-  if (!calibration.plan) return fail("found recordings asked for without a plan, expected the ways of one (--plan)");
+  if (!calibration.plan) return fail("found recordings asked for without a plan, expected the ways of one");
   AXIOMETRY_TRY(const RawLayout layout, raw_layout_of(name));
   if (layout == RawLayout::umd)
     return fail(
@@ -94,7 +94,7 @@ Result<void> check_simulate_names(const SimulateRequest& request, const Simulate
   for (const std::string& name : {files.lengths, files.truth})
     if (!name.empty()) names.push_back(name);
   for (const NamedRecording& recording : recordings) names.push_back(recording.name);
-  if (names.empty()) return fail("found no output, expected --lengths, --recording or --truth");
+  if (names.empty()) return fail("found no output, expected lengths, a recording or the truth");
   std::vector<std::string> sorted = names;
   std::ranges::sort(sorted);
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
@@ -121,7 +121,8 @@ Result<SimulationInputs> machine_and_visits(std::string_view bytes, const Simula
     for (const Vector3& at : request.stations_mm)
       machine.stations.push_back({fmt::format("S{}", machine.stations.size() + 1), at});
   }
-  if (machine.stations.empty()) return fail("found no station, expected stations_mm, or --station");
+  if (machine.stations.empty())
+    return fail("found no station, expected stations_mm of the machine, or one that is stated");
   if (request.points == 0 || request.points > simulated_readings_most / machine.stations.size() / machine.tools.size())
     return fail(fmt::format("found {} points of each station and tool, expected 1 to {} readings in all",
                             request.points, simulated_readings_most));

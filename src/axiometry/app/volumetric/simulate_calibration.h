@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axiometry/app/volumetric/simulated_recording.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/simulate/coverage.h"
 #include "axiometry/volumetric/simulate/simulated_lengths.h"
@@ -73,11 +73,11 @@ struct SimulatedSummary {
 Result<SimulatedSummary> write_simulated(const SimulatedCalibration& calibration, const SimulateFiles& files);
 
 /// The use case "whether the stated uncertainties are true": trials of the whole procedure.
-Result<volumetric::Coverage> coverage_of(const SimulateRequest& request, std::size_t trials);
+Result<volumetric::CoverageStudy> coverage_of(const SimulateRequest& request, std::size_t trials);
 
 /// {"trials", "failed", "curves", "field": {share, standard_error, z_rms, values}, "errors" by name, "chi2_per_dof",
 /// "field_rms_um", "breaks", "outliers"}.
-json::Value coverage_value(const SimulateRequest& request, const volumetric::Coverage& coverage);
-std::string coverage_text(const volumetric::Coverage& coverage);
+json::Value coverage_value(const SimulateRequest& request, const volumetric::CoverageStudy& coverage);
+std::string coverage_text(const volumetric::CoverageStudy& coverage);
 
 }  // namespace axiometry::app

@@ -14,8 +14,8 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
@@ -114,7 +114,7 @@ Result<void> check_model(const ErrorModel& model) {
 
 }  // namespace
 
-Result<volumetric::PlannedCalibration> requested_calibration(const Value& body) {
+Result<volumetric::PlannedCalibration> requested_calibration(const Value& body, std::stop_token stop) {
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(body, "body"));
   AXIOMETRY_TRY(const Value* machine, members.required("machine"));
   AXIOMETRY_TRY(formats::MachineFile file, formats::machine_from(*machine));
@@ -134,6 +134,7 @@ Result<volumetric::PlannedCalibration> requested_calibration(const Value& body) 
   request.feed_mm_per_min = said.feed_mm_per_min;
   request.dwell = said.dwell;
   request.machine = "machine";
+  request.options.stop = std::move(stop);
   return plan_volume(std::move(file), request);
 }
 

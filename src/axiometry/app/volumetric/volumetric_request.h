@@ -14,7 +14,7 @@
 #include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/app/volumetric/singles/assemble_singles.h"
 #include "axiometry/app/volumetric/tables/export_tables.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// What the workbench asks of a volumetric calibration, and what it is answered: VolumetricPlanRequest,
@@ -25,7 +25,7 @@ namespace axiometry::app {
 /// VolumetricPlanRequest, planned. Fails, with line and column, on members that are unknown, missing or of another
 /// kind, on more than 500 points, 8 stations or 6 tools, 12 000 points in all, 20 obstacles, on names that are no
 /// given_line(), and as machine_from() and plan_volume() do. The date is today's where it is not given.
-Result<volumetric::PlannedCalibration> requested_calibration(const json::Value& body);
+Result<volumetric::PlannedCalibration> requested_calibration(const json::Value& body, std::stop_token stop = {});
 
 /// The plan of {"plan": …}. Fails also on a plan that is larger than requested_calibration() makes one, or has names
 /// that are none.

@@ -5,8 +5,8 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app {
@@ -85,7 +85,8 @@ Result<void> take_edit(JsonMembers& members, const Value& object, Edit<Asset>& e
     AXIOMETRY_TRY(edit.base_version, given_version("base_version", *base));
   }
   AXIOMETRY_TRY_VOID(take_text(members, object, "reason", edit.reason, &given_line));
-  for (const char* name : {"id", "version", "change", "axes", "tests", "latest_test"}) members.pass_over(name);
+  for (const char* name : {"id", "version", "change", "axes", "tests", "latest_test", "latest_of_axes"})
+    members.pass_over(name);
   return members.finish();
 }
 
@@ -120,11 +121,21 @@ json::Value to_json(const MachineSummary& summary) {
   for (const auto& axis : summary.axes) axes.push(to_json(axis));
   object.add("tests", summary.tests ? static_cast<double>(summary.tests->total) : 0.0);
   Value& latest = object.add("latest_test", Value());
-  if (!summary.tests) return object;
-  latest = Value::object();
-  latest.add("id", id_value(summary.tests->latest));
-  latest.add("measured_on", summary.tests->measured_on);
-  latest.add("verdict", text_or_null(summary.tests->verdict));
+  if (summary.tests) {
+    latest = Value::object();
+    latest.add("id", id_value(summary.tests->latest));
+    latest.add("measured_on", summary.tests->measured_on);
+    latest.add("verdict", text_or_null(summary.tests->verdict));
+  }
+  Value& of_axes = object.add("latest_of_axes", Value::array());
+  for (const store::AxisLatest& of_one : summary.of_axes) {
+    Value& row = of_axes.push(Value::object());
+    row.add("axis", id_value(of_one.axis));
+    row.add("id", id_value(of_one.test));
+    row.add("measured_on", of_one.measured_on);
+    row.add("received_at", of_one.received_at);
+    row.add("verdict", text_or_null(of_one.verdict));
+  }
   return object;
 }
 

@@ -4,19 +4,21 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "axiometry/app/workbench/workbench_json.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/store/store.h"
 
 /// Machines, axes, instruments, trends and the audit trail as the API spells them (apps/server/openapi.json).
 namespace axiometry::app {
 
-/// A machine in a list: with its axes, how many tests it has and the latest of them.
+/// A machine in a list: with its axes, how many tests it has, the latest of them and that of each axis.
 struct MachineSummary {
   store::Versioned<store::MachineRecord> machine;
   std::vector<store::Versioned<store::AxisRecord>> axes;
   std::optional<store::MachineTests> tests{};  ///< nothing: it has none
+  std::vector<store::AxisLatest> of_axes{};    ///< of those that have any
 };
 
 json::Value to_json(const MachineSummary& summary);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/model/axis.h"
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
 

@@ -6,7 +6,7 @@
 
 #include "axiometry/app/files/given_members.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 
 namespace axiometry::app {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/store/store.h"
 

@@ -8,7 +8,7 @@
 #include "axiometry/app/evaluate/known_file.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/plan/plan_json.h"
@@ -67,9 +67,8 @@ Result<void> check_size(const Test& test, std::size_t count, std::size_t memory)
 Result<const formats::Format*> format_of_test(std::string_view bytes, const Recognised& found) {
   if (found.recording != nullptr)
     return fail(
-        fmt::format("found a continuous recording ({}), expected a measured test; its readings are taken out "
-                    "of it by 'axiometry evaluate --plan PLAN FILE' with the plan the axis moved after, and how the "
-                    "axis moved is told by 'axiometry dynamic FILE'",
+        fmt::format("found a continuous recording ({}), expected a measured test; with the plan the axis moved after "
+                    "its readings become one, and how the axis moved is told without a plan",
                     found.recording->title));
   if (!found.format && text::trim(bytes.substr(0, read_budget::head_bytes)).starts_with('{') &&
       formats::read_plan(bytes))

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "axiometry/app/files/reader.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// The parameters of a result as a page shows them; belongs to workbench_json.h.
 namespace axiometry::app {

@@ -8,7 +8,7 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/app/workbench/from_archive/kept_temperatures.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/fields.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/app/evaluate/evaluate.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// How a test of the archive is evaluated, beside what its file says.

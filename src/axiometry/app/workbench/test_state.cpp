@@ -10,9 +10,9 @@
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/utf8.h"
+#include "axiometry/base/text/utf8.h"
 #include "axiometry/base/version.h"
+#include "axiometry/model/test_day.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/standards/test_standard.h"
@@ -93,7 +93,8 @@ store::TestState state_of(const Evaluated& evaluated, const Changes& changes, co
   state.machine = machine_of(metadata);
   state.axis = axis_of(metadata);
   state.instruments = instruments_of(metadata);
-  state.measured_on = iso_date(metadata.conditions.date);
+  // A test of 2062 would be the newest for good, and its machine never due.
+  state.measured_on = day_of_test(metadata.conditions.date);
   state.changes = json::dump(to_json(changes), 0);
   state.evaluation = evaluation_of(evaluated, how);
   return state;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "axiometry/report/document.h"
@@ -12,6 +13,7 @@ namespace axiometry::app {
 inline constexpr std::string_view withdrawn_label = "withdrawn, not to be used";
 
 /// With the label, behind one that is there.
+std::string labelled_withdrawn(std::string label);
 iso230_2::Assessment labelled_withdrawn(iso230_2::Assessment assessment);
 report::Document labelled_withdrawn(report::Document document);
 

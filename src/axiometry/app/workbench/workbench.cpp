@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "axiometry/app/evaluate/recognised.h"
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/workbench/from_archive/axis_limits.h"
 #include "axiometry/app/workbench/from_archive/machine_remarks.h"
@@ -16,6 +17,10 @@
 #include "axiometry/app/workbench/test_of_file.h"
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/app/workbench/workbench_state.h"
+#include "axiometry/base/read_budget.h"
+#include "axiometry/formats/motions/motion_csv.h"
+#include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app {
 namespace {
@@ -216,6 +221,13 @@ Result<Outcome> kept_outcome(State& state, const store::TestRecord& record, cons
                  .milliseconds = 0.0};
 }
 
+std::optional<OtherFile> other_file(std::string_view bytes, const Recognised& found) {
+  if (found.recording != nullptr) return OtherFile::recording;
+  if (!formats::check_no_other_error(bytes.substr(0, read_budget::head_bytes))) return OtherFile::error_motion;
+  if (formats::stated_format(bytes) == formats::plan_format_name) return OtherFile::plan;
+  return {};
+}
+
 /// `file`: nullptr where it is refused.
 std::optional<AskedTable> asked_table(const Upload& upload, const MeasuredFile* file) {
   constexpr std::size_t columns_max = 200;  // more nobody goes through one by one
@@ -253,6 +265,7 @@ Result<Preview> Workbench::preview(const Upload& upload, const std::stop_token& 
     preview.table = asked_table(upload, file ? file->get() : nullptr);
   if (!file) {
     preview.refused = file.error();
+    preview.instead = other_file(upload.bytes, *sent.recognised);
     if (const auto& format = sent.recognised->format) preview.format = (*format)->id;
     return preview;
   }

@@ -8,12 +8,13 @@
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/app/workbench/shown_json.h"
 #include "axiometry/app/workbench/test_state.h"
-#include "axiometry/base/iso_date.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/report/report.h"
+#include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::app {
 namespace {
@@ -21,6 +22,11 @@ namespace {
 using formats::JsonMembers;
 using json::Kind;
 using json::Value;
+
+std::string_view name_of(OtherFile file) {
+  constexpr std::string_view names[] = {"recording", "error-motion", "plan"};
+  return names[static_cast<std::size_t>(file)];
+}
 
 Value runs_to_json(const Series& series, Direction direction) {
   Value rows = Value::array();
@@ -97,7 +103,7 @@ Value previewed_to_json(const PreviewedTest& test, const Reader& reader) {
   object.add("machine", metadata.machine.name);
   object.add("measured_on", iso_date(metadata.conditions.date));
   object.add("targets", series.target_count());
-  object.add("runs", series.run_count());
+  object.add("runs", most_runs_made(series));
   object.add("readings", series.reading_count());
   object.add("first", series.targets().front().in_native());
   object.add("last", series.targets().back().in_native());
@@ -191,6 +197,7 @@ json::Value to_json(const Preview& preview, const Reader& reader) {
     format.add("title", language::translated(known->title, reader.language));
   }
   object.add("refused", preview.refused ? error_to_json(*preview.refused, reader) : Value());
+  object.add("instead", preview.instead ? Value(name_of(*preview.instead)) : Value());
   Value& tests = object.add("tests", Value::array());
   for (const PreviewedTest& test : preview.tests) tests.push(previewed_to_json(test, reader));
   object.add("same_content", ids_to_json(preview.same_content));

@@ -7,7 +7,7 @@
 
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// The workbench's values as the API spells them (apps/server/openapi.json), and its requests as values. Texts of this
 /// program are set in the reader's language; what users wrote stays.

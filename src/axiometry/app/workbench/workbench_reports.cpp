@@ -15,7 +15,7 @@
 #include "axiometry/app/workbench/test_state.h"
 #include "axiometry/app/workbench/withdrawn.h"
 #include "axiometry/app/workbench/workbench_state.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/report/drawing/dark_page.h"
 #include "axiometry/report/drawing/svg.h"

@@ -52,6 +52,16 @@ constexpr std::string_view two_tests =
     "first,0,+,1,1\nfirst,100,+,1,2\nfirst,0,-,1,3\nfirst,100,-,1,4\n"
     "second,0,+,1,5\nsecond,100,+,1,6\nsecond,0,-,1,7\nsecond,100,-,1,8\n";
 
+TEST_F(TheWorkbench, TakesNoDayToComeForTheDayOfATest) {
+  std::string later(example_table2);
+  const std::size_t at = later.find("2014-05-15");
+  ASSERT_NE(at, later.npos);
+  later.replace(at, 4, "2914");
+  const auto test = workbench.test(keep(later));
+  ASSERT_TRUE(test) << test.error().to_string();
+  EXPECT_EQ(test->record.state.measured_on, "") << "it would be the newest of its axis for good";
+}
+
 TEST_F(TheWorkbench, KeepsATestWithItsEvaluationAndItsVeryBytes) {
   const Upload upload{"../../etc/table 2.json", example_table2};
   const auto received = workbench.receive(std::span(&upload, 1), me);
@@ -115,6 +125,21 @@ TEST_F(TheWorkbench, SaysWhatBecameOfTheMachineThatATestStates) {
       ElementsAre("2 machines of the archive are called \"Mill 5\", and no serial number in this test tells them "
                   "apart: it is kept with a machine without a number"));
   EXPECT_EQ(store.counts()->machines, 3);
+  EXPECT_THAT(remarks("# machine.name: Lathe\n# machine.serial_number: 22\n"),
+              ElementsAre("this test calls its machine \"Lathe\": by the serial number \"22\" alone it is kept with "
+                          "machine 2, called \"Mill 5\""));
+  EXPECT_THAT(remarks("# machine.name: mill 5 \n# machine.serial_number: 22\n"), IsEmpty());
+}
+
+TEST_F(TheWorkbench, KnowsNoMachineByAWordForNothing) {
+  const std::string readings = "target_mm,direction,run,deviation_um\n0,+,1,1\n0,-,1,1\n100,+,1,2\n100,-,1,2\n";
+  for (const char* name : {"Mill", "Lathe", "unknown", "n/a"})
+    keep(
+        fmt::format("# machine.name: {}\n# machine.serial_number: -\n# equipment: Laser | {} | - | n/a\n", name, name) +
+            readings,
+        "mill.csv");
+  EXPECT_EQ(store.counts()->machines, 2);
+  EXPECT_EQ(store.counts()->instruments, 2);
 }
 
 TEST_F(TheWorkbench, SaysOfEachFileOfManyWhichTestsHaveItsBytes) {
@@ -233,7 +258,21 @@ TEST_F(TheWorkbench, TellsWhatToDoWithARecording) {
   ASSERT_TRUE(preview);
   ASSERT_TRUE(preview->refused);
   EXPECT_THAT(preview->refused->message, HasSubstr("recording"));
+  EXPECT_EQ(preview->instead, OtherFile::recording);
   EXPECT_FALSE(preview->table) << "no answers make a test of it";
+}
+
+TEST_F(TheWorkbench, TellsWhatAFileIsInsteadOfATest) {
+  const auto instead = [&](std::string_view bytes) {
+    const auto preview = workbench.preview({"file.dat", bytes});
+    EXPECT_TRUE(preview);
+    return preview ? preview->instead : std::nullopt;
+  };
+  EXPECT_EQ(instead("position_mm,run,direction,pitch_um/m\n0,1,up,1\n100,1,up,2\n"), OtherFile::error_motion);
+  EXPECT_EQ(instead(R"({"format": "axiometry-plan/1", "targets": [0, 100]})"), OtherFile::plan);
+  EXPECT_EQ(instead(R"({"format": "axiometry-tracking-plan/1"})"), std::nullopt);
+  EXPECT_EQ(instead(R"({"notes": "\"format\": \"axiometry-plan/1\""})"), std::nullopt);
+  EXPECT_EQ(instead(example_table2), std::nullopt);
 }
 
 TEST_F(TheWorkbench, TriesChangesWithoutKeepingThem) {

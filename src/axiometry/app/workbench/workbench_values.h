@@ -10,7 +10,7 @@
 
 #include "axiometry/app/workbench/from_archive/from_archive.h"
 #include "axiometry/app/workbench/test_options.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/language/language.h"
@@ -72,12 +72,16 @@ struct AskedTable {
   std::vector<std::vector<std::string>> rows;     ///< the first ones
 };
 
+/// What a file without a measured test may be that has a page of its own.
+enum class OtherFile { recording, error_motion, plan };
+
 struct Preview {
   std::string file_name;
   std::size_t size = 0;
   std::string sha256;
   std::string format;            ///< id; empty when none was recognised
   std::optional<Error> refused;  ///< then there are no tests
+  std::optional<OtherFile> instead;  ///< what a refused file is
   std::vector<PreviewedTest> tests;
   std::vector<store::Id> same_content;  ///< tests of the archive with these very bytes
   /// Of a file that was refused and holds a table of numbers all the same, and of one that was read after a guess or a

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 #include "axiometry/base/contract.h"
@@ -15,6 +16,7 @@ namespace axiometry::capture {
 namespace {
 
 constexpr double recordings_of_false_peak = 100.0;
+constexpr double floor_sigmas = 1.8;         // of the floor's own uncertainty, by which a threshold is higher
 constexpr double rounding = 1e-13;           // of the largest value: what sums of equal ones leave is no vibration
 constexpr double lines_of_resolution = 2.0;  // half the main lobe of Hann's window, in 1/T
 constexpr std::size_t values_least = 16;
@@ -84,6 +86,66 @@ double share_beside(double d) { return 1.0 / (std::numbers::pi * d * (d * d - 1.
 /// And of what is slower than the resolution, a drift or a bend, by 1/d³ as of a ramp: found to lie below this share.
 double share_of_drift(double d) { return 2.0 / (d * d * d); }
 
+/// The level of the noise in a band.
+struct Band {
+  double log_frequency = 0.0;  // of its middle, in lines
+  double log_power = 0.0;      // of the mean square: median/ln 2, squares of amplitudes of noise being exponential
+  double sigma = 0.0;          // of log_power
+};
+
+std::vector<Band> noise_bands(const MotionSpectrum& s) {
+  constexpr double band_resolutions = 8.0, band_ratio = 1.25;
+  // The median of m lines of 1/T knows the logarithm to 1.7/√m: 1.44/√m of independent ones, Hann's being not.
+  constexpr double sigma_of_one = 1.7;
+  const std::size_t count = s.amplitudes.size();
+  const double resolution = s.resolution_hz / s.step_hz;
+  std::vector<Band> bands;
+  for (auto low = static_cast<std::size_t>(std::ceil(resolution)); low < count;) {
+    const auto least = static_cast<std::size_t>(std::ceil(band_resolutions * resolution));
+    std::size_t high = std::max(low + least, static_cast<std::size_t>(band_ratio * static_cast<double>(low)) + 1);
+    if (high + least > count) high = count;
+    const auto begin = s.amplitudes.begin() + static_cast<std::ptrdiff_t>(low);
+    const auto width = static_cast<std::ptrdiff_t>(high - low);
+    const double median =
+        std::max(numeric::upper_median(std::vector<double>(begin, begin + width)), std::numeric_limits<double>::min());
+    const double lines = lines_of_resolution * static_cast<double>(width) / resolution;
+    bands.push_back({0.5 * std::log(static_cast<double>(low) * static_cast<double>(high)),
+                     2.0 * std::log(median) - std::log(std::numbers::ln2), sigma_of_one / std::sqrt(lines)});
+    low = high;
+  }
+  return bands;
+}
+
+/// Floors and thresholds: straight lines of log power over log frequency between the bands; below the first they go on,
+/// where that rises, for what drifts has its most there, and are known the worse.
+void find_noise(MotionSpectrum& s, double least) {
+  const std::vector<Band> bands = noise_bands(s);
+  // Exceeded by one line of a mean square 1 with the probability 1/(100 N); z: what the floor may be wrong by.
+  const double power = std::log(recordings_of_false_peak * static_cast<double>(s.amplitudes.size()));
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < s.amplitudes.size(); ++k) {
+    const double x = std::log(std::max<double>(1.0, static_cast<double>(k)));
+    while (at + 2 < bands.size() && x > bands[at + 1].log_frequency) ++at;
+    Band here = bands[at];
+    if (bands.size() > 1) {
+      const Band& next = bands[at + 1];
+      const double across = next.log_frequency - here.log_frequency;
+      const double off = (x - here.log_frequency) / across;
+      const double rise = next.log_power - here.log_power;
+      if (off < 0.0) {
+        here.log_power += off * std::min(rise, 0.0);
+        here.sigma = std::hypot(here.sigma, off * std::hypot(here.sigma, next.sigma));
+      } else {
+        here.log_power += std::min(off, 1.0) * rise;
+        here.sigma += std::min(off, 1.0) * (next.sigma - here.sigma);
+      }
+    }
+    s.floors.push_back(std::exp(0.5 * here.log_power));
+    s.thresholds.push_back(
+        std::max(least, std::sqrt(power) * std::exp(0.5 * (here.log_power + floor_sigmas * here.sigma))));
+  }
+}
+
 struct PeakPlaces {
   std::vector<std::size_t> kept;  // numbers of amplitudes
   std::size_t beside = 0;
@@ -95,7 +157,7 @@ PeakPlaces places_of_peaks(const MotionSpectrum& s, std::size_t most) {
   const auto apart = static_cast<std::size_t>(std::ceil(s.resolution_hz / s.step_hz));
   std::vector<std::size_t> places;
   for (std::size_t k = apart; k + 1 < a.size(); ++k)
-    if (a[k] > s.threshold && a[k] >= a[k - 1] && a[k] > a[k + 1]) places.push_back(k);
+    if (a[k] > s.thresholds[k] && a[k] >= a[k - 1] && a[k] > a[k + 1]) places.push_back(k);
   std::ranges::stable_sort(places, [&](std::size_t i, std::size_t k) { return a[i] > a[k]; });
   const double drift = std::ranges::max(a.first(std::min(apart, a.size())));
   PeakPlaces found;
@@ -133,15 +195,12 @@ MotionSpectrum motion_spectrum(std::span<const double> values, const SpectrumOpt
   spectrum.step_hz = rate_hz / static_cast<double>(size);
   spectrum.resolution_hz = lines_of_resolution * rate_hz / static_cast<double>(values.size());
   for (std::size_t k = 0; k <= size / 2; ++k) spectrum.amplitudes.push_back(w.scale * std::abs(sums[k]));
-  const auto first = static_cast<std::ptrdiff_t>(std::ceil(spectrum.resolution_hz / spectrum.step_hz));
-  spectrum.floor =
-      numeric::upper_median(std::vector<double>(spectrum.amplitudes.begin() + first, spectrum.amplitudes.end()));
-  // Amplitudes of noise have Rayleigh's distribution: k medians are exceeded with the probability 2^(−k²).
-  const auto lines = static_cast<double>(spectrum.amplitudes.size());
   double largest = 0.0;
   for (const double x : values) largest = std::max(largest, std::abs(x));
-  spectrum.threshold = std::max(
-      {std::sqrt(std::log2(recordings_of_false_peak * lines)) * spectrum.floor, rounding * largest, options.least});
+  find_noise(spectrum, std::max(rounding * largest, options.least));
+  const auto first = static_cast<std::ptrdiff_t>(std::ceil(spectrum.resolution_hz / spectrum.step_hz));
+  spectrum.floor = *std::min_element(spectrum.floors.begin() + first, spectrum.floors.end());
+  spectrum.threshold = *std::min_element(spectrum.thresholds.begin() + first, spectrum.thresholds.end());
   const PeakPlaces places = places_of_peaks(spectrum, judged_per_shown * options.most_peaks);
   const std::size_t shown = std::min(places.kept.size(), options.most_peaks);
   spectrum.peaks_more = places.kept.size() - shown;

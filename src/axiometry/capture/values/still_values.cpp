@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/capture/cell.h"
 #include "axiometry/numeric/median.h"
 
@@ -21,7 +21,7 @@ constexpr double noise_share = 6.0;    // factor of the noise s; derivation in d
 constexpr double quantum_share = 1.5;  // factor of the quantum q
 constexpr double greatest_share = 10.0;
 
-using Quarters = std::array<Cell, quarters>;
+using Quarters = std::array<SampleCell, quarters>;
 
 Quarters quarters_of(std::span<const Sample> samples, double floor) {
   CellMaker maker;
@@ -49,18 +49,18 @@ double quantum_of(std::span<const Sample> samples) {
 double threshold_of(const Quarters& cells, double quantum, const StillOptions& options) {
   if (options.threshold) return *options.threshold;
   std::vector<double> noises;
-  for (const Cell& cell : cells) noises.push_back(cell.standard_deviation);
+  for (const SampleCell& cell : cells) noises.push_back(cell.standard_deviation);
   const double follows = std::max(quantum_share * quantum, noise_share * numeric::median(std::move(noises)));
   return std::min(greatest_share * options.smallest, std::max(options.smallest, follows));
 }
 
 double slope_of(const Quarters& cells) {
   double t = 0.0, x = 0.0, tt = 0.0, tx = 0.0;
-  for (const Cell& cell : cells) {
+  for (const SampleCell& cell : cells) {
     t += cell.mean_time_s / quarters;
     x += cell.mean / quarters;
   }
-  for (const Cell& cell : cells) {
+  for (const SampleCell& cell : cells) {
     tt += (cell.mean_time_s - t) * (cell.mean_time_s - t);
     tx += (cell.mean_time_s - t) * (cell.mean - x);
   }
@@ -75,7 +75,7 @@ Result<StillValue> still_value(std::span<const Sample> samples, const StillOptio
                             counted(samples.size(), "sample"), samples_to_judge));
   const double quantum = quantum_of(samples);
   const Quarters cells = quarters_of(samples, std::max(0.5 * options.smallest, quantum));
-  const auto [lowest, highest] = std::ranges::minmax(cells, {}, &Cell::mean);
+  const auto [lowest, highest] = std::ranges::minmax(cells, {}, &SampleCell::mean);
   const double range = highest.mean - lowest.mean;
   const double threshold = threshold_of(cells, quantum, options);
   if (range > threshold)
@@ -83,14 +83,14 @@ Result<StillValue> still_value(std::span<const Sample> samples, const StillOptio
                             options.unit, format_fixed(threshold, 2)));
   StillValue still{.from_s = samples.front().time_s, .to_s = samples.back().time_s};
   double sum = 0.0;
-  for (const Cell& cell : cells) {
+  for (const SampleCell& cell : cells) {
     still.count += cell.count;
     still.rejected += cell.rejected;
     sum += static_cast<double>(cell.count) * cell.mean;
   }
   still.value = sum / static_cast<double>(still.count);
   double squares = 0.0;
-  for (const Cell& cell : cells) {
+  for (const SampleCell& cell : cells) {
     const auto n = static_cast<double>(cell.count);
     squares += (n - 1.0) * cell.standard_deviation * cell.standard_deviation +
                n * (cell.mean - still.value) * (cell.mean - still.value);

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::capture {
 namespace {
@@ -65,8 +65,7 @@ void ValueListener::refused(EventKind kind, double time_s, std::string message) 
 void ValueListener::tell_more_alike() {
   const std::size_t count = std::exchange(more_alike_, 0);
   const auto last = std::exchange(last_refused_, std::nullopt);
-  if (count > 0)
-    events_.push_back({last->kind, last->time_s, fmt::format("{} more in the same way: not used", count)});
+  if (count > 0) events_.push_back({last->kind, last->time_s, fmt::format("{} more in the same way: not used", count)});
 }
 
 void ValueListener::judge_by(const StillOptions& still) {
@@ -295,8 +294,7 @@ Result<void> ValueListener::finish() {
     event(EventKind::doubtful, end_s,
           fmt::format("{} {} whose target was not told: not used", held_.size(),
                       held_.size() == 1 ? "reading" : "readings"));
-  if (const auto first = due())
-    event(EventKind::incomplete, end_s, ended_before(*first, progress_.remaining() - 1));
+  if (const auto first = due()) event(EventKind::incomplete, end_s, ended_before(*first, progress_.remaining() - 1));
   return {};
 }
 

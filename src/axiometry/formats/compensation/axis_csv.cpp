@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/compensation/compensation.h"
 #include "axiometry/volumetric/field/axis_tables.h"
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/volumetric/field/machine_zero.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/compensation/compensation.h"
 #include "axiometry/volumetric/field/curve_nodes.h"
 

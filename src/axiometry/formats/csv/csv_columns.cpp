@@ -7,9 +7,9 @@
 #include <span>
 #include <unordered_map>
 
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/head_words.h"
 
 namespace axiometry::formats {

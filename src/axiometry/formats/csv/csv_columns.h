@@ -34,6 +34,12 @@ struct Column {
   std::optional<std::size_t> run;      ///< stated in the name of a reading, from 1
 };
 
+/// The head of a long table, as we write it.
+constexpr std::string_view long_table_head(AxisKind kind) {
+  return kind == AxisKind::linear ? "target_mm,direction,run,deviation_um"
+                                  : "target_deg,direction,run,deviation_arcsec";
+}
+
 /// Every column of a header. A column "position" is the measured position beside a target, the target
 /// otherwise; measured positions beside deviations are ignored.
 std::vector<Column> columns_from(const std::vector<CsvCell>& header);

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_long_rows.h"
 #include "axiometry/formats/csv/csv_preamble.h"
 #include "axiometry/formats/csv/csv_values.h"
@@ -109,10 +109,9 @@ Result<void> read_many(ByteReader& bytes, const NamedTestSink& sink) {
 
 /// Run by run, up along the targets and down back again: the order of the standard test cycle.
 std::string write(const Test& test) {
-  const bool linear = test.metadata.axis.kind == AxisKind::linear;
   const Series& series = test.series;
   std::string text = metadata_lines(test);
-  text += linear ? "target_mm,direction,run,deviation_um\n" : "target_deg,direction,run,deviation_arcsec\n";
+  text += fmt::format("{}\n", long_table_head(test.metadata.axis.kind));
   for (std::size_t j = 0; j < series.run_count(); ++j)
     for (const Direction direction : {Direction::up, Direction::down}) {
       if (!series.has(direction)) continue;

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_long_rows.h"
 #include "axiometry/formats/series/sweep_directions.h"
+#include "axiometry/model/swapped_labels.h"
 
 namespace axiometry::formats {
 namespace {
@@ -93,9 +94,7 @@ void LongRows::remark_swapped_labels() {
   for (std::size_t k = 0; k < readings_.size(); ++k)
     against += static_cast<Direction>(readings_[k].direction) != motion.directions[k];
   if (static_cast<double>(against) < most * static_cast<double>(readings_.size())) return;
-  remarks_.push_back({false,
-                      "the targets run the other way than the labels of direction say: rows called ↑ go down and rows "
-                      "called ↓ go up; the labels were taken as they stand"});
+  remarks_.push_back(swapped_labels_remark());
 }
 
 }  // namespace axiometry::formats

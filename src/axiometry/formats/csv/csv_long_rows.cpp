@@ -8,9 +8,9 @@
 #include <cstring>
 #include <limits>
 
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/fixed_point.h"
 #include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/text/text_source.h"

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_values.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/model/fields.h"
@@ -243,10 +243,9 @@ bool is_datum(const CsvCell& cell) {
 /// Tells the usual reasons why a line is no header.
 Result<void> check_header(const HeaderLine& header, const std::vector<CsvCell>& cells) {
   if (cells.size() > 1 && std::ranges::all_of(cells, is_datum))
-    return fail(
-        "found a row of readings, expected a header above it that names the columns, such as "
-        "target_mm,direction,run,deviation_um",
-        {header.number, 1});
+    return fail(fmt::format("found a row of readings, expected a header above it that names the columns, such as {}",
+                            long_table_head(AxisKind::linear)),
+                {header.number, 1});
   if (cells.size() > 1) return {};
   std::vector<CsvCell> words;
   for (std::string_view word : text::words(header.names)) words.push_back({std::string(word), 1});

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/formats/csv/csv_columns.h"
 #include "axiometry/formats/csv/csv_preamble.h"
 
 namespace axiometry::formats {
@@ -51,7 +52,7 @@ std::string json_of(const FieldValue& value) {
 
 /// Whether the reader makes the value of the line again.
 bool survives(const std::string& line, const Field& field, const FieldValue& value, AxisKind kind) {
-  const auto preamble = read_preamble(line + "target_mm,direction,run,deviation_um\n");
+  const auto preamble = read_preamble(fmt::format("{}{}\n", line, long_table_head(AxisKind::linear)));
   if (!preamble || preamble->metadata.size() != 1) return false;
   const auto metadata = metadata_of(*preamble, kind, '.');
   return metadata && field.get(*metadata) == value;

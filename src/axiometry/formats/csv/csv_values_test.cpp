@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_preamble.h"
 #include "axiometry/formats/format.h"
 

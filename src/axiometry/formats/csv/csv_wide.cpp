@@ -8,8 +8,8 @@
 #include <limits>
 #include <map>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_preamble.h"
 #include "axiometry/formats/csv/csv_values.h"
 #include "axiometry/formats/format.h"

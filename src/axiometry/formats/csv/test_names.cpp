@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/formats/csv/test_names.h"
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::formats {
 namespace {

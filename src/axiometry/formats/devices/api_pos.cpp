@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/csv_cells.h"

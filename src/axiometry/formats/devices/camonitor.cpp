@@ -8,9 +8,9 @@
 #include <map>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/moment.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/formats/devices/camonitor_codes.h"
 #include "axiometry/formats/devices/camonitor_log.h"
 #include "axiometry/formats/format.h"

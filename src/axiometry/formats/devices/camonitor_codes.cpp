@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::formats {
 namespace {

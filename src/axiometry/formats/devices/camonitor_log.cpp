@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::formats {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/devices/ecmc_cfg_table.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/text/decoded_text.h"

@@ -11,9 +11,9 @@
 #include <span>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/moment.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/text_lines.h"
 #include "axiometry/formats/text/text_source.h"

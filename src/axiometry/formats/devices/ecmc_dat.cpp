@@ -10,8 +10,8 @@
 #include <unordered_map>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/text/decoded_text.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_source.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/devices/error_curves.h"
 #include "axiometry/formats/text/text_lines.h"
 

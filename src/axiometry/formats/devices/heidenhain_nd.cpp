@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/csv_cells.h"

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/devices/renishaw_rtl_conditions.h"
 #include "axiometry/formats/devices/renishaw_rtl_runs.h"
 #include "axiometry/formats/format.h"

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 
 namespace axiometry::formats {

@@ -12,7 +12,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_values.h"
 #include "axiometry/formats/motions/motion_rows.h"
 #include "axiometry/formats/motions/motion_units.h"

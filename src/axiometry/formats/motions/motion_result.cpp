@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/text/text_source.h"
 

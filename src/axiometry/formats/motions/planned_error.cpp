@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/motions/motion_units.h"
 

@@ -11,9 +11,9 @@
 #include <cmath>
 #include <ranges>
 
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/metadata_json.h"
 #include "axiometry/formats/test/test_schema.h"

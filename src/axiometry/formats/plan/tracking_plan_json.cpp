@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/text/json_members.h"
@@ -135,13 +135,7 @@ Value tracking_plan_value(const TrackingPlan& plan) {
 
 std::string write_tracking_plan(const TrackingPlan& plan) { return json::dump(tracking_plan_value(plan)) + "\n"; }
 
-bool is_tracking_plan(std::string_view bytes) {
-  const auto text = utf8_text(bytes);
-  const auto root = text ? json::parse(*text) : Result<Value>(std::unexpected(text.error()));
-  if (!root || !root->is(Kind::object)) return false;
-  const Value* format = root->find("format");
-  return format != nullptr && format->is(Kind::text) && format->text() == tracking_plan_format_name;
-}
+bool is_tracking_plan(std::string_view bytes) { return stated_format(bytes) == tracking_plan_format_name; }
 
 Result<TrackingPlan> read_tracking_plan(std::string_view bytes) {
   AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/tracking.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/hpi_frames.h"
 
@@ -271,8 +271,8 @@ std::vector<std::string> HpiReader::remarks() const {
                     counted(c.pauses, "time"), format_fixed(c.longest_pause_s, 1)));
   if (distances_ > 0 && !options_.rate_hz && !options_.arrival_s)
     remarks.push_back(
-        "the recording tells no times: 25 samples a second are assumed, as the instrument sends them (--rate says "
-        "otherwise)");
+        "the recording tells no times: 25 samples a second are assumed, as the instrument sends them, where no rate is "
+        "stated");
   return remarks;
 }
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/hpi_frames.h"
 #include "tests/support/hpi_frames.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/decoded_text.h"
 
 namespace axiometry::formats {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recording.h"
 
 namespace axiometry::formats {

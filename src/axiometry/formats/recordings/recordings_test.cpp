@@ -9,7 +9,7 @@
 #include <cstring>
 #include <limits>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/time_text.h"
 #include "tests/support/hpi_frames.h"
@@ -101,9 +101,10 @@ TEST(TimePosition, TakesOfSeveralColumnsOnlyTheOneThatSaysToBeThePosition) {
   EXPECT_EQ(from_text("time_s,temperature_C,position_mm\n1,20,3\n"), "1:3");
   EXPECT_EQ(from_text("time,command,actual\n1,2,3\n"), "1:3");
   const auto refused = [](std::string_view bytes) { return read_samples("time-position", bytes).refusal; };
-  EXPECT_THAT(refused("time_s,x_mm,y_mm\n1,2,3\n"),
-              HasSubstr("found the columns \"x\", \"y\" beside the time, expected --stream-axis"));
-  EXPECT_THAT(refused("time_s,a,b\n1,2,3\n"), HasSubstr("expected --stream-axis"));
+  EXPECT_THAT(
+      refused("time_s,x_mm,y_mm\n1,2,3\n"),
+      HasSubstr("found the columns \"x\", \"y\" beside the time, expected the number of the one with the position"));
+  EXPECT_THAT(refused("time_s,a,b\n1,2,3\n"), HasSubstr("expected the number of the one with the position"));
   EXPECT_THAT(refused("time_s,temperature_C\n1,2\n"),
               HasSubstr("found the column \"temperature_C\", expected positions"));
   RecordingOptions first;
@@ -252,8 +253,9 @@ TEST(Umd, TellsOfTheAir) {
 }
 
 TEST(Umd, RefusesWhatItCannotKnowOrRead) {
-  EXPECT_TRUE(read_samples("umd", "0 0 1 0 0 1 0 0\n").refusal.starts_with("found no length per count"));
-  EXPECT_EQ(from_umd("0 0 1 0 0 1 0 0\n"), "found no sample rate (code 8) in 1 sample, expected one, or --rate");
+  EXPECT_TRUE(read_samples("umd", "0 0 1 0 0 1 0 0\n").refusal.starts_with("found no length of a count"));
+  EXPECT_EQ(from_umd("0 0 1 0 0 1 0 0\n"),
+            "found no sample rate (code 8) in 1 sample, expected one, or a rate that is stated");
   EXPECT_EQ(from_umd("0 0 1 0 0 1 8 100\n0 0 1 0 x 2 0 0\n"),
             "line 2:1: found \"0 0 1 0 x 2 0 0\", expected 8 whole numbers as in the lines before 0:1");
   EXPECT_EQ(from_umd("0 0 1 0 0 1 8 100\n0 0 1.5 0 0 2 0 0\n"),

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/rtx_header.h"
 
@@ -77,17 +77,19 @@ class RtxReader final : public RecordingReader {
     if (rtx_kind(*header_).value_or(kind_) == kind_) return {};
     const std::string type = text::quoted(header_->file_type);
     if (kind_ == AxisKind::linear)
-      return fail(fmt::format("found an .rtx recording of the file type {}, whose numbers are angles in mrad, expected "
-                              "one of a linear axis",
-                              type));
-    return fail(fmt::format("found an .rtx recording of the file type {}, whose numbers are in mm, expected one of a "
-                            "rotary axis",
-                            type));
+      return fail(
+          fmt::format("found an .rtx recording of the file type {}, whose numbers are angles in mrad, expected "
+                      "one of a linear axis",
+                      type));
+    return fail(
+        fmt::format("found an .rtx recording of the file type {}, whose numbers are in mm, expected one of a "
+                    "rotary axis",
+                    type));
   }
 
   Result<void> cut_off(std::uint64_t samples) const {
-    return fail(fmt::format("found {}, expected {} as the header says: the file is cut off",
-                            counted(samples, "sample"), header_->samples));
+    return fail(fmt::format("found {}, expected {} as the header says: the file is cut off", counted(samples, "sample"),
+                            header_->samples));
   }
 
   /// The end mark with its line ends is as long as a number: where a number is missing it was taken for the last.
@@ -130,7 +132,7 @@ class RtxReader final : public RecordingReader {
   double scale_;
   AxisKind kind_;
   std::optional<RtxHeader> header_;
-  std::string begun_;  // the header, later less than a number, or what follows the last one
+  std::string begun_;        // the header, later less than a number, or what follows the last one
   std::string last_number_;  // bytes of the number read last
   std::size_t next_look_ = 1;
   bool interrupted_ = false;

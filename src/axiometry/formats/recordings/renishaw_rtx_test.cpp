@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/rtx_header.h"
 #include "tests/support/recording_feed.h"

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/name_words.h"
 
 namespace axiometry::formats {
@@ -148,11 +148,11 @@ std::vector<std::string> rtx_remarks(const RtxHeader& h) {
   for (const auto& [words, value] : named)
     if (!value->empty()) remarks.push_back(fmt::format(fmt::runtime(words), text::quoted(*value)));
   if (!h.date.empty())
-    remarks.push_back(fmt::format(
-        fmt::runtime(reads_two_ways(h.date)
-                         ? "the file is of {}; whether the day or the month stands first it does not say"
-                         : "the file is of {}"),
-        text::quoted(h.date)));
+    remarks.push_back(
+        fmt::format(fmt::runtime(reads_two_ways(h.date)
+                                     ? "the file is of {}; whether the day or the month stands first it does not say"
+                                     : "the file is of {}"),
+                    text::quoted(h.date)));
   return remarks;
 }
 

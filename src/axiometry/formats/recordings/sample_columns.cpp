@@ -7,8 +7,8 @@
 #include <string>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recordings/time_text.h"
 #include "axiometry/formats/text/name_words.h"
 #include "axiometry/formats/text/units.h"
@@ -160,10 +160,9 @@ Result<std::size_t> position_column(const std::vector<Heading>& headings, std::s
   std::string names;
   for (std::size_t k = 0; k < headings.size(); ++k)
     if (k != time) names += (names.empty() ? "" : ", ") + text::quoted(headings[k].name);
-  return fail(
-      fmt::format("found the columns {} beside the time, expected --stream-axis, which says the position's: 1 is "
-                  "the first of these",
-                  names));
+  return fail(fmt::format(
+      "found the columns {} beside the time, expected the number of the one with the position: 1 is the first of these",
+      names));
 }
 
 std::vector<Heading> headings_of(const std::vector<std::string_view>& cells) {
@@ -287,10 +286,9 @@ Result<SampleColumns> value_columns_by_header(std::string_view line, std::option
                     text::quoted(line)));
   const std::size_t beside = headings.size() - 1;
   if (!stated && beside > 1)
-    return fail(
-        fmt::format("found {} columns beside the time, expected --stream-axis, which says that of the readings: "
-                    "1 is the first of these",
-                    beside));
+    return fail(fmt::format(
+        "found {} columns beside the time, expected the number of the one with the readings: 1 is the first of these",
+        beside));
   if (stated && *stated >= beside)
     return fail(fmt::format("found {} beside the time, expected at least {}", counted(beside, "column"), *stated + 1));
   SampleColumns columns = *timed;

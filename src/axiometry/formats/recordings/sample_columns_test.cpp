@@ -33,8 +33,10 @@ TEST(SampleColumns, TakeNoUnitForAPositionWhereAnotherColumnIsCalledOne) {
   EXPECT_EQ(position_by("time_s,position,straightness_um"), "1");
   EXPECT_EQ(position_by("Zeit_s;Position;Schleppfehler_um"), "1");
   EXPECT_EQ(position_by("time_s,position error,position"), "2");
-  EXPECT_THAT(position_by("time_s,position,gauge_um"), testing::HasSubstr("expected --stream-axis"));
-  EXPECT_THAT(position_by("time_s,lag_um,straightness_um"), testing::HasSubstr("expected --stream-axis"));
+  EXPECT_THAT(position_by("time_s,position,gauge_um"),
+              testing::HasSubstr("expected the number of the one with the position"));
+  EXPECT_THAT(position_by("time_s,lag_um,straightness_um"),
+              testing::HasSubstr("expected the number of the one with the position"));
   EXPECT_EQ(position_by("time_s,position_mm,actual"), "1") << "called so, and the only one with a unit";
   EXPECT_EQ(position_by("time_s,deviation_um"), "1") << "nothing else is there";
 }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recordings/line_reader.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/recordings/time_text.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/formats/recordings/time_text.h"
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::formats {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "axiometry/base/moment.h"
+#include "axiometry/base/time/moment.h"
 
 /// Points in time as recordings spell them.
 namespace axiometry::formats {

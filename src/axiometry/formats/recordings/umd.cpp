@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recordings/line_reader.h"
 
 namespace axiometry::formats {
@@ -177,7 +177,7 @@ class UmdReader final : public LineReader {
 
   Result<void> without_rate() {
     if (!options().arrival_s)
-      return fail(fmt::format("found no sample rate (code 8) in {}, expected one, or --rate",
+      return fail(fmt::format("found no sample rate (code 8) in {}, expected one, or a rate that is stated",
                               counted(waiting_.size(), "sample")));
     by_arrival_ = true;
     return release();
@@ -215,8 +215,8 @@ class UmdReader final : public LineReader {
 Result<std::unique_ptr<RecordingReader>> open(const RecordingOptions& options) {
   if (!options.units_per_count)
     return fail(
-        "found no length per count, expected --units-per-count, or --wavelength and --counts-per-wavelength, for a "
-        "stream of counts");
+        "found no length of a count, expected it, or the wavelength and the counts per wavelength, for a stream of "
+        "counts");
   if (!(std::isfinite(*options.units_per_count) && *options.units_per_count != 0.0))
     return fail(fmt::format("found {} per count, expected a number other than 0", *options.units_per_count));
   if (options.rate_hz && !(std::isfinite(*options.rate_hz) && *options.rate_hz > 0.0))

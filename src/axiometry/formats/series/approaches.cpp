@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/series/target_index.h"
 

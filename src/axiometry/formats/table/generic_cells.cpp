@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "axiometry/base/moment.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats::generic {

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/table/generic_draft.h"
 #include "axiometry/formats/table/guessed_read.h"

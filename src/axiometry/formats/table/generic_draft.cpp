@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/series/sweep_directions.h"
 #include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/text/name_words.h"
@@ -55,9 +55,9 @@ bool comes_back_evenly(const ColumnFacts& column) {
   return std::ranges::max(counts) == std::ranges::min(counts) && counts.front() > 1;
 }
 
-constexpr NameWord words_of_seconds[] = {{"s"},        {"sec"},      {"secs"},     {"second"},
-                                         {"seconds"},  {"sek"},      {"sekunde"},  {"sekunden"},
-                                         {"secondes"}, {"secondi"},  {"segundos"}, {"秒", WordPlace::anywhere}};
+constexpr NameWord words_of_seconds[] = {{"s"},        {"sec"},     {"secs"},     {"second"},
+                                         {"seconds"},  {"sek"},     {"sekunde"},  {"sekunden"},
+                                         {"secondes"}, {"secondi"}, {"segundos"}, {"秒", WordPlace::anywhere}};
 
 /// Whether approaches follow each other as they do on a machine: not in less than a second on the mean, as minutes and
 /// days of a spreadsheet would, nor in more than an hour, as milliseconds would.

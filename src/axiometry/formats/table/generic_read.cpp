@@ -10,9 +10,9 @@
 #include <map>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/series/sweep_directions.h"
@@ -21,6 +21,7 @@
 #include "axiometry/formats/table/generic_table.h"
 #include "axiometry/formats/text/head_words.h"
 #include "axiometry/formats/text/text_source.h"
+#include "axiometry/model/swapped_labels.h"
 
 namespace axiometry::formats {
 namespace {
@@ -128,10 +129,7 @@ class TableReader {
     const auto against = static_cast<double>(
         std::ranges::count_if(entries_, [&](const Entry& e) { return *e.direction != motion.directions[e.row]; }));
     if (against < most * static_cast<double>(entries_.size())) return std::nullopt;
-    return SourceRemark{
-        false,
-        "the targets run the other way than the labels of direction say: rows called ↑ go down and rows "
-        "called ↓ go up; the labels were taken as they stand"};
+    return swapped_labels_remark();
   }
 
  private:

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/series/sweep_directions.h"
 #include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/table/generic_draft.h"

@@ -9,7 +9,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/head_words.h"
 
 namespace axiometry::formats::generic {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/table/generic_draft.h"
 
 namespace axiometry::formats::generic {

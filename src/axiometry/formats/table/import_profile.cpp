@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <span>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/text/units.h"
 #include "axiometry/model/series.h"

@@ -10,8 +10,8 @@
 #include <set>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/recordings/time_text.h"
 #include "axiometry/formats/temperatures/sensor_role.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/moment.h"
 #include "axiometry/base/result.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/formats/temperatures/log_zone.h"
 
 /// Which columns of a temperature log are the time and which are temperatures. Private to temperatures/.

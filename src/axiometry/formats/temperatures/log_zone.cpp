@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/name_words.h"
 
 namespace axiometry::formats {

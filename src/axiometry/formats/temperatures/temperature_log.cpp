@@ -9,7 +9,8 @@
 #include <map>
 
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recordings/sample_columns.h"
 #include "axiometry/formats/temperatures/log_columns.h"
 #include "axiometry/formats/temperatures/sensor_role.h"
@@ -256,6 +257,7 @@ class LogReader {
                       text::quoted(name), beyond_[k], times_.size()));
     if (course.times_s.empty())
       remarks_.push_back(fmt::format("temperature sensor {} has no reading at all", text::quoted(name)));
+    tell_if_still(course);
     if (stated != roles.end()) {
       course.role = text::to_lower(stated->second);
     } else if (const auto role = sensor_role(name)) {
@@ -267,6 +269,30 @@ class LogReader {
                                      text::quoted(name)));
     }
     log.sensors.push_back(std::move(course));
+  }
+
+  /// A sensor that hangs shows what it last measured, and no change; so does one of coarse steps in a steady room.
+  void tell_if_still(const TemperatureCourse& course) {
+    constexpr double longest_s = 6.0 * 3600.0;
+    constexpr std::size_t fewest = 20;
+    std::size_t from = 0, still_from = 0, still_to = 0;
+    for (std::size_t j = 1; j <= course.celsius.size(); ++j) {
+      if (j < course.celsius.size() && course.celsius[j] == course.celsius[from] &&
+          course.times_s[j] - course.times_s[j - 1] <= longest_unrecorded_s)
+        continue;
+      const std::size_t to = j - 1;
+      if (course.times_s[to] - course.times_s[from] > course.times_s[still_to] - course.times_s[still_from])
+        still_from = from, still_to = to;
+      from = j;
+    }
+    if (course.celsius.empty() || still_to - still_from + 1 < fewest) return;
+    const double still_s = course.times_s[still_to] - course.times_s[still_from];
+    if (still_s < longest_s) return;
+    remarks_.push_back(fmt::format(
+        "temperature sensor {} shows {} °C in {} readings over {} h without any change: it "
+        "hangs, or its steps are coarse",
+        text::quoted(course.location), format_shortest(std::round(1000.0 * course.celsius[still_from]) / 1000.0),
+        still_to - still_from + 1, format_fixed(still_s / 3600.0, 1)));
   }
 
   void tell_of_names() {

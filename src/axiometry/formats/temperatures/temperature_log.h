@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/moment.h"
 #include "axiometry/base/result.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/model/temperatures.h"
 
 /// What data loggers and weather stations write: a time and one or more temperatures in every line.

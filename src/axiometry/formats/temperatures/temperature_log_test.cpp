@@ -208,6 +208,22 @@ TEST(TemperatureLogs, KeepASensorThatNeverDelivered) {
               HasSubstr("found no temperature in the temperature log"));
 }
 
+/// All of its temperatures would be within any limit, and its change none.
+TEST(TemperatureLogs, TellOfASensorThatShowsNoChange) {
+  const auto text_of = [](int still_from, int readings) {
+    std::string text = "time;Air [°C]\n";
+    for (int j = 0; j < readings; ++j)
+      text += fmt::format("2026-03-02 {:02}:{:02};{}\n", j / 6, 10 * (j % 6),
+                          j < still_from ? fmt::format("20.{:02}", j % 7) : "20.31");
+    return text;
+  };
+  EXPECT_THAT(log_of(text_of(40, 90)).remarks,
+              Contains("temperature sensor \"Air\" shows 20.31 °C in 50 readings over 8.2 h without any change: it "
+                       "hangs, or its steps are coarse"));
+  EXPECT_THAT(log_of(text_of(0, 37)).remarks, Contains(HasSubstr("in 37 readings over 6.0 h without any change")));
+  EXPECT_THAT(log_of(text_of(60, 90)).remarks, Not(Contains(HasSubstr("without any change"))));
+}
+
 TEST(TemperatureLogs, TellWhatTheyAssumeAndLeaveOut) {
   const auto log =
       log_of("time,T1,humidity\n2026-03-02 08:00,20.1,40\n2026-03-02 08:10,-127,41\n2026-03-02 08:20,,42\n");

@@ -10,11 +10,12 @@
 #include <span>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/test/metadata_json.h"
+#include "axiometry/formats/test/source_json.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"
@@ -178,39 +179,6 @@ Result<std::vector<double>> times_from(const Value& times, const Value& series, 
   return result;
 }
 
-/// A converted file says where it comes from; so do the results of its evaluation.
-Result<std::vector<SourceRemark>> source_from(const Value& source) {
-  if (source.is(Kind::null)) return std::vector<SourceRemark>{};
-  std::string texts[3];
-  constexpr std::string_view names[] = {"file", "sha256", "format"};
-  for (std::size_t k = 0; k < 3; ++k) {
-    AXIOMETRY_TRY(const Value* value, member(source, names[k], Kind::text, "a string"));
-    texts[k] = value->text();
-  }
-  const Value* remarked = source.find("remarks");
-  const Value* departures = source.find("departures");
-  const std::size_t most = 3 + std::size_t{remarked != nullptr} + std::size_t{departures != nullptr};
-  if (source.members().size() > most)
-    return fail(fmt::format("found {} members of source, expected file, sha256, format, remarks and departures",
-                            source.members().size()),
-                source.at());
-  if (texts[1].find_first_not_of("0123456789abcdef") != std::string::npos || texts[1].size() > 64)
-    return fail(fmt::format("found source.sha256 {}, expected 64 hexadecimal digits", text::quoted(texts[1])),
-                source.at());
-  std::vector<SourceRemark> remarks{
-      {false, fmt::format("taken from {}, read as {}{}{}", text::quoted(texts[0]), text::quoted(texts[2]),
-                          texts[1].empty() ? "" : ", SHA-256 ", texts[1])}};
-  for (const auto& [list, departs] : {std::pair{remarked, false}, std::pair{departures, true}}) {
-    if (list == nullptr) continue;
-    if (!list->is(Kind::array)) return fail("found remarks or departures of source that are no array", list->at());
-    for (const Value& remark : list->items()) {
-      if (!remark.is(Kind::text)) return fail("found one of source that is no string", remark.at());
-      remarks.push_back({departs, remark.text()});
-    }
-  }
-  return remarks;
-}
-
 constexpr std::string_view series_members[] = {"quantity", "unit", "target_unit", "targets", "up", "down"};
 
 Result<void> check_series_members(const Value& series) {
@@ -324,18 +292,6 @@ Value times_to_json(const Test& test) {
   return result;
 }
 
-Value source_to_json(const Provenance& source) {
-  Value result = Value::object();
-  result.add("file", source.file);
-  result.add("sha256", source.sha256);
-  result.add("format", source.format);
-  std::vector<Value> remarks, departures;
-  for (const SourceRemark& told : source.remarks) (told.departs ? departures : remarks).emplace_back(told.message);
-  if (!remarks.empty()) result.add("remarks", Value::array(std::move(remarks)));
-  if (!departures.empty()) result.add("departures", Value::array(std::move(departures)));
-  return result;
-}
-
 std::string write(const Test& test) {
   Value root = Value::object();
   root.add("format", test_format_name);
@@ -377,7 +333,8 @@ constexpr std::string_view manual = R"(One JSON object (RFC 8259, UTF-8). `axiom
   direction that was not measured is left out.
 - `times_s`: when each reading was taken, s since some beginning, in the shape of `up` and `down`; optional.
 - `source`: the file or stream that this one was taken from (`file`, `sha256`, empty when not known, `format`), what
-  was guessed or left out of it (`remarks`), and `departures`, for which it is no test after ISO 230-2; optional.
+  was guessed or left out of it (`remarks`), `departures`, for which it is no test after ISO 230-2, and whether its
+  targets run the other way than its labels of direction say (`swapped_labels`); optional.
 - The other members are the metadata of the test, all optional.
 
 Refused: unknown members, members given twice, numbers that overflow, runs of the wrong length, nesting deeper

@@ -10,6 +10,7 @@
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/model/swapped_labels.h"
 #include "tests/support/repository_file.h"
 
 namespace axiometry::formats {
@@ -167,6 +168,25 @@ TEST(AxiometryJson, KeepsWhatTheReaderOfItsSourceHadToRemark) {
   const auto twice = format().read(format().write(*again));
   ASSERT_TRUE(twice) << twice.error().to_string();
   EXPECT_EQ(twice->provenance.remarks.size(), 3u) << "and where that was taken from";
+}
+
+/// Whether labels are swapped is a value, not the words that tell it.
+TEST(AxiometryJson, KeepsThatLabelsOfDirectionAreSwapped) {
+  axiometry::Test test{{}, *Series::make_dense({Position::native(0), Position::native(1)}, 1, {1, 2, 3, 4}), {}};
+  test.provenance = {"mill.txt", "ab12", "generic", {{false, "the units were guessed"}, swapped_labels_remark()}};
+  const std::string text = format().write(test);
+  EXPECT_TRUE(text.contains("\"swapped_labels\": true")) << text;
+  EXPECT_FALSE(text.contains("rows called")) << "the sentence may be worded otherwise by who reads it";
+  const auto again = format().read(text);
+  ASSERT_TRUE(again) << again.error().to_string();
+  EXPECT_TRUE(has_swapped_labels(*again));
+  ASSERT_EQ(again->provenance.remarks.size(), 3u);
+  // Older files have the sentence among their remarks.
+  test.provenance.remarks = {{false, std::string(swapped_labels)}};
+  const std::string old = format().write(test);
+  EXPECT_FALSE(old.contains("\"swapped_labels\""));
+  EXPECT_TRUE(has_swapped_labels(*format().read(old)));
+  EXPECT_EQ(format().read(old)->provenance.remarks.size(), 2u);
 }
 
 TEST(AxiometryJson, KeepsARunWithoutAnyReading) {

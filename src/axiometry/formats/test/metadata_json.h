@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/metadata.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "axiometry/base/json_place.h"
+#include "axiometry/base/json/json_place.h"
 #include "axiometry/model/metadata.h"
 
 namespace axiometry::formats {

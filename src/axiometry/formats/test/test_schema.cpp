@@ -148,7 +148,10 @@ Value source_schema() {
                                                  {"items", object({{"type", "string"}})}})},
                              {"departures", object({{"type", "array"},
                                                     {"description", "Why a test from it is no test after ISO 230-2."},
-                                                    {"items", object({{"type", "string"}})}})}});
+                                                    {"items", object({{"type", "string"}})}})},
+                             {"swapped_labels", typed("boolean",
+                                                      "The targets run the other way than the labels of "
+                                                      "direction say.")}});
   return object({{"type", or_null("object")},
                  {"description", "The file or stream that this one was taken from."},
                  {"properties", std::move(properties)},

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 namespace axiometry::formats {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/text/units.h"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/csv_cells.h"
 
 namespace axiometry::formats::generic {

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/formats/text/text_source.h"
 
 namespace axiometry::formats {
 namespace {
@@ -108,6 +109,14 @@ Result<Matrix3> covariance_in(const Value& value, std::string_view what) {
 Result<const std::vector<Value>*> items_in(const Value& value, std::string_view what) {
   if (!value.is(Kind::array)) return wrong_kind(value, what, "an array");
   return &value.items();
+}
+
+std::string stated_format(std::string_view bytes) {
+  const auto text = utf8_text(bytes);
+  const auto root = text ? json::parse(*text) : Result<Value>(std::unexpected(text.error()));
+  if (!root || !root->is(Kind::object)) return {};
+  const Value* format = root->find("format");
+  return format != nullptr && format->is(Kind::text) ? format->text() : std::string();
 }
 
 Value vector_value(Vector3 v) { return Value::array({v.x, v.y, v.z}); }

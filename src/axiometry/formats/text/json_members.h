@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/base/vector3.h"
 
@@ -57,6 +57,9 @@ Result<Matrix3> matrix_in(const json::Value& value, std::string_view what);  ///
 /// digits.
 Result<Matrix3> covariance_in(const json::Value& value, std::string_view what);
 Result<const std::vector<json::Value>*> items_in(const json::Value& value, std::string_view what);
+
+/// The text of the member "format" of a JSON object; empty where there is none, or `bytes` is no such object.
+std::string stated_format(std::string_view bytes);
 
 json::Value vector_value(Vector3 v);
 json::Value matrix_value(const Matrix3& m);

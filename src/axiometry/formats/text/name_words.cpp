@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::formats {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/table_heads.h"
 
 namespace axiometry::formats {

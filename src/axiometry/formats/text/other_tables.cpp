@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/text_lines.h"
 
 namespace axiometry::formats {
@@ -24,7 +24,7 @@ const std::vector<OtherTable>& known_other_tables() {
       {{"file", "test", "axis", "kind", "conforming"},
        "found a table of the results of many tests, expected the readings that it was made from"},
       {{"name", "kind", "travel_up_to"},
-       "found tolerance tables, expected a measured test; 'axiometry evaluate --tolerance-table' takes such a file"},
+       "found tolerance tables, expected a measured test, beside which such a file is given"},
       {{"line", "target", "direction", "run", "length_difference_mm"},
        "found lengths of a tracking interferometer, expected a measured test; 'axiometry tracking evaluate' takes "
        "them"},

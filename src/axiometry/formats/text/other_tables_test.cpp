@@ -21,7 +21,7 @@ TEST(OtherTables, AreNamedAsWhatTheyAre) {
   EXPECT_THAT(refusal_of_table("file,test,axis,kind,unit,conforming,A\nx.csv,,X,linear,um,yes,9.5\n"),
               HasSubstr("found a table of the results of many tests"));
   EXPECT_THAT(refusal_of_table("# of the hall\nname;kind;travel_up_to;unit;A\nMill;linear;500;um;16\n"),
-              HasSubstr("--tolerance-table"));
+              HasSubstr("beside which such a file is given"));
   EXPECT_THAT(refusal_of_table("# lengths\nline,target,direction,run,length_difference_mm,segment,time_s\n"
                                "xy,1,up,1,0,0,31.34\n"),
               HasSubstr("axiometry tracking evaluate"));

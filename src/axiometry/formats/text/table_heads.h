@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -9,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/base/result.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/units.h"
 
@@ -27,6 +28,17 @@ struct TableHead {
 /// "x_mm", "X [mm]", "length difference (µm)", "time_s": name and unit. Behind a blank or a low line only a known unit
 /// of files or "s" is one.
 TableHead table_head(std::string_view head);
+
+/// The names in a head as it is written, "x_mm,y_mm,z_mm": N of them.
+template <std::size_t N>
+constexpr std::array<std::string_view, N> names_of(std::string_view head) {
+  std::array<std::string_view, N> names;
+  for (std::string_view& name : names) {
+    name = head.substr(0, head.find(','));
+    head.remove_prefix(std::min(head.size(), name.size() + 1));
+  }
+  return names;
+}
 
 /// "length difference", "dl", "ΔL" and the other names of L_i − L_0.
 bool is_length_difference(std::string_view name);

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "axiometry/base/decimal_tie.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::formats {
 namespace {

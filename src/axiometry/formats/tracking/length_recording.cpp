@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recording.h"
 #include "axiometry/formats/recordings/time_text.h"
 #include "axiometry/formats/text/csv_cells.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "axiometry/base/read_budget.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/table_heads.h"
@@ -17,7 +17,7 @@ namespace axiometry::formats {
 namespace {
 
 enum PointRole : std::size_t { point_role_x, point_role_y, point_role_z, point_role_length, point_role_count };
-constexpr std::array<std::string_view, point_role_count> point_heads = {"x_mm", "y_mm", "z_mm", "length_difference_mm"};
+constexpr auto point_heads = names_of<point_role_count>(location_points_head);
 std::optional<PointRole> point_role_of(std::string_view name) {
   if (name == "x") return point_role_x;
   if (name == "y") return point_role_y;

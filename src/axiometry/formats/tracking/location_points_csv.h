@@ -18,6 +18,9 @@ struct LocationPointsFile {
   std::vector<std::string> remarks;  ///< sentences without full stop: the encoding, columns passed over
 };
 
+/// Their head as we write it.
+inline constexpr std::string_view location_points_head = "x_mm,y_mm,z_mm,length_difference_mm";
+
 /// Columns `x_mm,y_mm,z_mm,length_difference_mm` in any order and other columns, which are passed over: those of a plan
 /// of points (`point`, `axes_x_mm`, …) without a word. Delimited by comma, semicolon or tab, with decimal point or, but
 /// for the comma, decimal comma. Each of the four states its unit: `x_mm`, `x [m]`, `length_difference (µm)`; `dl`,

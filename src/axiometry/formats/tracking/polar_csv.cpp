@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/named_rows.h"
 #include "axiometry/formats/text/table_heads.h"

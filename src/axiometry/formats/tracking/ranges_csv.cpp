@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/named_rows.h"
 #include "axiometry/formats/text/table_heads.h"
@@ -35,7 +35,6 @@ constexpr ColumnWord words[] = {{"point", role_point},
                                 {"y", role_y},
                                 {"z", role_z}};
 constexpr TableWords table = {canonical, words, role_length};
-constexpr std::string_view example = "point,station,length_mm";
 
 Result<void> check_coordinates(const NamedColumns& columns) {
   const std::size_t coordinates = columns.has(role_x) + columns.has(role_y) + columns.has(role_z);
@@ -53,10 +52,11 @@ class RangesReader {
  public:
   Result<RangesFile> read(std::string_view text) {
     constexpr std::size_t needed[] = {role_point, role_station, role_length};
-    AXIOMETRY_TRY_VOID(for_named_rows(text, columns_, table, needed, example, [&](const NamedRow& row) -> Result<void> {
-      if (file_.readings.empty()) AXIOMETRY_TRY_VOID(check_coordinates(columns_));
-      return add(row);
-    }));
+    AXIOMETRY_TRY_VOID(
+        for_named_rows(text, columns_, table, needed, ranges_head, [&](const NamedRow& row) -> Result<void> {
+          if (file_.readings.empty()) AXIOMETRY_TRY_VOID(check_coordinates(columns_));
+          return add(row);
+        }));
     AXIOMETRY_TRY_VOID(check_coordinates(columns_));
     if (file_.readings.empty()) return fail("found a header and no lengths below it, expected one in each row");
     file_.points = points_.take();
@@ -130,7 +130,7 @@ Result<NamedPoints> read_named_points(std::string_view bytes) {
   NamedPoints points;
   std::vector<std::size_t> lines;
   AXIOMETRY_TRY_VOID(
-      for_named_rows(decoded.text, columns, table, needed, example, [&](const NamedRow& row) -> Result<void> {
+      for_named_rows(decoded.text, columns, table, needed, ranges_head, [&](const NamedRow& row) -> Result<void> {
         AXIOMETRY_TRY(const std::string_view name, cells.name(row, role_point));
         const std::size_t k = names.number(name);
         if (k < lines.size())

@@ -23,6 +23,9 @@ struct RangesFile {
   std::vector<std::string> remarks;  ///< sentences without full stop: the encoding, columns and rows passed over
 };
 
+/// The least a head must have, as we write it.
+inline constexpr std::string_view ranges_head = "point,station,length_mm";
+
 /// Columns `point,station,length_mm`, where the beam was broken and found again `segment`, and nominal
 /// `x_mm,y_mm,z_mm`, in any order; other columns are passed over. Points, stations and segments are names or numbers. A
 /// segment belongs to its station, whose readings without one are of a segment of their own. Delimited by comma,

@@ -5,9 +5,10 @@
 
 #include <cmath>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/model/station_bounds.h"
 
 namespace axiometry::formats {
 namespace {
@@ -16,6 +17,8 @@ using json::Kind;
 using json::Value;
 
 constexpr double coordinate_limit_mm = 1e9;  // the Plan's own limit
+constexpr double most_points = 1e9;          // more are no location
+constexpr double most_chi_squared = 1e100;
 
 /// A location that should not be used as it is says so among its findings.
 Result<void> check_usable(const Value& root) {
@@ -33,6 +36,30 @@ Result<void> check_usable(const Value& root) {
   return {};
 }
 
+/// nullptr when absent or null.
+const Value* member(const Value& object, std::string_view name) {
+  const Value* value = object.find(name);
+  return value == nullptr || value->is(Kind::null) ? nullptr : value;
+}
+
+/// By which the covariance of a result without one for bounds, as older versions wrote them, is too narrow for bounds:
+/// it was multiplied by χ²/ν alone. 1 where no χ² stands beside it, as people write it.
+Result<double> left_to_widen(const Value& object) {
+  const Value *chi_squared = member(object, "chi_squared"), *degrees = member(object, "degrees_of_freedom");
+  if (chi_squared == nullptr || degrees == nullptr) return 1.0;
+  AXIOMETRY_TRY(const double chi, number_in(*chi_squared, "chi_squared"));
+  AXIOMETRY_TRY(const double nu, number_in(*degrees, "degrees_of_freedom"));
+  if (!(chi >= 0.0 && chi <= most_chi_squared))
+    return fail(fmt::format("found chi_squared = {}, expected a number from 0 to 1e100", format_exact(chi)),
+                chi_squared->at());
+  if (!(nu >= 0.0 && nu <= most_points) || nu != std::floor(nu))
+    return fail(
+        fmt::format("found degrees_of_freedom = {}, expected a whole number from 0 to 1000000000", format_exact(nu)),
+        degrees->at());
+  const auto whole = static_cast<std::size_t>(nu);
+  return widening_for_bounds(chi, whole) / inflation_of(chi, whole);
+}
+
 }  // namespace
 
 Result<Station> read_station(std::string_view bytes) {
@@ -45,8 +72,7 @@ Result<Station> read_station(std::string_view bytes) {
   const Value* station = object.find("station");
   if (station == nullptr)
     return fail(
-        "found no member \"station\", expected the result of 'axiometry tracking locate --json' or "
-        "{\"station\": [x, y, z]}",
+        "found no member \"station\", expected the result of a location of the station or {\"station\": [x, y, z]}",
         object.at());
   AXIOMETRY_TRY(const Vector3 position, vector_in(*station, "station"));
   for (std::size_t k = 0; k < 3; ++k)
@@ -56,8 +82,14 @@ Result<Station> read_station(std::string_view bytes) {
           station->items()[k].at());
   AXIOMETRY_TRY_VOID(check_usable(root));
   Station result{position};
-  if (const Value* covariance = object.find("covariance"); covariance != nullptr && !covariance->is(Kind::null)) {
-    AXIOMETRY_TRY(result.covariance_mm2, covariance_in(*covariance, "covariance"));
+  if (const Value* wide = member(object, "covariance_for_bounds")) {
+    AXIOMETRY_TRY(result.covariance_mm2, covariance_in(*wide, "covariance_for_bounds"));
+  } else if (const Value* covariance = member(object, "covariance")) {
+    AXIOMETRY_TRY(const double widening, left_to_widen(object));
+    AXIOMETRY_TRY(Matrix3 read, covariance_in(*covariance, "covariance"));
+    for (auto& row : read)
+      for (double& x : row) x *= widening;
+    result.covariance_mm2 = read;
   }
   return result;
 }

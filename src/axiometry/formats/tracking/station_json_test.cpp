@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/formats/tracking/station_json.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace axiometry::formats {
@@ -20,6 +21,45 @@ TEST(StationJson, TheRefinedStationOfALocationIsRead) {
   ASSERT_TRUE(station->covariance_mm2);
   EXPECT_EQ((*station->covariance_mm2)[0][1], 1e-6);
   EXPECT_EQ((*station->covariance_mm2)[2][2], 1e-4);
+}
+
+TEST(StationJson, TheCovarianceThatBoundsNeedIsReadInPlaceOfTheOther) {
+  const auto station = read_station(R"({"refined": {"station": [1, 2, 3],
+    "covariance": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "covariance_for_bounds": [[6, 0, 0], [0, 6, 0], [0, 0, 6]]}})");
+  ASSERT_TRUE(station && station->covariance_mm2);
+  EXPECT_EQ((*station->covariance_mm2)[1][1], 6.0);
+}
+
+TEST(StationJson, AResultOfAnOlderVersionIsAsWideAsBoundsNeedIt) {
+  // Six points, ν = 2, χ² = 50: its covariance was multiplied by 25 alone. F(2, 2) is 19 at 95 %, χ² of two 5.99.
+  const auto station =
+      read_station(R"({"refined": {"station": [1, 2, 3], "covariance": [[25, 5, 0], [5, 25, 0], [0, 0, 25]],
+    "covariance_stated": [[1, 0.2, 0], [0.2, 1, 0], [0, 0, 1]], "inflation": 25, "chi_squared": 50,
+    "degrees_of_freedom": 2}})");
+  ASSERT_TRUE(station && station->covariance_mm2);
+  EXPECT_NEAR((*station->covariance_mm2)[1][1], 25.0 * 2.0 * 19.0 / 5.991464547, 1e-6);
+  EXPECT_NEAR((*station->covariance_mm2)[0][1], 5.0 * 2.0 * 19.0 / 5.991464547, 1e-6);
+  // Residuals as small as stated: F(2, 2) is in it as soon as it is more than what is stated, and nothing is taken off.
+  const auto of = [](double chi_squared, int nu) {
+    const auto read =
+        read_station(fmt::format(R"({{"refined": {{"station": [1, 2, 3], "chi_squared": {}, "degrees_of_freedom": {},
+      "covariance": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}}})",
+                                 chi_squared, nu));
+    return (*read->covariance_mm2)[0][0];
+  };
+  EXPECT_EQ(of(0.01, 2), 1.0);
+  EXPECT_NEAR(of(2.0, 2), 2.0 * 19.0 / 5.991464547, 1e-8);
+  EXPECT_EQ(of(0.0, 0), 1.0);
+  const auto wrong = [](std::string_view members) {
+    return station_error(
+        fmt::format(R"({{"refined": {{"station": [1, 2, 3], "covariance": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+      {}}}}})",
+                    members));
+  };
+  EXPECT_TRUE(wrong(R"("chi_squared": -1, "degrees_of_freedom": 2)").contains("found chi_squared = -1"));
+  EXPECT_TRUE(wrong(R"("chi_squared": 1e308, "degrees_of_freedom": 1)").contains("found chi_squared = 1e+308"));
+  EXPECT_TRUE(wrong(R"("chi_squared": 1, "degrees_of_freedom": 1.5)").contains("found degrees_of_freedom = 1.5"));
+  EXPECT_TRUE(wrong(R"("chi_squared": "1", "degrees_of_freedom": 2)").contains("found \"chi_squared\" of the kind"));
 }
 
 TEST(StationJson, AHandWrittenStationNeedsNoCovariance) {

@@ -36,16 +36,22 @@ Value numbers(std::string_view description) {
 
 /// What both estimators have; members that say how it came about may be more.
 Value estimator(std::string_view description, Value station, Value required) {
-  return object(
-      {{"type", or_null("object")},
-       {"properties", object({{"station", std::move(station)},
-                              {"L0", of_kind("number", "Distance at the zero of the lengths, mm.")},
-                              {"covariance", matrix("Covariance of the station, mm².")},
-                              {"residuals", numbers("Distance less L0 less length difference of each point, mm.")},
-                              {"rank", of_kind("integer", "Of the five columns of eq. 14.")},
-                              {"condition", of_kind("number", "Largest over smallest singular value.")}})},
-       {"required", std::move(required)},
-       {"description", description}});
+  return object({{"type", or_null("object")},
+                 {"properties",
+                  object({{"station", std::move(station)},
+                          {"L0", of_kind("number", "Distance at the zero of the lengths, mm.")},
+                          {"covariance", matrix("Covariance of the station, mm².")},
+                          {"covariance_for_bounds",
+                           matrix("The same, as wide as a normal station must have it for bounds that hold 95 %, "
+                                  "mm²: read in its place. Results of versions that did not write it are widened by "
+                                  "their chi_squared and degrees_of_freedom.")},
+                          {"chi_squared", of_kind("number", "Sum of the squared weighted residuals.")},
+                          {"degrees_of_freedom", of_kind("integer", "Points less 4.")},
+                          {"residuals", numbers("Distance less L0 less length difference of each point, mm.")},
+                          {"rank", of_kind("integer", "Of the five columns of eq. 14.")},
+                          {"condition", of_kind("number", "Largest over smallest singular value.")}})},
+                 {"required", std::move(required)},
+                 {"description", description}});
 }
 
 Value finding() {

@@ -12,8 +12,8 @@
 #include <tuple>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_values.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
@@ -261,7 +261,9 @@ Result<TrackingLengths> read_tracking_lengths(std::string_view bytes, const Trac
     return {};
   }));
   if (!reader)
-    return fail("found no header, expected one with line, target, direction, run, length_difference_mm", {1, 1});
+    return fail(
+        fmt::format("found no header, expected one with {}", fmt::join(names_of<5>(tracking_lengths_head), ", ")),
+        {1, 1});
   if (lengths.rows.empty()) return fail("found no lengths below the header, expected one on each line");
   return lengths;
 }
@@ -269,8 +271,7 @@ Result<TrackingLengths> read_tracking_lengths(std::string_view bytes, const Trac
 std::string write_tracking_lengths(std::span<const LengthReading> readings, std::span<const double> times_s) {
   const bool segments = std::ranges::any_of(readings, [](const LengthReading& r) { return r.segment != 0; });
   const bool timed = !times_s.empty();
-  std::string text = fmt::format("line,target,direction,run,length_difference_mm{}{}\n", segments ? ",segment" : "",
-                                 timed ? ",time_s" : "");
+  std::string text = fmt::format("{}{}{}\n", tracking_lengths_head, segments ? ",segment" : "", timed ? ",time_s" : "");
   for (std::size_t k = 0; k < readings.size(); ++k) {
     const LengthReading& r = readings[k];
     text += fmt::format("{},{},{},{},{}", text::csv_cell(r.line), r.approach.target + 1,

@@ -28,6 +28,9 @@ struct TrackingLengths {
   std::vector<SourceRemark> remarks{};  ///< the encoding, columns passed over
 };
 
+/// The head of the long table as we write it, but for segments and times.
+inline constexpr std::string_view tracking_lengths_head = "line,target,direction,run,length_difference_mm";
+
 /// Two kinds of tables, separated by comma, semicolon or tab, with decimal point or, but for the comma, decimal comma:
 /// - long: `line,target,direction,run,length_difference_mm` in any order of columns and rows. `target` is the number of
 ///   the target from 1; `position_mm` (or `target_mm`) in its place is the position, within 0.05 mm and a quarter of

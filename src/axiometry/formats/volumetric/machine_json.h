@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/machine/machine_model.h"
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/volumetric/machine/machine_model.h"
 #include "axiometry/volumetric/simulate/true_errors.h"

@@ -6,8 +6,8 @@
 #include <array>
 #include <iterator>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/named_rows.h"
 #include "axiometry/formats/text/table_heads.h"
@@ -19,8 +19,7 @@ using volumetric::VolumetricLengths;
 using volumetric::VolumetricReading;
 
 enum Role : std::size_t { role_station, role_tool, role_segment, role_x, role_y, role_z, role_length, role_count };
-constexpr std::array<std::string_view, role_count> canonical = {"station", "tool", "segment",  "x_mm",
-                                                                "y_mm",    "z_mm", "length_mm"};
+constexpr auto canonical = names_of<role_count>(volumetric_lengths_head);
 constexpr ColumnWord words[] = {{"station", role_station},
                                 {"station id", role_station},
                                 {"tracker", role_station},
@@ -74,8 +73,7 @@ Result<VolumetricLengths> read_volumetric_lengths(std::string_view bytes) {
     lengths.readings.push_back(reading);
     return {};
   };
-  AXIOMETRY_TRY_VOID(
-      for_named_rows(decoded.text, columns, table, required, "station,tool,segment,x_mm,y_mm,z_mm,length_mm", take));
+  AXIOMETRY_TRY_VOID(for_named_rows(decoded.text, columns, table, required, volumetric_lengths_head, take));
   if (lengths.readings.empty()) return fail("found a header and no lengths below it, expected one in each row");
   lengths.stations = stations.take();
   lengths.tools = tools.take();
@@ -87,7 +85,7 @@ Result<VolumetricLengths> read_volumetric_lengths(std::string_view bytes) {
 }
 
 std::string write_volumetric_lengths(const VolumetricLengths& lengths) {
-  std::string text = "station,tool,segment,x_mm,y_mm,z_mm,length_mm\n";
+  std::string text = fmt::format("{}\n", volumetric_lengths_head);
   for (const VolumetricReading& r : lengths.readings)
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", name_cell(lengths.stations[r.station]),
                    name_cell(lengths.tools[r.tool]), name_cell(lengths.segments[r.segment]), format_exact(r.axes_mm.x),
@@ -111,7 +109,7 @@ Result<VolumePoints> read_volume_points(std::string_view bytes) {
     points.points.push_back(std::move(point));
     return {};
   };
-  AXIOMETRY_TRY_VOID(for_named_rows(decoded.text, columns, table, required, "tool,x_mm,y_mm,z_mm", take));
+  AXIOMETRY_TRY_VOID(for_named_rows(decoded.text, columns, table, required, volume_points_head, take));
   if (points.points.empty()) return fail("found a header and no points below it, expected one in each row");
   add_remarks(columns, decoded, points.remarks);
   return points;

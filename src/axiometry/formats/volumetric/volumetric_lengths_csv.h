@@ -11,6 +11,10 @@
 /// Lengths of a volumetric calibration as a table, one row for each reading; and points at which its result is asked.
 namespace axiometry::formats {
 
+/// Heads as we write them: of lengths, and of points.
+inline constexpr std::string_view volumetric_lengths_head = "station,tool,segment,x_mm,y_mm,z_mm,length_mm";
+inline constexpr std::string_view volume_points_head = "tool,x_mm,y_mm,z_mm";
+
 /// Columns `station,tool,x_mm,y_mm,z_mm,length_mm`, where a beam was broken `segment`, in any order; other columns are
 /// passed over. x, y, z are where the axes were told to stand. Stations, tools and segments are names or numbers; a
 /// segment belongs to its station and tool. Rows are in the order of measurement. Delimiters, units, comments and

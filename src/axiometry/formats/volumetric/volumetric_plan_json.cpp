@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
@@ -189,13 +189,7 @@ std::string write_volumetric_plan(const CalibrationPlan& plan) {
   return json::dump(volumetric_plan_value(plan)) + "\n";
 }
 
-bool is_volumetric_plan(std::string_view bytes) {
-  const auto text = utf8_text(bytes);
-  const auto root = text ? json::parse(*text) : Result<Value>(std::unexpected(text.error()));
-  if (!root || !root->is(Kind::object)) return false;
-  const Value* format = root->find("format");
-  return format != nullptr && format->is(Kind::text) && format->text() == volumetric_plan_format_name;
-}
+bool is_volumetric_plan(std::string_view bytes) { return stated_format(bytes) == volumetric_plan_format_name; }
 
 Result<CalibrationPlan> read_volumetric_plan(std::string_view bytes) {
   AXIOMETRY_TRY(const std::string_view text, utf8_text(bytes));

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/volumetric/plan/calibration_plan.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/volumetric/machine_json.h"
 
@@ -192,7 +192,7 @@ Result<ErrorModel> read_error_model(std::string_view bytes) {
 Result<ErrorModel> error_model_of(const Value& root) {
   const Value* model = root.is(Kind::object) ? root.find("model") : nullptr;
   if (model == nullptr)
-    return fail("found no member \"model\", expected the result of 'axiometry volumetric identify --out'", root.at());
+    return fail("found no member \"model\", expected the result of a volumetric calibration", root.at());
   return error_model_from(*model);
 }
 

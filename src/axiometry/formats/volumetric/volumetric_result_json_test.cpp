@@ -64,7 +64,7 @@ TEST(VolumetricResultJson, IsReadBackAsItIsWritten) {
 TEST(VolumetricResultJson, RefusesWhatIsNoResult) {
   const auto none = read_error_model("{}");
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().to_string(), HasSubstr("volumetric identify --out"));
+  EXPECT_THAT(none.error().to_string(), HasSubstr("the result of a volumetric calibration"));
   const std::string text = file_of(small_model());
   EXPECT_THAT(refusal_of(text, "\"nodes\"", "\"waves\""), HasSubstr("expected b-spline, legendre or nodes"));
   EXPECT_THAT(refusal_of(text, "\"size\":2", "\"size\":2.5"), HasSubstr("whole number from 1 to 400"));

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
@@ -127,7 +127,7 @@ const AxisTable acs_axis_table = {
     .uses = {.number = true},
     .sign = acs::sign,
     .loading =
-        "Load it into a buffer and run that once the axis is homed, as part of the start. --number is the axis of "
+        "Load it into a buffer and run that once the axis is homed, as part of the start. The number is the axis of "
         "the controller; the table is in its user units, mm (or inch) and degrees.",
     .verified =
         "The commands, and that the table is added to the command of the motor: a script in use that writes them.",

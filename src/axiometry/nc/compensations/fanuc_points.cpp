@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/nc/compensations/increments.h"
 #include "axiometry/nc/table_text.h"
 
@@ -25,11 +25,12 @@ Result<void> write_points(std::string& text, const AxisCorrection& correction, D
   const long long most = options.largest > 0 ? options.largest : largest_increment;
   std::vector<double> values = correction.values(direction);
   for (double& value : values) value -= at_reference;
-  AXIOMETRY_TRY(const std::vector<long long> data,
-                increments::of_curve(correction.positions(), values, count,
-                                     {-most, most, unit,
-                                      "a larger --magnification, a shorter --step, or --largest 127 "
-                                      "where the control takes more"}));
+  AXIOMETRY_TRY(
+      const std::vector<long long> data,
+      increments::of_curve(
+          correction.positions(), values, count,
+          {-most, most, unit,
+           "a larger magnification, a smaller spacing, or 127 as largest number where the control takes more"}));
   if (is_whole_turn(correction)) fmt::format_to(std::back_inserter(text), "N{}P{}\n", 10'000 + first++, data.back());
   for (const long long increment : data)
     fmt::format_to(std::back_inserter(text), "N{}P{}\n", 10'000 + first++, increment);

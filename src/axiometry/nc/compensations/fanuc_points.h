@@ -22,16 +22,16 @@ inline constexpr std::string_view sign =
 inline constexpr std::string_view loading =
     "Read the part between the percent signs in as pitch error data (PWE on, EDIT), set the parameters that are listed "
     "behind it by hand, switch the control off and on, and return to the reference point. The points of several axes "
-    "share one row of numbers: --number is that of the reference point, so that no other axis is overwritten. "
-    "--resolution is the detection unit.";
+    "share one row of numbers: the number is that of the reference point, so that no other axis is overwritten. One "
+    "count is the detection unit.";
 inline constexpr std::string_view verified =
     "Numbers 3605, 3620 to 3627 of the parameters, that the data are increments in detection units times the "
     "magnification, that one is a signed byte, that a switch off and on is needed: reports and manuals of the 0i and "
     "15i, the header of FOCAS.";
 inline constexpr std::string_view inferred =
     "That the data are written as N10000 and the point's number, that a point's number is used from the point before "
-    "to "
-    "it, that older controls take -7 to 7 (--largest 127 for those that take more), and the units of the parameters.";
+    "to it, that older controls take -7 to 7 (127 as largest number for those that take more), and the units of the "
+    "parameters.";
 inline constexpr std::string_view inferred_of_each_way =
     "As for one curve. That points of the negative direction count from 3626 in the same order and sign, and that 3627 "
     "is "

@@ -28,9 +28,8 @@ const AxisTable grblhal_axis_table = {
     .sign = steps::sign,
     .loading =
         "Send the lines to the control, or enter them in the sender's settings; home the axis. Backlash is there only "
-        "when "
-        "the firmware is built with it. --steps-per-unit is what the setting 100 and on says now. grbl itself has no "
-        "backlash: take the steps alone.",
+        "when the firmware is built with it. The steps per unit are what the setting 100 and on says now. grbl itself "
+        "has no backlash: take the steps alone.",
     .verified =
         "The numbers of the settings, that there is no table, and that the backlash is an option of the build: "
         "sources.",

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
@@ -80,7 +80,7 @@ const AxisTable haas_axis_table = {
     .sign = "A positive number moves the axis in the positive direction: it is added (inferred).",
     .loading =
         "Enter the numbers on the page of the axis' leadscrew compensation, which the maker's settings unlock, and "
-        "home the axis. --resolution is one encoder step, of which an entry holds at most 127.",
+        "home the axis. One count is one encoder step, of which an entry holds at most 127.",
     .verified =
         "Half an inch between entries, 0.0001 inch, the first entry at machine zero and the others in the negative "
         "direction, 127 encoder steps, 256 entries inside: the manual of 1999.",

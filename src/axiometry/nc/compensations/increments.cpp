@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc::increments {

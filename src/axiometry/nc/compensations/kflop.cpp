@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {

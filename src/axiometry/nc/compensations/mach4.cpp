@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
@@ -109,8 +109,8 @@ const AxisTable mach4_axis_table = {
         "(inferred).",
     .loading =
         "Enter start, length, number of points and the numbers in the dialog of screw mapping, for each direction "
-        "(since build 4780; before it there is one map: ask for --curves both-ways), in the motor's units, and "
-        "enable the map.",
+        "(since build 4780; before it there is one map: ask for one curve for both directions), in the motor's units, "
+        "and enable the map.",
     .verified =
         "Start, length, number of points, points at one spacing, one map before build 4780 and two since: the "
         "maker's words.",

@@ -28,7 +28,7 @@ const AxisTable marlin_axis_table = {
     .sign = steps::sign,
     .loading =
         "Send the lines in mm (G21); M500 keeps them. M425 is there only when the firmware is built with "
-        "BACKLASH_COMPENSATION and BACKLASH_GCODE. --steps-per-unit is what M92 says now.",
+        "BACKLASH_COMPENSATION and BACKLASH_GCODE. The steps per unit are what M92 says now.",
     .verified =
         "M425 with a backlash in mm for each axis and F as the share of it: the change that brought the command.",
     .inferred = steps::inferred,

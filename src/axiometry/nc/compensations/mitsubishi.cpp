@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/compensations/increments.h"
 #include "axiometry/nc/table_text.h"
 
@@ -45,7 +45,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   const std::string unit = fmt::format("times {} {}", trimmed_fixed(count, 6), deviation_unit(options.kind));
   AXIOMETRY_TRY(const std::vector<long long> data,
                 increments::of_curve(correction.positions(), correction.values(Direction::up), count,
-                                     {lowest, highest, unit, "a larger --magnification or a shorter --step"}));
+                                     {lowest, highest, unit, "a larger magnification or a smaller spacing"}));
   const long long before = std::llround((options.reference - correction.positions().front()) / *step);
   const long long reference =
       options.number > 0 ? static_cast<long long>(options.number) : first_number - 1 + std::max(before, 0ll);
@@ -129,8 +129,8 @@ const AxisTable mitsubishi_axis_table = {
     .uses = {.number = true, .resolution = true, .magnification = true},
     .sign = mitsubishi::sign,
     .loading =
-        "Enter the numbers in the parameters for axis compensation, incremental system, and switch the control off "
-        "and on. --resolution is the output unit; --number is #4003, so that no other axis is overwritten.",
+        "Enter the numbers in the parameters for axis compensation, incremental system, and switch the control off and "
+        "on. One count is the output unit; the number is #4003, so that no other axis is overwritten.",
     .verified =
         "The formulas of both sides, twice the difference in output units, -128 to 127: manuals of C64 and E68.",
     .inferred =

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
@@ -54,10 +54,8 @@ Result<Motors> motors_of(const AxisTableOptions& options) {
   constexpr unsigned long long motors_most = 32;
   const auto target = parse_count(digits);
   if (!target || *target < 1 || *target > motors_most || *target == motors.source)
-    return fail(
-        fmt::format("found the output axis {}, expected the number of its motor, 1 to {} and another than {} "
-                    "(--output-axis, --number)",
-                    text::quoted(options.output_axis), motors_most, motors.source));
+    return fail(fmt::format("found the output axis {}, expected the number of its motor, 1 to {} and another than {}",
+                            text::quoted(options.output_axis), motors_most, motors.source));
   motors.target = static_cast<unsigned>(*target);
   return motors;
 }
@@ -107,9 +105,7 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
   AXIOMETRY_TRY(const Span span, span_of(correction, options));
   AXIOMETRY_TRY(const Motors motors, motors_of(options));
   if (motors.is_cross() && !correction.same_both_ways())
-    return fail(
-        "found a curve for each direction, expected one for both (--curves both-ways): BLCOMP moves its own motor "
-        "alone");
+    return fail("found a curve for each direction, expected one for both: BLCOMP moves its own motor alone");
   std::string text = comment_lines(";", pmac_axis_table.sign);
   fmt::format_to(std::back_inserter(text), "{}{} to {}\n{}{}\n#{} DEFINE COMP {},{}{}\n", range_mark,
                  trimmed_fixed(span.low, 6), trimmed_fixed(span.high, 6), count_mark, count_text(options),
@@ -122,8 +118,8 @@ Result<std::string> write(const AxisCorrection& correction, const AxisTableOptio
     AXIOMETRY_TRY(const long long at_home, whole_entry(less_at(options.reference), options, 0));
     if (at_home < 0)
       return fail(
-          "found a negative reversal at the reference point, expected one of 0 or more, which Ix86 can hold (--curves "
-          "both-ways)");
+          "found a negative reversal at the reference point, expected one of 0 or more, which Ix86 can hold, or one "
+          "curve for both directions");
     AXIOMETRY_TRY_VOID(write_entries(text, span, options, at_home, less_at));
     fmt::format_to(std::back_inserter(text), "I{}86={}\n", motors.target, at_home);
   }
@@ -215,8 +211,7 @@ Result<void> check_range(double range, double step, const Buffer& buffer, AxisKi
   if (std::abs(steps - (entries - 1.0)) <= slack) return {};
   if (kind == AxisKind::rotary && std::abs(steps - entries) <= slack) return {};
   return fail(
-      fmt::format("found a range of {} steps in a table of {} entries, expected {}: is one count another amount "
-                  "(--resolution)?",
+      fmt::format("found a range of {} steps in a table of {} entries, expected {}: is one count another amount?",
                   format_rounded(steps, 3), buffer.entries, buffer.entries - 1));
 }
 
@@ -290,12 +285,12 @@ const AxisTable pmac_axis_table = {
         "A positive number of COMP moves the axis in the positive direction; one of BLCOMP in the negative, and only "
         "while it moves in the negative direction.",
     .loading =
-        "Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, "
-        "motors with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is "
-        "homed. --number is the motor, --resolution one count. With BLCOMP, Ix86 holds the reversal at home and is "
-        "among the lines; with Ix85 at 0 none of it acts. A cross table moves the motor of --output-axis by the "
-        "position of --number, both of one --resolution; it belongs to the motor that it moves, and where that has a "
-        "table already to one without.",
+        "Delete the buffers that are in the way (TBUF, ROTARY, GATHER, tables of lower motors), send the lines, motors "
+        "with the highest number first, SAVE. I51=1 switches all tables on; they are active once the motor is homed. "
+        "The number is that of the motor, one count one of its own. With BLCOMP, Ix86 holds the reversal at home and "
+        "is among the lines; with Ix85 at 0 none of it acts. A cross table moves the motor of the output axis by the "
+        "position of the motor with the number, both with counts of one size; it belongs to the motor that it moves, "
+        "and where that has a table already to one without.",
     .verified =
         "The commands, 1/16 count, the first entry one spacing from home, the rollover, that COMP is added in both "
         "directions and BLCOMP and Ix86 taken off in the negative one, that BLCOMP is 0 at home, source and target of "

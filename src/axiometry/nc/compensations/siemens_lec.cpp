@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/compensations/siemens_lines.h"
 #include "axiometry/nc/table_text.h"
 
@@ -99,9 +99,9 @@ const AxisTable siemens_lec_axis_table = {
     .loading =
         "MD38000 must be at least the number of points (808D: at most 200), and changing it clears the memory. Set "
         "MD32700 of the axis to 0, load the file as a part program of initialisation, set MD32700 to 1, reference the "
-        "axis. The unit is that of MD10240. With --curves with-backlash the head of the file says what is to be added "
-        "to MD32450 (BACKLASH). All points of an old table are replaced only where the new one has as "
-        "many.",
+        "axis. The unit is that of MD10240. With one curve, and a number for the reversal beside it, the head of the "
+        "file says what is to be added to MD32450 (BACKLASH). All points of an old table are replaced only where the "
+        "new one has as many.",
     .verified =
         "Layout, names, sign, that the ends hold and that one curve serves both directions: function manuals of 840D, "
         "828D and 808D. That MD32450 is positive where the encoder leads the machine, which is lost motion, and may be "

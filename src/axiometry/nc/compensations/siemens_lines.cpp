@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::nc::siemens {
 

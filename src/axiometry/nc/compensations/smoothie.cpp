@@ -32,8 +32,7 @@ const AxisTable smoothie_axis_table = {
     .sign = steps::sign,
     .loading =
         "Put the lines in the file config in place of those that are there, and reset the control. Backlash is there "
-        "only "
-        "when the firmware is built with BACKLASH=1. --steps-per-unit is what the file says now.",
+        "only when the firmware is built with BACKLASH=1. The steps per unit are what the file says now.",
     .verified =
         "The settings of the backlash, and that it is an option of the build: the change that brings it (pull request "
         "1543, open).",

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/rounded_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/rounded_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
@@ -159,7 +159,7 @@ const AxisTable twincat_cnc_axis_table = {
     .loading =
         "Name the list as the axis compensation of this axis among the start-up lists, switch the spindle error "
         "compensation (ssfk) of the axis on, start the control anew, and home the axis. The name of the axis is "
-        "kopf.log_achs_name, --number its kopf.achs_nr.",
+        "kopf.log_achs_name, the number its kopf.achs_nr.",
     .verified =
         "Names, units of 0.1 um and 0.0001 degrees, at most 1500 positions, both directions, that the ends hold, "
         "and the sign by a worked example: the manual of the kernel.",

@@ -28,4 +28,6 @@ MatrixXd cofactor(const Eigen::ColPivHouseholderQR<MatrixXd>& decomposed) {
   return ordered * ordered.transpose();
 }
 
+MatrixXd inverse(const MatrixXd& matrix) { return matrix.inverse(); }
+
 }  // namespace axiometry::numeric

@@ -23,6 +23,9 @@ Eigen::MatrixXd completed_orthonormal_basis(const Eigen::MatrixXd& columns);
 /// (RᵀR)⁻¹ of A P = Q R, in the order of the columns of A: (AᵀA)⁻¹. A has full rank and no more columns than rows.
 Eigen::MatrixXd cofactor(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& decomposed);
 
+/// Of a square matrix of full rank.
+Eigen::MatrixXd inverse(const Eigen::MatrixXd& matrix);
+
 }  // namespace axiometry::numeric
 
 #define AXIOMETRY_DENSE extern template

@@ -7,9 +7,12 @@ namespace Eigen {
 AXIOMETRY_DENSE ColPivHouseholderQR<MatrixXd>& ColPivHouseholderQR<MatrixXd>::compute(const EigenBase<MatrixXd>&);
 AXIOMETRY_DENSE void ColPivHouseholderQR<MatrixXd>::computeInPlace();
 AXIOMETRY_DENSE void ColPivHouseholderQR<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const;
+AXIOMETRY_DENSE void ColPivHouseholderQR<MatrixXd>::_solve_impl(
+    const CwiseNullaryOp<internal::scalar_identity_op<double>, MatrixXd>&, MatrixXd&) const;
 
 AXIOMETRY_DENSE LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
 AXIOMETRY_DENSE void LDLT<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const;
+AXIOMETRY_DENSE void LDLT<MatrixXd>::_solve_impl(const MatrixXd&, MatrixXd&) const;
 AXIOMETRY_DENSE void LDLT<MatrixXd>::_solve_impl(const CwiseNullaryOp<internal::scalar_identity_op<double>, MatrixXd>&,
                                                  MatrixXd&) const;
 AXIOMETRY_DENSE LDLT<Matrix3d>& LDLT<Matrix3d>::compute(const EigenBase<Matrix3d>&);

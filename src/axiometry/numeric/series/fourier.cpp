@@ -15,13 +15,13 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double two_pi_of_fourier = 2.0 * std::numbers::pi;
-constexpr std::size_t reach = 16;   // M_sp, points to each side: what is cut off and what folds back is 3e-15
-constexpr std::size_t finer = 2;    // R, of the grid
+constexpr std::size_t reach = 16;  // M_sp, points to each side: what is cut off and what folds back is 3e-15
+constexpr std::size_t finer = 2;   // R: how much finer the grid is
 constexpr std::size_t spread_size = finer * FourierSums::most_at_once;
 constexpr double spread_spacing = two_pi_of_fourier / double(spread_size);
-constexpr double tau = std::numbers::pi * double(reach) /
-                       (double(finer) * (double(finer) - 0.5) * double(FourierSums::most_at_once) *
-                        double(FourierSums::most_at_once));
+constexpr double tau =
+    std::numbers::pi * double(reach) /
+    (double(finer) * (double(finer) - 0.5) * double(FourierSums::most_at_once) * double(FourierSums::most_at_once));
 
 /// Products without the C library's care for infinities.
 Complex product_of(Complex a, Complex b) {

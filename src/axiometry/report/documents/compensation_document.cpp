@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/compensation.h"
 #include "axiometry/report/figures/compensation_curves.h"
 #include "axiometry/report/sections/added_table.h"
@@ -55,7 +55,8 @@ Notice compensation_outcome(const CompensationSubject& subject, const Options& o
                 {}};
   if (subject.expected)
     notice.lines.push_back(
-        plain(fmt::format("A re-test will scatter anew: {} below {} in 95 % of re-tests, if the axis stays as it is",
+        plain(fmt::format("A re-test will scatter anew: {} below {} in 95 % of re-tests, if axis, air, temperatures "
+                          "and set-up stay as they are",
                           symbol, with_unit(of(*subject.expected)))));
   notice.lines.push_back(plain("A prediction, not a measurement: only a re-test proves it."));
   if (subject.retest && of(subject.retest->parameters))
@@ -104,7 +105,7 @@ Section compensation_parameters(const CompensationSubject& subject, const Option
   if (subject.expected)
     table.notes.push_back(
         plain("Re-test, 95 % below: of simulated re-tests of as many runs, with the scatter of this test, in the table "
-              "and in the re-test; if the axis and the set-up stay as they are."));
+              "and in the re-test; if axis, air, temperatures and set-up stay as they are."));
   Section section{"parameters", "Before and predicted", true, {std::move(table)}};
   section.blocks.emplace_back(before_and_predicted_figure(subject, options));
   return section;

@@ -306,6 +306,15 @@ TEST(IdentificationSection, ShowsEveryWantedFieldGivenOrNot) {
   EXPECT_THAT(all, Contains("Air temperature: not stated"));
 }
 
+TEST(IdentificationSection, CountsApproachesAndNotTheNumbersOfTheRuns) {
+  const testing_support::RunDeviations left_out(2, testing_support::none);
+  const std::vector<testing_support::RunDeviations> up = {{1, 2}, left_out, {2, 2}};
+  const std::vector<testing_support::RunDeviations> down = {left_out, {3, 4}, left_out, {4, 4}};
+  const Reported test = reported({{}, testing_support::make_series({0, 100}, up, down), {}});
+  EXPECT_THAT(facts(section(composed(test), "identification")),
+              Contains("Number of approaches n: 2 from each direction"));
+}
+
 TEST(IdentificationSection, CallsReadingsOfOneDirectionNoStandardCycle) {
   const auto cycle = [](const std::vector<testing_support::RunDeviations>& down) {
     return facts(section(composed(reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, down), {}})),

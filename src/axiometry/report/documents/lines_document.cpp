@@ -18,6 +18,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
+#include "axiometry/standards/readings/runs_made.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
@@ -211,7 +212,7 @@ Facts line_facts(const AssessedLine& line, bool aligned, const Options& options)
   add("Targets", fmt::format("{} from {} to {}, up to {} from a direction", targets.size(),
                              shown_mm(targets.front().in_native(), decimals, options),
                              shown_mm(targets.back().in_native(), decimals, options),
-                             counted(test.series.run_count(), "approach", "approaches")));
+                             counted(most_runs_made(test.series), "approach", "approaches")));
   if (!line.line.distances_mm.empty()) {
     const auto [least, most] = std::ranges::minmax(line.line.distances_mm);
     add(aligned ? "Distance from the beginning of the line" : "Distance from the station",

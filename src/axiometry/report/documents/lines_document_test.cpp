@@ -100,7 +100,7 @@ Measured measured(const std::vector<std::string>& ids = {"x", "y", "z", "xy", "x
     m.assessments.push_back(iso230_2::assess(line.test));
     m.judgements.emplace_back();
   }
-  tracking::Squareness squareness;
+  tracking::ScalesAndSquareness squareness;
   const char* terms[] = {"e_x", "e_y", "e_z", "C0Y", "B0Z", "A0Z"};
   for (std::size_t k = 0; k < 6; ++k) squareness.terms[k] = {terms[k], 1.5 * static_cast<double>(k), 0.25};
   squareness.terms[5] = {"A0Z", std::nullopt, std::nullopt};

@@ -104,7 +104,7 @@ constexpr std::string_view student_note =
     "U for about 95 %: k is Student’s t for the targets and runs that tell the scatter of these slopes, 2 where they "
     "are many.";
 
-Table squareness_table(const tracking::Squareness& squareness, const Options& options) {
+Table squareness_table(const tracking::ScalesAndSquareness& squareness, const Options& options) {
   Table table;
   table.columns = {{plain("Quantity"), Align::start, true, true},
                    {plain("Symbol")},
@@ -129,7 +129,7 @@ Table squareness_table(const tracking::Squareness& squareness, const Options& op
 }
 
 Table residual_table(const LinesSubject& subject, const Options& options) {
-  const tracking::Squareness& squareness = *subject.evaluation.squareness;
+  const tracking::ScalesAndSquareness& squareness = *subject.evaluation.squareness;
   Table table;
   table.caption = plain("What the scales and angles leave of the slopes");
   table.columns = {{plain("Line"), Align::start, true},
@@ -155,10 +155,10 @@ std::optional<std::size_t> nearest(const tracking::EvaluatedLine& line) {
 
 std::vector<TableCell> length_difference_row(const tracking::EvaluatedLine& line, const RangingUncertainty& ranging,
                                              const Options& options) {
-  std::vector<TableCell> row = {TableCell{strong_verbatim(line.id)},
-                                number_cell(1000.0 * line.offset.larger_mm, 1, options),
-                                number_cell(1000.0 * line.offset.smaller_mm, 1, options)};
   const auto at = nearest(line);
+  const auto across = [&](double mm) { return at ? number_cell(1000.0 * mm, 1, options) : quiet_cell("–"); };
+  std::vector<TableCell> row = {TableCell{strong_verbatim(line.id)}, across(line.offset.larger_mm),
+                                across(line.offset.smaller_mm)};
   if (!at) {
     row.insert(row.end(), 5, quiet_cell("–"));
     return row;
@@ -327,7 +327,7 @@ Section diagonal_section(const LinesSubject& subject, const Options& options) {
 }
 
 Section squareness_section(const LinesSubject& subject, const Options& options) {
-  const tracking::Squareness& squareness = *subject.evaluation.squareness;
+  const tracking::ScalesAndSquareness& squareness = *subject.evaluation.squareness;
   Section section{"squareness", "Scales and squareness from the slopes", true, {}};
   section.blocks.emplace_back(squareness_table(squareness, options));
   if (squareness.degrees_of_freedom > 0 && squareness.residuals_um_per_m.size() == subject.evaluation.lines.size())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -39,8 +40,15 @@ std::string shown_chance(double chance, const Options& options) {
 
 double per_metre(AxisKind kind) { return kind == AxisKind::linear ? 1000.0 : 1.0; }
 
+/// None of what noise alone makes as large, where no interval holds the truth as often as U says.
+std::optional<double> expanded(double u, double k, bool significant) {
+  return significant ? std::optional(k * u) : std::nullopt;
+}
+
 /// An angle's U is no more than half a turn.
-double expanded_angle(Angle u, double k) { return std::min(k * u.in_deg(), 180.0); }
+std::optional<double> expanded_angle(Angle u, double k, bool significant) {
+  return expanded(std::min(u.in_deg(), 180.0 / k), k, significant);
+}
 
 }  // namespace
 
@@ -52,17 +60,20 @@ std::vector<PeriodicRow> periodic_rows(const PeriodicDirection& d, AxisKind kind
     return row(std::move(title), std::move(symbol), value, std::nullopt, unit, options);
   };
   const auto deviation_row = [&](std::string title, std::string symbol, const iso230_2::Estimate<Deviation>& x) {
-    return row(std::move(title), std::move(symbol), x.value.in_native(), k * x.u.in_native(), um, options);
+    const auto U = expanded(x.u.in_native(), k, d.significant);
+    return row(std::move(title), std::move(symbol), x.value.in_native(), U, um, options);
   };
   const auto angle_row = [&](std::string title, std::string symbol, const iso230_2::Estimate<Angle>& x) {
-    return row(std::move(title), std::move(symbol), x.value.in_deg(), expanded_angle(x.u, k), "°", options);
+    return row(std::move(title), std::move(symbol), x.value.in_deg(), expanded_angle(x.u, k, d.significant), "°",
+               options);
   };
 
   std::vector<PeriodicRow> rows;
   if (d.period_known) {
     rows.push_back({"Period, as given", "λ", shown_exact(d.period.value.in_native(), options), "", std::string(mm)});
   } else {
-    rows.push_back(row("Period, found", "λ", d.period.value.in_native(), k * d.period.u.in_native(), mm, options));
+    rows.push_back(row("Period, found", "λ", d.period.value.in_native(),
+                       expanded(d.period.u.in_native(), k, d.significant), mm, options));
   }
   rows.push_back(deviation_row("Amplitude", "A_1", fundamental.amplitude));
   rows.push_back(angle_row("Phase at the first target", "φ_1", fundamental.phase));
@@ -76,7 +87,8 @@ std::vector<PeriodicRow> periodic_rows(const PeriodicDirection& d, AxisKind kind
   rows.push_back({"Degrees of freedom", "ν", fmt::format("{}", d.degrees_of_freedom), "", ""});
   rows.push_back(row("Slope of the removed line", "b", d.slope_native.value * per_metre(kind),
                      k * d.slope_native.u * per_metre(kind), kind == AxisKind::linear ? "µm/m" : "″/°", options));
-  rows.push_back(deviation_row("Removed line at the first target", "a", d.offset));
+  rows.push_back(row("Removed line at the first target", "a", d.offset.value.in_native(), k * d.offset.u.in_native(),
+                     um, options));
   rows.push_back({d.period_known ? "Chance of this size by white noise" : "Chance of the peak by white noise", "p",
                   shown_chance(d.false_alarm, options), "", ""});
   rows.push_back(plain_row("Periods covered", "", d.periods_covered, ""));
@@ -96,18 +108,20 @@ Table harmonic_table(const PeriodicDirection& d, AxisKind kind, const Options& o
                    {joined({italic("U"), plain(", °")}), Align::decimal},
                    {plain("Chance by white noise"), Align::decimal},
                    {plain("Part of the curve"), Align::start, false, true}};
+  const auto has_told_size = [&](const auto& h) { return d.significant && h.significant; };
   for (const auto& h : d.harmonics) {
-    const PeriodicRow A =
-        row("", "", h.amplitude.value.in_native(), d.coverage_factor * h.amplitude.u.in_native(), um, options);
+    const bool told = has_told_size(h);
+    const PeriodicRow A = row("", "", h.amplitude.value.in_native(),
+                              expanded(h.amplitude.u.in_native(), d.coverage_factor, told), um, options);
     const PeriodicRow phase =
-        row("", "", h.phase.value.in_deg(), expanded_angle(h.phase.u, d.coverage_factor), "°", options);
+        row("", "", h.phase.value.in_deg(), expanded_angle(h.phase.u, d.coverage_factor, told), "°", options);
     const bool drawn = h.order == 1 || h.significant;
     table.rows.push_back({{plain(fmt::format("{}", h.order))},
                           {plain(shown_short(d.period.value.in_native() / static_cast<double>(h.order), options, 5))},
                           {plain(A.value)},
-                          {plain(A.U)},
+                          A.U.empty() ? quiet_cell("–") : text_cell(A.U),
                           {plain(phase.value)},
-                          {plain(phase.U)},
+                          phase.U.empty() ? quiet_cell("–") : text_cell(phase.U),
                           {plain(shown_chance(h.chance, options))},
                           {plain(h.order == 1 ? "always"
                                  : drawn      ? "yes"
@@ -119,6 +133,9 @@ Table harmonic_table(const PeriodicDirection& d, AxisKind kind, const Options& o
               plain(" − "), symbol("P_1"), plain(")/"), italic("λ"), plain(" + "), symbol("φ_h"),
               plain(fmt::format("). U = k u with k = {} for about 95\u00a0% (Student’s t).",
                                 format_fixed(d.coverage_factor, 2, options.numbers)))})};
+  if (!std::ranges::all_of(d.harmonics, has_told_size))
+    table.notes.push_back(plain(
+        "What is not significant has no U: noise alone makes as large an amplitude in more than 1 % of such tests."));
   return table;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/report/drawing/upper_case.h"
 
-#include "axiometry/base/utf8.h"
+#include "axiometry/base/text/utf8.h"
 
 namespace axiometry::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "axiometry/base/utf8.h"
+#include "axiometry/base/text/utf8.h"
 
 namespace axiometry::report {
 

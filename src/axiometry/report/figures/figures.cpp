@@ -63,7 +63,7 @@ Figure unidirectional(const Subject& subject, const Options& options, Direction 
 std::vector<Figure> figures(const Subject& subject, const Options& asked) {
   const Options options = fitted(asked, subject.assessment.evaluation.parameters);
   const Series& series = subject.test.series;
-  const bool both = series.has(Direction::up) && series.has(Direction::down);
+  const bool both = series.has_both_directions();
   std::vector<Figure> result;
   if (both) result.push_back(bidirectional(subject, options));
   for (const Direction direction : {Direction::up, Direction::down}) {

@@ -30,6 +30,7 @@ struct Bars {
   double width = 0.5;
   double half = 4.0;           // half of the range shown
   std::vector<double> shares;  // share of all that lies in each bar, in %
+  bool outermost_hold_more = false;
 
   double begin(std::size_t k) const { return -half + width * static_cast<double>(k); }
 };
@@ -39,6 +40,7 @@ Bars bars_of(const std::vector<double>& values) {
   double most = 0.0;
   for (double x : values) most = std::max(most, std::abs(x));
   bars.half = std::clamp(std::ceil(most), 4.0, farthest);
+  bars.outermost_hold_more = most > bars.half;
   bars.width = values.size() < 100 ? 1.0 : values.size() < 2000 ? 0.5 : 0.25;
   const auto count = static_cast<std::size_t>(std::lround(2.0 * bars.half / bars.width));
   bars.shares.assign(count, 0.0);
@@ -66,10 +68,12 @@ std::optional<Figure> residual_figure(std::span<const double> normalised, const 
                     "A histogram of all residuals that other readings check, and the normal distribution "
                     "that they follow when the stated uncertainty is right.",
                 .operations = {}};
+  const char* readings =
+      bars.outermost_hold_more ? "readings, with all that lie beyond in the outermost bars" : "readings";
   const std::vector<plot::LegendEntry> legend = {{.line = ink::solid(ink::blue, 0.6),
                                                   .band = ink::faint(ink::blue, 0.3),
                                                   .mark = std::nullopt,
-                                                  .text = {plot::plain(translated("readings", options))}},
+                                                  .text = {plot::plain(translated(readings, options))}},
                                                  {.line = bell_line,
                                                   .band = std::nullopt,
                                                   .mark = std::nullopt,

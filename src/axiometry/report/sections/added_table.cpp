@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/sections/sections.h"
 
 namespace axiometry::report {

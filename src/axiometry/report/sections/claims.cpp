@@ -36,12 +36,10 @@ Section claim_section(const Subject& subject, const Options& options) {
     }
   }
   table.notes = {
-      plain("What was not stated speaks against a claim as what departs from the standard does: absent is "
-            "never the same as fine.")};
-  const Series& series = subject.test.series;
-  const bool both_directions = series.has(Direction::up) && series.has(Direction::down);
+      plain("What was not stated speaks against a claim as what departs from the standard does, but for "
+            "what rests on the word of who tested.")};
   if (claim(claims, iso230_2::ClaimKind::tested).holds())
-    table.notes.push_back(sentence(iso230_2::word_of_the_tester(subject.environment, both_directions)));
+    table.notes.push_back(sentence(iso230_2::word_of_the_tester(subject.test, subject.environment)));
   section.blocks.emplace_back(std::move(table));
   return section;
 }

@@ -128,15 +128,16 @@ std::vector<Fact> facts_of_readings(const Subject& subject, const Options& optio
   const auto place = [&](Position p) {
     return format_fixed(p.in_native(), decimals, options.numbers) + (kind == AxisKind::linear ? "\u00a0mm" : "°");
   };
-  std::size_t fewest = series.run_count();
+  std::size_t fewest = series.run_count(), most = 0;
   for (Direction direction : {Direction::up, Direction::down}) {
     if (!series.has(direction)) continue;
-    for (std::size_t target = 0; target < series.target_count(); ++target)
+    for (std::size_t target = 0; target < series.target_count(); ++target) {
       fewest = std::min(fewest, series.count(target, direction));
+      most = std::max(most, series.count(target, direction));
+    }
   }
-  const bool both = series.has(Direction::up) && series.has(Direction::down);
-  const std::string runs =
-      fewest == series.run_count() ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, series.run_count());
+  const bool both = series.has_both_directions();
+  const std::string runs = fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most);
   const std::string_view directions = both                        ? " from each direction"
                                       : series.has(Direction::up) ? " from below (↑) only"
                                                                   : " from above (↓) only";

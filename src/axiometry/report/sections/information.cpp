@@ -35,7 +35,7 @@ Fact drift_fact(const Subject& subject, const Options& options) {
   if (!course_of(subject.test).order_known)
     return {plain("Drift"), quiet_cell("not known: neither times nor the cycle tell the order of the readings")};
   const Series& series = subject.test.series;
-  const bool both = series.has(Direction::up) && series.has(Direction::down);
+  const bool both = series.has_both_directions();
   if (!drift)
     return {plain("Drift"), quiet_cell(both ? "not applicable: one approach from each direction"
                                             : "not applicable: one approach from one direction")};

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/sections/sections.h"
 
 namespace axiometry::report {

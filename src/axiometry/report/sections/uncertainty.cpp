@@ -11,6 +11,7 @@
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/standards/readings/artefact.h"
+#include "axiometry/standards/readings/runs_made.h"
 #include "axiometry/standards/readings/station_offset.h"
 
 namespace axiometry::report {
@@ -301,7 +302,7 @@ Section uncertainty_section(const Subject& subject, const Options& options) {
     return section;
   }
   section.blocks.emplace_back(Paragraph{plain(measurand_statement(
-      iso230_2::Measurand::this_test, subject.test.series.run_count(), !subject.assessment.uncorrected.empty()))});
+      iso230_2::Measurand::this_test, most_runs_made(subject.test.series), !subject.assessment.uncorrected.empty()))});
   section.blocks.emplace_back(budget_table(*annex_a, subject.test.metadata, options));
   add_inputs();
   if (auto means = mean_annex_a_figure(subject, options)) section.blocks.emplace_back(*std::move(means));

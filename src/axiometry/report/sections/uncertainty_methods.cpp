@@ -8,6 +8,7 @@
 #include "axiometry/report/method_values.h"
 #include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
+#include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::report {
 
@@ -191,7 +192,7 @@ Section method_section(const Subject& subject, const Options& options) {
   const auto& assessment = subject.assessment;
   Section section{"methods", "Uncertainty of the parameters", true, {}};
   section.blocks.emplace_back(Paragraph{plain(measurand_statement(
-      measurand_of(assessment), subject.test.series.run_count(), !assessment.uncorrected.empty()))});
+      measurand_of(assessment), most_runs_made(subject.test.series), !assessment.uncorrected.empty()))});
   section.blocks.emplace_back(Paragraph{plain(method_statement(assessment))});
   if (assessment.annex_a || assessment.gum || iso230_2::run_with_intervals(assessment) != nullptr)
     section.blocks.emplace_back(MethodTable(subject, options)());

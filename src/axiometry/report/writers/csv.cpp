@@ -28,7 +28,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/claim_text.h"
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/shown_number.h"

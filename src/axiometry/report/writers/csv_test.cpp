@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "tests/support/report_subject.h"
 
 namespace axiometry::report {

@@ -6,7 +6,7 @@
 #include <deque>
 #include <limits>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/moment.h"
 #include "axiometry/base/quantity.h"
+#include "axiometry/base/time/moment.h"
 #include "axiometry/model/temperatures.h"
 
 /// What recorded temperatures tell of the surroundings of a test (clauses 4.1 and 7).
@@ -39,8 +39,7 @@ struct TimeStretch {
   double length_s() const { return end_s - begin_s; }
 };
 
-inline constexpr double hours_before_test = 12.0;       ///< hours before the test of which clause 4.1 asks
-inline constexpr double longest_unrecorded_s = 1800.0;  ///< longest gap between readings taken to go straight, s
+inline constexpr double hours_before_test = 12.0;  ///< hours before the test of which clause 4.1 asks
 inline constexpr double shortest_for_a_rate_s = 600.0;
 
 /// Of the sensors of role "air" within the test; machine_gradient of those of role "machine", of which it takes two.

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -54,7 +54,7 @@ StatedEnvironment at_both_ends(const Environment& environment) {
   widen(known.lowest, known.highest, environment.air_temperature_start);
   widen(known.lowest, known.highest, environment.air_temperature_end);
   for (const auto end : {&TemperatureSensor::start, &TemperatureSensor::end}) {
-    std::optional<Temperature> coldest, warmest;  // of the places on the machine then
+    std::optional<Temperature> coldest, warmest;  // extremes over the places on the machine at that time
     std::size_t places = 0;
     for (const TemperatureSensor& sensor : environment.sensors) {
       if (text::equal_ignoring_case(sensor.role, "air")) widen(known.lowest, known.highest, sensor.*end);
@@ -75,7 +75,7 @@ AmbientTemperatures certain_of(const AmbientTemperatures& found, std::span<const
                                const std::optional<TimeStretch>& test) {
   if (!test) return {};
   if (test->end_told) return found;
-  return ambient_of(sensors, TimeStretch{test->begin_s, test->begin_s, false});  // its beginning, and what was before
+  return ambient_of(sensors, TimeStretch{test->begin_s, test->begin_s, false});  // its beginning and the time before
 }
 
 bool beyond(const EnvironmentItem& item, double value) {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
 #include "axiometry/base/quantity.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/metadata.h"
 #include "axiometry/model/surroundings.h"
 #include "axiometry/model/temperatures.h"

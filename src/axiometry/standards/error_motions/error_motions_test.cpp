@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/standards/error_motions/abbe_offset.h"
 #include "axiometry/standards/error_motions/axis_motion.h"
 #include "axiometry/standards/error_motions/squareness.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <string>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry {
 namespace {

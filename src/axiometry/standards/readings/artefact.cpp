@@ -11,8 +11,8 @@
 #include <optional>
 
 #include "axiometry/base/decimal_tie.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/programme.h"
 #include "axiometry/standards/readings/reading_change.h"
 #include "axiometry/standards/readings/usual_expansion.h"
@@ -21,7 +21,7 @@ namespace axiometry::iso230_2 {
 namespace {
 
 constexpr double um_per_mm = 1000.0;
-constexpr double nearest_share = 0.1;  // of the interval that a calibrated position may be off its target
+constexpr double nearest_share = 0.1;  // share of the interval by which a calibrated position may be off its target
 
 /// Four decimals at most.
 std::string mm(double x) { return format_exact(std::round(x * 1e4) / 1e4) + " mm"; }
@@ -159,7 +159,7 @@ class Rules {
   }
 
   std::optional<Finding> one_side() const {
-    if (test_.series.has(Direction::up) && test_.series.has(Direction::down)) return std::nullopt;
+    if (test_.series.has_both_directions()) return std::nullopt;
     return note(
         "artefact-one-side",
         "found places of the artefact probed from one side only, expected both: the reversal error does not show");
@@ -192,7 +192,7 @@ class Rules {
                       "is a part of them; axis.expected_period is not known",
                       mm(step)));
     const double periods = step / period->in_native();
-    constexpr double near = 0.02;  // of a period, at every step
+    constexpr double near = 0.02;  // share of a period, for every step
     if (std::abs(periods - std::round(periods)) > near || periods < 0.5) return std::nullopt;
     return note("artefact-equal-steps",
                 fmt::format("found steps of the artefact (every {}) that hold {:.0f} whole period{} of {}: a periodic "

@@ -57,7 +57,7 @@ struct SlopeScatter {
 /// Of the slope, from the means of the runs about their own line. Readings of one run are not independent: a run that
 /// lies elsewhere as a whole moves them all.
 std::optional<SlopeScatter> scatter_of_runs(const std::vector<RunSums>& runs) {
-  const auto weight = [](const RunSums& run) {  // of sums: n times the mean's square
+  const auto weight = [](const RunSums& run) {  // t and x are sums over the run: a run of n readings counts n times
     return run.readings > 0 ? 1.0 / static_cast<double>(run.readings) : 0.0;
   };
   double tt = 0.0, tx = 0.0;
@@ -69,7 +69,7 @@ std::optional<SlopeScatter> scatter_of_runs(const std::vector<RunSums>& runs) {
   }
   if (counted < 3 || !(tt > 0.0)) return std::nullopt;
   const std::size_t nu = counted - 2;
-  double residuals = 0.0;  // one by one: of runs on a line a difference of sums would be rounding alone
+  double residuals = 0.0;  // summed one by one: for runs on a line a difference of sums is rounding alone
   for (const RunSums& run : runs) {
     const double off = run.x - tx / tt * run.t;
     residuals += weight(run) * off * off;

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/readings/artefact.h"
 #include "axiometry/standards/readings/reading_change.h"
 #include "axiometry/standards/readings/sensor_mean.h"
@@ -96,7 +96,7 @@ Result<Test> correct_expansion(Test test) {
     return fail("found nde.applied = yes, expected readings that are not yet corrected for expansion");
   AppliedExpansionCorrection record;
   AXIOMETRY_TRY(record.machine, machine_part(metadata));
-  if (!iso230_2::is_artefact_test(test)) {  // whose expansion is part of its calibrated positions by now
+  if (!iso230_2::is_artefact_test(test)) {  // the expansion of an artefact is in its calibrated positions already
     AXIOMETRY_TRY(record.equipment, equipment_part(metadata));
   }
   record.datum = datum_of(test);

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/readings/drift.h"
 #include "axiometry/standards/readings/nde_correction.h"
 #include "axiometry/standards/readings/reading_change.h"
@@ -194,6 +194,12 @@ std::vector<SourceRemark> remarks_on_readings(const Test& test) {
     remarks.push_back({false,
                        "a drift was taken out that was estimated from the readings themselves: what the machine "
                        "does while it warms up is gone with it"});
+  const auto of_scale = [](const InputDistribution& d) { return d.input.starts_with("scale:"); };
+  if (was_corrected(test, "air") && std::ranges::none_of(test.metadata.gum.distributions, of_scale))
+    remarks.push_back({false,
+                       "readings were corrected by a measured temperature, pressure and humidity of the air, whose "
+                       "uncertainty U holds only as far as that of the measuring device was stated with it: 0.2 °C, "
+                       "0.1 kPa and 10 % are about 0.19, 0.27 and 0.09 µm per metre"});
   return remarks;
 }
 

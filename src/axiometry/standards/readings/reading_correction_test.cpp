@@ -290,6 +290,14 @@ TEST(ReadingCorrection, TellsWhatMustBeKnownOfTheReadings) {
   EXPECT_THAT(remarks_on_readings(without_drift).at(0).message, HasSubstr("warms up"));
 }
 
+TEST(ReadingCorrection, TellsWhoseUncertaintyTheAirBrings) {
+  Measured test = correct_readings(in_air(), {.air = AirEquation::ciddor}).value();
+  ASSERT_EQ(remarks_on_readings(test).size(), 1u);
+  EXPECT_THAT(remarks_on_readings(test)[0].message, HasSubstr("only as far as that of the measuring device"));
+  test.metadata.gum.distributions = {{"scale:air", "normal 0 0.3"}};
+  EXPECT_TRUE(remarks_on_readings(test).empty());
+}
+
 TEST(Assessment, ListsTheRemarksOfTheReader) {
   Measured test = testing_support::table2::complete_test();
   test.provenance.remarks = {{false, "decimal commas"}, {true, "averages only"}};

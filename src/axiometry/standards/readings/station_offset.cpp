@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 using uncertainty::Distribution;
 
 constexpr double um_per_mm = 1000.0;
-constexpr double largest_mm = 1e6;  // of an uncertainty: beyond, somebody mixed up units
+constexpr double largest_mm = 1e6;  // largest uncertainty; beyond it somebody mixed up units
 
 constexpr std::size_t quarter_turn_nodes = 64;
 
@@ -82,7 +82,7 @@ double StationErrors::slope_um_per_mm2(std::size_t target, double offset_squared
 }
 
 double StationErrors::range_um(double offset_squared_mm2) const {
-  double lowest = 0.0;  // the reference has none
+  double lowest = 0.0;  // the reference has no error
   double highest = 0.0;
   for (std::size_t i = 0; i < count(); ++i) {
     const double error = error_um(i, offset_squared_mm2);

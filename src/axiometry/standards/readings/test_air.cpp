@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/readings/sensor_mean.h"
 
 namespace axiometry {

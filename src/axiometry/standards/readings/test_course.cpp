@@ -49,7 +49,7 @@ std::optional<TestCourse> measured_course(const Test& test) {
 /// Whether the cycle tells the order of the readings.
 bool tells_order(const Test& test) {
   const TestCycle cycle = test.metadata.conditions.cycle;
-  const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
+  const bool both = test.series.has_both_directions();
   return cycle != TestCycle::user_defined && !(cycle == TestCycle::unidirectional && both);
 }
 
@@ -73,7 +73,7 @@ TestCourse course_of(const Test& test) {
   const bool known = tells_order(test);
   const TestCycle cycle = known ? test.metadata.conditions.cycle : TestCycle::standard;
   const auto sequence = sequence_of(test.series, cycle);
-  const bool both = test.series.has(Direction::up) && test.series.has(Direction::down);
+  const bool both = test.series.has_both_directions();
   const std::string order =
       !both && cycle == TestCycle::standard ? "the runs" : fmt::format("the {} cycle", cycle_name(cycle));
   TestCourse course{

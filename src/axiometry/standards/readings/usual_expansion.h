@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/metadata.h"
 
 /// What stands for items of expansion and temperature that nobody gave (ISO 230-2:2014, Annex A), said once for Annex

@@ -15,7 +15,7 @@ std::string_view lack_for_smaller(const RuleCase& c) {
 
 RuleValue smaller_of_both(const RuleCase& c) {
   const auto& parameters = c.evaluation.parameters;
-  if (!c.series.has(Direction::up) || !c.series.has(Direction::down)) return std::unexpected(needs_both_directions);
+  if (!c.series.has_both_directions()) return std::unexpected(needs_both_directions);
   if (const auto lack = lack_for_smaller(c); !lack.empty()) return std::unexpected(lack);
   return std::min(*parameters.R_up, *parameters.R_down);
 }

@@ -47,7 +47,7 @@ double mean_of_runs(std::span<const double> runs) {
 
 /// The first run dropped; of either direction about the mean of both.
 RuleValue bidirectional_repeatability(const RuleCase& c) {
-  if (!c.series.has(Direction::up) || !c.series.has(Direction::down)) return std::unexpected(needs_both_directions);
+  if (!c.series.has_both_directions()) return std::unexpected(needs_both_directions);
   if (!c.series.complete()) return std::unexpected("needs every reading of every run");
   constexpr std::size_t dropped = 1;
   if (c.series.run_count() < dropped + 2)
@@ -96,9 +96,9 @@ constexpr std::string_view one_s = "1 s in place of 4 s";
 
 constexpr auto piezo_figures = std::to_array<RuleFigure>({
     {"accuracy_up", "", "Positioning accuracy ↑", "", Evidence::text, "A_up", from_the_target, false,
-     largest_mean<Direction::up>},
+     largest_mean<Direction::up>, false, true},
     {"accuracy_down", "", "Positioning accuracy ↓", "", Evidence::text, "A_down", from_the_target, false,
-     largest_mean<Direction::down>},
+     largest_mean<Direction::down>, false, true},
     {"repeatability_up", "", "Unidirectional repeatability ↑", "", Evidence::text, "R_up", one_s, false,
      largest_scatter<Direction::up>},
     {"repeatability_down", "", "Unidirectional repeatability ↓", "", Evidence::text, "R_down", one_s, false,
@@ -151,7 +151,7 @@ std::vector<iso230_2::Finding> piezo_findings(const RuleCase& c) {
   expect_approaches(c, "gb-t-38614-2020-approaches-for-accuracy", approaches_for_accuracy, "accuracy", all);
   expect_approaches(c, "gb-t-38614-2020-approaches-for-repeatability", approaches_for_repeatability,
                     "unidirectional repeatability", all);
-  if (c.series.has(Direction::up) && c.series.has(Direction::down))
+  if (c.series.has_both_directions())
     expect_approaches(c, "gb-t-38614-2020-approaches-for-both", approaches_for_both, "bidirectional repeatability",
                       all);
   return all;

@@ -76,7 +76,7 @@ RuleValue half_range_of_seven(const RuleCase& c) {
 }
 
 RuleValue lost_motion(const RuleCase& c) {
-  if (!c.series.has(Direction::up) || !c.series.has(Direction::down)) return std::unexpected(needs_both_directions);
+  if (!c.series.has_both_directions()) return std::unexpected(needs_both_directions);
   double worst = 0.0;
   for (const std::size_t place : three_places(c.series)) {
     const SevenApproaches up = seven_approaches(c.series, place, Direction::up);
@@ -123,9 +123,8 @@ const AxisRule jis_b_6201_axis_rule = {
     .linear_only = false,
     .figures = pass_figures,
     .findings = pass_findings,
-    .cycle = AskedCycle{.evidence = Evidence::makers_text,
-                        .approaches = approaches_to_a_place,
-                        .order = TestCycle::step},
+    .cycle =
+        AskedCycle{.evidence = Evidence::makers_text, .approaches = approaches_to_a_place, .order = TestCycle::step},
 };
 
 }  // namespace axiometry::standards

@@ -67,7 +67,7 @@ class PlannedJudge {
       departure("plan-rule-approaches",
                 fmt::format("found {} approach{} to a target from one direction, expected {} or more for all figures",
                             found, found == 1 ? "" : "es", cycle.approaches));
-    if (!test.series.has(Direction::up) || !test.series.has(Direction::down))
+    if (!test.series.has_both_directions())
       departure("plan-rule-directions", "found approaches from one direction only, expected both for all figures");
   }
 

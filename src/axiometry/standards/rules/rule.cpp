@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::standards {
 namespace {

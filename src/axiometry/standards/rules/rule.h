@@ -61,6 +61,8 @@ struct RuleFigure {
   RuleValue (*value)(const RuleCase&);
   /// Whether it is made of single readings; else of means and s of the targets alone (rule_trials.h).
   bool of_single_readings = false;
+  /// Whether it is no difference of deviations, so that what all readings have in common is in it.
+  bool counts_from_zero = false;
 };
 
 /// What a rule asks of the cycle of a test, as far as that is known; where it says nothing a test is planned after

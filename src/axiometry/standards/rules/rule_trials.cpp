@@ -41,6 +41,13 @@ bool draws_moments_alone(const Test& test, const iso230_2::MonteCarloOptions& op
          options.type_a != iso230_2::TypeA::resampled;
 }
 
+Result<bool> states_shifts_of_runs(const Test& test) {
+  AXIOMETRY_TRY(const iso230_2::UncertaintyInputs inputs,
+                iso230_2::uncertainty_inputs(test.metadata, test.series, test.provenance.stated));
+  return std::ranges::any_of(
+      inputs.inputs, [](const iso230_2::UncertaintyInput& input) { return input.effect == iso230_2::Effect::run; });
+}
+
 /// Moved back the distribution of a hypothesis may lie below 0.
 double lower_end(const RuleFigure& figure, double low) {
   return iso230_2::may_be_below_0(figure.key) ? low : std::max(low, 0.0);
@@ -67,8 +74,8 @@ Result<void> add_intervals(RuleComparison& comparison, const Test& test, const i
   const bool has_no_readings = draws_moments_alone(test, options);
   iso230_2::TrialFigures trial_figures;
   for (const ComparedFigure* each : figures)
-    trial_figures.figures.push_back(
-        {each->value->in_native(), lies_between_places(*each->figure), each->figure->of_single_readings});
+    trial_figures.figures.push_back({each->value->in_native(), lies_between_places(*each->figure),
+                                     each->figure->of_single_readings, each->figure->counts_from_zero});
   trial_figures.evaluate = [&](const Series& trial, const iso230_2::WantedFigures& wanted, std::span<double> values) {
     const iso230_2::Evaluation evaluation = iso230_2::evaluate(trial);
     const RuleCase c{test.metadata, trial, evaluation};
@@ -84,6 +91,14 @@ Result<void> add_intervals(RuleComparison& comparison, const Test& test, const i
   comparison.trials =
       RuleTrials{found->measurand, found->seed, found->trials, found->stable, found->coverage, found->notes};
   for (std::size_t k = 0; k < figures.size(); ++k) take_interval(*figures[k], found->distributions[k], has_no_readings);
+  if (std::ranges::any_of(
+          figures, [](const ComparedFigure* each) { return each->interval && each->figure->counts_from_zero; })) {
+    comparison.trials->notes.emplace_back(zero_left_out);
+    AXIOMETRY_TRY(const bool stated, states_shifts_of_runs(test));
+    if (found->measurand == Measurand::this_test && !stated) comparison.trials->notes.emplace_back(clamping_left_out);
+    if (found->measurand == Measurand::this_machine && test.series.run_count() == 2)
+      comparison.trials->notes.emplace_back(two_runs_tell_little);
+  }
   comparison.trials->stable = std::ranges::all_of(
       figures, [](const ComparedFigure* each) { return !each->interval || each->interval->stable; });
   return {};

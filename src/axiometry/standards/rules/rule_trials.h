@@ -19,6 +19,18 @@ namespace axiometry::standards {
 inline constexpr std::size_t usual_rule_trials = 50'000;
 
 inline constexpr std::string_view nothing_acts = "nothing that is known acts on it";
+inline constexpr std::string_view zero_left_out =
+    "Figures that count from zero, as positioning accuracy of GB/T 38614 does, count from where the instrument was set "
+    "to zero: an error of that zero is not in their intervals";
+/// Of this test, where nothing is stated of the runs.
+inline constexpr std::string_view clamping_left_out =
+    "Shifts of whole runs by clamping anew are in the intervals of figures that count from zero only where a drift "
+    "from "
+    "run to run is stated";
+/// Of two runs of a machine in the long run.
+inline constexpr std::string_view two_runs_tell_little =
+    "Where two runs alone lie far apart, intervals of 95 % of figures that count from zero held the true value in 89 % "
+    "of simulated tests; three runs mend that";
 inline constexpr std::string_view no_single_readings =
     "is made of single readings, which the long run of a machine does not have";
 

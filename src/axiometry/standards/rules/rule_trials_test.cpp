@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -161,6 +162,55 @@ TEST(RuleTrials, SayWhereIntervalsHoldLessOftenThanTheyState) {
   EXPECT_THAT(notes_by(known_by(laser_and_noise, testing_support::table2::series()), iso230_2::TypeA::resampled),
               Not(Contains(doubt)))
       << "means nothing for this test";
+}
+
+/// Means of five runs that shift as a whole by s are known to t s/√5 alone, t = 2.78; single readings hardly scatter.
+TEST(RuleTrials, HaveShiftsOfWholeRunsInFiguresThatCountFromZero) {
+  std::vector<testing_support::RunDeviations> up, down;
+  for (const double shift : {-2.0, 1.0, 1.5, 0.5, -1.0}) {  // s = 1.458
+    auto with_scatter = [&, k = 1.0](double mean) mutable { return mean + shift + 0.05 * std::sin(9.0 * k++ * shift); };
+    up.push_back({with_scatter(10), with_scatter(13), with_scatter(12), with_scatter(18)});
+    down.push_back({with_scatter(11), with_scatter(14), with_scatter(13), with_scatter(19)});
+  }
+  const Series series = make_series({0, 100, 200, 300}, up, down);
+  const double half = 2.776 * 1.458 / std::sqrt(5.0);
+  const auto machine = sampled(known_by({}, series, iso230_2::Measurand::this_machine), trials(20'000));
+  const ComparedFigure& accuracy = sampled_figure(machine, "gb-t-38614-2020", "accuracy_up");
+  EXPECT_NEAR(low(accuracy), 18.0 - half, 0.1 * half);
+  EXPECT_NEAR(high(accuracy), 18.0 + half, 0.1 * half);
+  const ComparedFigure& E = sampled_figure(machine, "iso-230-2-2006", "E");
+  EXPECT_LT(high(E) - low(E), 0.3) << "a difference has none";
+  // Of this test what is known of the measurement's shifts counts, and no more.
+  const auto clamped = sampled(known_by({{"run:clamping", "normal 0 0.5"}}, series), trials(20'000));
+  const ComparedFigure& of_test = sampled_figure(clamped, "gb-t-38614-2020", "accuracy_up");
+  EXPECT_NEAR(of_test.interval.value().u.in_native(), 0.5 / std::sqrt(5.0), 0.02);
+}
+
+TEST(RuleTrials, SayWhatIsNotInFiguresThatCountFromZero) {
+  const Series series = testing_support::table2::series();
+  const auto notes = [&](std::vector<InputDistribution> inputs, iso230_2::Measurand measurand) {
+    return sampled(known_by(std::move(inputs), series, measurand)).trials->notes;
+  };
+  const auto zero = Contains(std::string(zero_left_out)), clamping = Contains(std::string(clamping_left_out));
+  const auto of_test = notes(laser_and_noise, iso230_2::Measurand::this_test);
+  EXPECT_THAT(of_test, zero);
+  EXPECT_THAT(of_test, clamping);
+  const auto stated = notes({{"reading", "normal 0 0.3"}, {"run:clamp", "normal 0 1"}}, iso230_2::Measurand::this_test);
+  EXPECT_THAT(stated, zero);
+  EXPECT_THAT(stated, Not(clamping));
+  EXPECT_THAT(notes(laser_and_noise, iso230_2::Measurand::this_machine), Not(clamping)) << "the readings tell them";
+  const auto two_runs = Contains(std::string(two_runs_tell_little));
+  EXPECT_THAT(sampled(known_by({}, make_series({0, 10, 20}, {{0, 1, 2}, {3, 4, 6}}, {{1, 1, 2}, {5, 4, 6}}),
+                               iso230_2::Measurand::this_machine))
+                  .trials->notes,
+              two_runs);
+  EXPECT_THAT(notes(laser_and_noise, iso230_2::Measurand::this_machine), Not(two_runs));
+  const AxisRule* const without[] = {find_axis_rule("vdi-dgq-3441")};
+  const auto test = known_by(laser_and_noise, series);
+  RuleComparison others = compare_rules(test, without).value();
+  ASSERT_TRUE(add_intervals(others, test, trials()));
+  EXPECT_THAT(others.trials->notes, Not(zero));
+  EXPECT_THAT(others.trials->notes, Not(clamping));
 }
 
 TEST(RuleTrials, SayThatNothingIsKnownInsteadOfAnIntervalOfNoWidth) {

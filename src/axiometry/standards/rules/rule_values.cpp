@@ -9,7 +9,7 @@
 namespace axiometry::standards {
 namespace {
 
-bool both_run(const RuleCase& c) { return c.series.has(Direction::up) && c.series.has(Direction::down); }
+bool both_run(const RuleCase& c) { return c.series.has_both_directions(); }
 
 /// Smallest and largest of what is seen.
 struct Span {

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "axiometry/base/iso_date.h"
+#include "axiometry/base/time/iso_date.h"
 
 namespace axiometry::store {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::store {
 namespace {

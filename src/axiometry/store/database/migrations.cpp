@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/store/database/clock.h"
 

@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/database/postgresql_connection.h"
 #include "axiometry/store/place.h"
 

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/database/system_error.h"
 
 namespace axiometry::store {

@@ -39,6 +39,25 @@ LogSum summed_on(LogSum sum, std::span<const unsigned char> bytes, bool big) {
   return sum;
 }
 
+/// What the sum was before these bytes.
+LogSum summed_back(LogSum sum, std::span<const unsigned char> bytes, bool big) {
+  const auto word = big ? word_big : word_little;
+  for (std::size_t k = bytes.size(); k >= 8; k -= 8) {
+    sum[1] -= word(bytes.subspan(k - 4, 4)) + sum[0];
+    sum[0] -= word(bytes.subspan(k - 8, 4)) + sum[1];
+  }
+  return sum;
+}
+
+/// Whether the last page of a change lost no more than what says so, the size of the file behind its number: the sum of
+/// what is in front of the page and that of what follows in it tell the size that was written.
+bool lost_its_size(LogSum before, LogSum stated, std::span<const unsigned char> page, bool big) {
+  const LogSum behind = summed_back(stated, page.subspan(page_head_bytes), big);
+  const auto word = big ? word_big : word_little;
+  const bool has_its_number = behind[0] == before[0] + word(page.first(4)) + before[1];
+  return has_its_number && behind[1] != before[1] + behind[0];
+}
+
 bool read_bytes(std::istream& log, std::span<unsigned char> bytes) {
   log.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   return log.gcount() == static_cast<std::streamsize>(bytes.size());
@@ -93,9 +112,10 @@ LogState log_state(std::istream& log) {
     const std::span<const unsigned char> page = bytes;
     const LogSum salts{word_big(page.subspan(8, 4)), word_big(page.subspan(12, 4))};
     const LogSum stated{word_big(page.subspan(16, 4)), word_big(page.subspan(20, 4))};
-    const bool ends_a_change = word_big(page.subspan(4, 4)) != 0;
+    bool ends_a_change = word_big(page.subspan(4, 4)) != 0;
     bool is_ours = salts == head.salts;
     if (whole) {
+      ends_a_change |= lost_its_size(sum, stated, page, head.big);
       sum = summed_on(summed_on(sum, page.first(8), head.big), page.subspan(page_head_bytes), head.big);
       state.altered_salts = sum == stated && !is_ours;
       whole = sum == stated && is_ours;

@@ -109,6 +109,15 @@ TEST_P(StoreLogTest, CountsTheChangesBehindTheAlteredOne) {
   const std::string begins = fmt::format("the change that begins with page {} is passed over", ends[0] + 1);
   EXPECT_THAT(said(ends[1], 24), Contains(HasSubstr(begins + ", and 1 finished change behind it")));
   EXPECT_THAT(said(ends[1] - 1, 24), Contains(HasSubstr(begins + ", and 1 finished change behind it")));
+  const auto without_size = [&](std::int64_t page) {
+    const std::string copy = new_address();
+    for (const char* end : {"", "-wal"}) std::filesystem::copy_file(address + end, copy + end);
+    zero(copy + "-wal", at_page(page - 1, 4), 4);
+    return verified(copy);
+  };
+  EXPECT_THAT(without_size(ends[1]).problems, Contains(AllOf(HasSubstr(fmt::format("found page {} of", ends[1])),
+                                                             HasSubstr(begins + ", and 1 finished change behind it"))));
+  EXPECT_THAT(without_size(ends[2]).notes, Contains(HasSubstr("is not whole and is passed over")));
   EXPECT_THAT(said(ends[2], 9),
               Contains(EndsWith(fmt::format("the change that begins with page {} is passed over", ends[1] + 1))));
 }

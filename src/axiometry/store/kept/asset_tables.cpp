@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::store {
 namespace {

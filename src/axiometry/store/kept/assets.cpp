@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/store/kept/asset_tables.h"
 #include "axiometry/store/kept/test_list.h"
 #include "axiometry/store/proof/audit_trail.h"
@@ -257,11 +258,12 @@ Result<void> verify_assets(Connection& connection, const Attested& attested, std
         problems.push_back(fmt::format("{}: found version {} changed after it was kept", subject, row->number(1)));
     }
     if (version != heads[k].number(1))
-      problems.push_back(fmt::format("{}: found {} versions, expected {}", subject, version, heads[k].number(1)));
+      problems.push_back(fmt::format("{}: found {}, expected {}", subject,
+                                     counted(static_cast<std::size_t>(version), "version"), heads[k].number(1)));
   }
   if (attested.count(Table::name) != static_cast<std::int64_t>(rows.size()))
-    problems.push_back(fmt::format("{}: found {} versions, expected the {} of the audit trail", Table::name,
-                                   rows.size(), attested.count(Table::name)));
+    problems.push_back(fmt::format("{}: found {}, expected the {} of the audit trail", Table::name,
+                                   counted(rows.size(), "version"), attested.count(Table::name)));
   return {};
 }
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/assets.h"
 #include "axiometry/store/kept/folded_text.h"
 #include "axiometry/store/kept/test_records.h"

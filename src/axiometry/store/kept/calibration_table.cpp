@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/asset_tables.h"
 #include "axiometry/store/kept/calibration_kinds.h"
 #include "axiometry/store/kept/kept_lists.h"

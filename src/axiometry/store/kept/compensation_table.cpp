@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/asset_tables.h"
 #include "axiometry/store/kept/kept_lists.h"
 

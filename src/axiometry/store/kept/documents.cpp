@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/store/database/clock.h"
 #include "axiometry/store/kept/assets.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/asset_tables.h"
 
 namespace axiometry::store {

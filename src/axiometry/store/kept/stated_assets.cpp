@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/assets.h"
 #include "axiometry/store/kept/folded_text.h"
 

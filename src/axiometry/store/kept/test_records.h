@@ -135,6 +135,19 @@ struct MachineTests {
   std::string verdict;  ///< verdict on the latest, like its date
 };
 
+/// The latest test of an axis that is not withdrawn: by the day of measurement, or, where that is not known, of
+/// arrival; of several on a day the one that arrived last.
+struct AxisLatest {
+  Id machine = 0;
+  Id axis = 0;
+  Id test = 0;
+  std::string measured_on;  ///< empty: not known
+  std::string received_at;
+  std::string verdict;
+
+  std::string day() const { return measured_on.empty() ? received_at.substr(0, 10) : measured_on; }
+};
+
 struct TestPage {
   std::vector<TestRow> rows;
   std::int64_t total = 0;  ///< number without limit and offset

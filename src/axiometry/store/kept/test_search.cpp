@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/assets.h"
 #include "axiometry/store/kept/folded_text.h"
 #include "axiometry/store/kept/same_bytes.h"
@@ -323,6 +323,34 @@ Result<std::vector<MachineTests>> find_machine_tests(Connection& connection, std
   return found;
 }
 
+Result<std::vector<AxisLatest>> find_axes_latest(Connection& connection, std::optional<Id> machine) {
+  std::vector<Parameter> parameters;
+  if (machine) parameters.emplace_back(*machine);
+  // Of each axis the newest with a day and the newest without: both come out of the index list_axis.
+  const auto newest = [](std::string_view which) {
+    return fmt::format(
+        "(SELECT m.test FROM test_list m WHERE m.axis = a.id AND m.withdrawn = 0 AND m.measured_on {} "
+        "ORDER BY m.measured_on DESC, m.test DESC LIMIT 1)",
+        which);
+  };
+  AXIOMETRY_TRY(
+      const Rows rows,
+      connection.query(fmt::format("SELECT l.machine, l.axis, l.test, l.measured_on, l.received_at, l.verdict "
+                                   "FROM axis a JOIN test_list l ON l.test IN ({}, {}) WHERE l.machine {} "
+                                   "ORDER BY l.machine, l.axis, l.test",
+                                   newest("> ''"), newest("= ''"), machine ? "= $1" : "IS NOT NULL"),
+                       parameters));
+  std::vector<AxisLatest> found;
+  for (const Row& row : rows) {
+    AxisLatest latest{row.integer(0), row.integer(1), row.integer(2), row.text(3), row.text(4), row.text(5)};
+    if (found.empty() || found.back().axis != latest.axis)
+      found.push_back(std::move(latest));
+    else if (latest.day() >= found.back().day())
+      found.back() = std::move(latest);
+  }
+  return found;
+}
+
 Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std::span<const std::string> parameters,
                                            std::int64_t limit) {
   AXIOMETRY_TRY(const auto known, get_asset<AxisRecord>(connection, axis));
@@ -330,8 +358,9 @@ Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std:
   std::set<Id> once_more;
   for (const auto& [counted, others] : repeated) once_more.insert(others.begin(), others.end());
   AXIOMETRY_TRY(const Rows newest,
-                connection.query("SELECT test FROM test_list WHERE axis = $1 AND withdrawn = 0 ORDER BY measured_on "
-                                 "DESC, test DESC LIMIT $2",
+                connection.query("SELECT test FROM test_list WHERE axis = $1 AND withdrawn = 0 ORDER BY CASE WHEN "
+                                 "measured_on = '' THEN substr(received_at, 1, 10) ELSE measured_on END DESC, test "
+                                 "DESC LIMIT $2",
                                  {known.id, std::max<std::int64_t>(limit, 0) + std::ssize(once_more)}));
   std::vector<Id> ids = ids_of(newest);
   std::erase_if(ids, [&](Id test) { return once_more.contains(test); });
@@ -353,7 +382,10 @@ Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std:
                       .figures = std::move(figures[test.id]),
                       .same_bytes = std::move(repeated[test.id])});
   }
-  std::ranges::sort(points, {}, [](const TrendPoint& p) { return std::tie(p.measured_on, p.test); });
+  const auto day = [](const TrendPoint& p) {  // one that states none stands on the day it came
+    return p.measured_on.empty() ? p.received_at.substr(0, 10) : p.measured_on;
+  };
+  std::ranges::sort(points, {}, [&](const TrendPoint& p) { return std::pair(day(p), p.test); });
   return points;
 }
 

@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/store/kept/assets.h"
 #include "axiometry/store/proof/fingerprint.h"
 

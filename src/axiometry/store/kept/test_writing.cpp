@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/store/database/clock.h"
 #include "axiometry/store/kept/assets.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 namespace axiometry::store {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/store/database/connection.h"
 #include "axiometry/store/kept/test_records.h"
 

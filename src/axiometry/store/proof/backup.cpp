@@ -11,7 +11,7 @@
 #include <iterator>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/store/database/clock.h"
 #include "axiometry/store/database/migrations.h"
 #include "axiometry/store/database/sqlite_connection.h"

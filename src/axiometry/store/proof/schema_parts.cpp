@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/database/migrations.h"
 #include "axiometry/store/database/sqlite_connection.h"
 

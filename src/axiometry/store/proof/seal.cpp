@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "axiometry/base/json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/ed25519.h"
 #include "axiometry/store/database/clock.h"
 #include "axiometry/store/records.h"

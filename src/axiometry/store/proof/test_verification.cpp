@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/store/kept/assets.h"
 #include "axiometry/store/kept/test_list.h"
 #include "axiometry/store/kept/test_versions.h"
@@ -63,8 +64,8 @@ Result<VerifiedTests> TestVerifier::run() {
   AXIOMETRY_TRY_VOID(figures_of_record());
   AXIOMETRY_TRY(const Rows versions, connection_.query("SELECT count(*) FROM test_version"));
   if (attested_.count("test") != versions[0].integer(0))
-    add_problem(problems_, "test: found {} versions, expected the {} of the audit trail", versions[0].integer(0),
-                attested_.count("test"));
+    add_problem(problems_, "test: found {}, expected the {} of the audit trail",
+                counted(static_cast<std::size_t>(versions[0].integer(0)), "version"), attested_.count("test"));
   return found_;
 }
 
@@ -117,7 +118,8 @@ void TestVerifier::check_versions(const TestHead& head, std::span<const TestVers
       add_problem(problems_, "{}: found version {} changed after it was kept", subject, version.version);
   }
   if (expected != head.latest || versions.empty())
-    add_problem(problems_, "{}: found {} versions, expected {}", subject, expected, head.latest);
+    add_problem(problems_, "{}: found {}, expected {}", subject, counted(static_cast<std::size_t>(expected), "version"),
+                head.latest);
 }
 
 void TestVerifier::check_head(const TestHead& head) {

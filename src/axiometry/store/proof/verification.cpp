@@ -120,7 +120,9 @@ Result<void> Verifier::references() {
   AXIOMETRY_TRY(const Rows references, connection_.query(lost_references_of_postgresql));
   for (const Row& reference : references) {
     AXIOMETRY_TRY(const Rows lost, connection_.query(reference.text(2)));
-    if (lost[0].integer(0) > 0)
+    if (lost[0].integer(0) == 1)
+      problem("{}: found a row that refers to a row of {} that does not exist", reference.text(0), reference.text(1));
+    else if (lost[0].integer(0) > 1)
       problem("{}: found {} rows that refer to rows of {} that do not exist", reference.text(0), lost[0].integer(0),
               reference.text(1));
   }

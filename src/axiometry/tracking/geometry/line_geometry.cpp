@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::tracking {
 namespace {
 
 constexpr double nearest_mm = 1.0;       // within it a direction of the beam has no meaning
-constexpr double steepest_cosine = 0.5;  // 60°
+constexpr double steepest_cosine = 0.5;  // cosine of 60°
 
 std::unexpected<Error> passes_by(const TrackingLine& line, const LineGeometry& geometry) {
   return fail(

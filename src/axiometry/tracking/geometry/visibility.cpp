@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
 #include "axiometry/tracking/geometry/obstacles.h"

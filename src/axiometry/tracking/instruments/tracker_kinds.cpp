@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::tracking {
 namespace {

@@ -19,7 +19,8 @@ constexpr double sd_per_mad = 1.4826;    // σ of normal noise over its median a
 constexpr std::size_t votes_most = 100;
 constexpr std::size_t jumps_most = 1000;
 
-using Key = std::tuple<std::size_t, Direction, std::size_t, Direction>;  // from target, direction, to target, direction
+/// A step: target and direction before it, target and direction behind it.
+using Key = std::tuple<std::size_t, Direction, std::size_t, Direction>;
 
 Direction other(Direction d) { return d == Direction::up ? Direction::down : Direction::up; }
 
@@ -153,7 +154,7 @@ class Steps {
   std::vector<bool> jumped_;
   std::map<Key, std::vector<std::size_t>> by_key_;
   std::size_t reversals_ = 0;       // turning points that were no jumps
-  std::optional<double> reversal_;  // ↓ less ↑, of all turning points
+  std::optional<double> reversal_;  // mean of ↓ less ↑ over all turning points
   std::optional<double> slope_;     // mm of excess per mm of way
 };
 
@@ -212,7 +213,7 @@ std::vector<FoundJump> jumps_of(Steps& steps, const Thresholds& limits) {
     if (!largest) break;
     steps.mark(*largest);
   }
-  std::vector<FoundJump> jumps(steps.count());  // judged again now that no jump has a vote
+  std::vector<FoundJump> jumps(steps.count());  // judged again by limits that no jump takes part in
   for (std::size_t k = 0; k < steps.count(); ++k) {
     if (!steps.jumped(k)) continue;
     const Left left = steps.left(k);

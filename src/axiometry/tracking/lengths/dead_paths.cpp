@@ -125,7 +125,7 @@ struct Level {
 /// that are nearest to each other.
 void join_parts(std::span<const TiedSample> samples, std::span<const Position> targets, const Parts& parts,
                 DeadPathFit& fit) {
-  std::map<std::size_t, std::map<std::size_t, Level>> levels;  // by part, by target
+  std::map<std::size_t, std::map<std::size_t, Level>> levels;  // levels of each part at each target
   std::set<std::size_t> with_used;
   for (const TiedSample& s : samples)
     if (s.used) with_used.insert(parts[s.stretch]);

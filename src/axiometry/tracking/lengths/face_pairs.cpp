@@ -14,7 +14,7 @@ namespace {
 struct Face {
   std::string_view name, first, second, term;
   std::size_t a, b;  // axes of the face
-  double sign;       // of the term where the angle between the axes grows
+  double sign;       // sign of the term when the angle between the axes grows
 };
 constexpr std::array<Face, 3> faces = {{{"XY", "NN0-PP0", "NP0-PN0", "C0Y", 0, 1, 1.0},
                                         {"XZ", "N0N-P0P", "N0P-P0N", "B0Z", 0, 2, -1.0},

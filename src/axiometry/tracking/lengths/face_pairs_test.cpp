@@ -45,7 +45,7 @@ TEST(FacePairs, HaveTheSignsOfTheLeastSquares) {
   EXPECT_NEAR(pairs[0].squareness_um_per_m, 7.0, 1e-12);
   EXPECT_NEAR(pairs[1].squareness_um_per_m, 5.0, 1e-12);
   EXPECT_NEAR(pairs[2].squareness_um_per_m, 3.0, 1e-12);
-  const Squareness all = estimate_squareness(slopes, 0.0);
+  const ScalesAndSquareness all = estimate_squareness(slopes, 0.0);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(*all.terms[3 + k].value_um_per_m, 7.0 - 2.0 * static_cast<double>(k), 1e-9);
 }

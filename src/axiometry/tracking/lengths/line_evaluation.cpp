@@ -12,8 +12,8 @@
 #include <set>
 #include <tuple>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/tracking/lengths/one_line.h"
 #include "axiometry/tracking/lengths/reading_name.h"

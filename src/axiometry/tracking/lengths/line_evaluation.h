@@ -60,9 +60,9 @@ struct EvaluatedLine {
 };
 
 struct LinesEvaluation {
-  std::vector<EvaluatedLine> lines;      ///< x, y, z, xy, xz, yz, xyz, then others as they were driven      ///< in the
-                                         ///< order of the plan; lines without readings are left out
-  std::optional<Squareness> squareness;  ///< absent where too few lines were measured
+  std::vector<EvaluatedLine> lines;  ///< x, y, z, xy, xz, yz, xyz, then others as they were driven      ///< in the
+                                     ///< order of the plan; lines without readings are left out
+  std::optional<ScalesAndSquareness> squareness;  ///< absent where too few lines were measured
   std::vector<Finding> findings;
 };
 

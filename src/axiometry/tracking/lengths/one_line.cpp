@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/standards/iso230_2/parameters.h"
@@ -74,7 +74,7 @@ class Course {
   /// Readings of one stated segment between two breaks that were found have one dead path.
   void number_stretches() {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
-    std::map<std::size_t, std::size_t> breaks_in;  // found so far, by stated segment
+    std::map<std::size_t, std::size_t> breaks_in;  // number of breaks found so far in each stated segment
     auto next = jumps_.breaks.begin();
     for (std::size_t k = 0; k < in_.readings.size(); ++k) {
       const std::size_t segment = reading(k).segment;
@@ -273,7 +273,7 @@ class Course {
   void tell_dead_paths(LineOutcome& outcome) const {
     for (std::size_t s = 1; s < stretches_; ++s) {
       const DeadPath& path = outcome.line.dead_paths[s];
-      if (path.tied && path.readings == 1) continue;  // told apart
+      if (path.tied && path.readings == 1) continue;  // told separately
       std::string message;
       if (path.tied) {
         message = fmt::format(

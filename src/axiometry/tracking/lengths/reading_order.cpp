@@ -11,8 +11,8 @@
 #include <optional>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
@@ -21,17 +21,17 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr std::ptrdiff_t shift_most = 5;  // approaches by which an order may be lost
-constexpr double scale_most = 0.08;       // of a machine's error in proportion to lengths; 1 % is a broken one
+constexpr std::ptrdiff_t shift_most = 5;  // most approaches by which the order may be shifted
+constexpr double scale_most = 0.08;       // largest scale error of a machine; 1 % is a broken one
 constexpr double change_least_mm = 0.5;   // no machine stands farther from where it should, but for its scale
-constexpr double exact_mm = 0.1;          // to which a jump must be an interval of targets to be no break of the beam
-constexpr double shown_many = 1.0 / 3.0;  // of the steps that do not fit: then nothing does
+constexpr double exact_mm = 0.1;          // a jump this near to an interval of targets is no break of the beam
+constexpr double shown_many = 1.0 / 3.0;  // share of misfitting steps beyond which no order fits
 
 /// A reading, or an approach that a reading may belong to.
 struct ReadingPlace {
   std::size_t line = 0;
   double distance_mm = 0.0;
-  double tolerance_mm = 0.0;  // of a change of length at this line
+  double tolerance_mm = 0.0;  // tolerance of a change of length on this line
 };
 
 struct Lines {
@@ -75,15 +75,15 @@ class Order {
   }
 
   struct Loss {
-    std::size_t from = 0;  // the first reading that is elsewhere
+    std::size_t from = 0;  // first reading that belongs to another approach
     std::ptrdiff_t shift = 0;
     std::size_t unfit = 0;  // steps that still do not fit
-    double apart_mm = 0.0;  // of the step across which the order is lost
+    double apart_mm = 0.0;  // misfit of the step across which the order is lost
   };
   /// The places that explain the steps best where the order may be lost several times: a change of the shift counts as
   /// much as a step that does not fit.
   struct Course {
-    std::vector<Loss> changes;  // of the shift, each against the readings' own places
+    std::vector<Loss> changes;  // changes of the shift, each counted from the places as given
     std::size_t unfit = 0;      // steps that still do not fit
   };
   Course best_course() const {
@@ -232,10 +232,10 @@ Result<void> check_scale(const std::string& line, std::vector<double> ratios) {
   const double factor = numeric::upper_median(std::move(ratios));
   if (std::abs(factor - 1.0) <= scale_most) return {};
   if (std::abs(factor + 1.0) <= scale_most)
-    return fail(fmt::format(
-        "found lengths of line {} that fall where the reflector recedes from the station, expected them to grow: the "
-        "instrument counts the other way (--reversed), or these are the lengths of another plan",
-        line));
+    return fail(
+        fmt::format("found lengths of line {} that fall where the reflector recedes from the station, expected them to "
+                    "grow: the instrument counts the other way, or these are the lengths of another plan",
+                    line));
   return fail(
       fmt::format("found lengths of line {} that change by {} times the distances of the plan, expected 1 times: {}",
                   line, format_exact(std::round(factor * 1e6) / 1e6), reason_for(factor)));

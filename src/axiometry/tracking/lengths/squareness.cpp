@@ -18,7 +18,7 @@ namespace axiometry::tracking {
 namespace {
 
 constexpr Eigen::Index unknowns = 6;
-constexpr std::size_t scales = 3;  // the first of them
+constexpr std::size_t scales = 3;  // the first unknowns are the scales
 constexpr std::array<std::string_view, 6> parameter_ids = {"e_x", "e_y", "e_z", "C0Y", "B0Z", "A0Z"};
 
 // 0.1 µm/m in the slopes would be 1 mm/m in a combination that is weaker: no axis is so bad, nothing is told.
@@ -53,9 +53,29 @@ struct Subspaces {
   bool tells(Eigen::Index term) const { return untold.cols() == 0 || untold.row(term).norm() < purest; }
 };
 
+/// 1/σ of each line where σ is known; else the root of what 1/σ² is expected to be after its u, where the variances of
+/// lines scatter about that of all as if eight degrees of freedom told it: few readings of its own then move no weight
+/// far, and what moves it little moves the U of the terms little (docs/theory/squareness.md).
+Eigen::VectorXd weights_of(std::span<const LineSlope> slopes) {
+  constexpr double alike = 8.0;
+  double sum = 0.0, degrees = 0.0;
+  for (const LineSlope& line : slopes) {
+    if (!std::isfinite(line.degrees_of_freedom)) continue;
+    sum += line.degrees_of_freedom * line.uncertainty_um_per_m * line.uncertainty_um_per_m;
+    degrees += line.degrees_of_freedom;
+  }
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(slopes.size()));
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    const LineSlope& line = slopes[static_cast<std::size_t>(i)];
+    const double own = line.degrees_of_freedom, u = line.uncertainty_um_per_m;
+    weights[i] = std::isfinite(own) ? std::sqrt((alike + own) / (alike * sum / degrees + own * u * u)) : 1.0 / u;
+  }
+  return weights;
+}
+
 std::string quantity(double um_per_m) { return fmt::format("{:.3g} µm/m", um_per_m); }
 
-void note_untold(Squareness& result) {
+void note_untold(ScalesAndSquareness& result) {
   std::vector<std::string_view> absent;
   for (const SquarenessTerm& term : result.terms)
     if (!term.value_um_per_m) absent.push_back(term.id);
@@ -67,7 +87,7 @@ void note_untold(Squareness& result) {
                     absent.size() == 1 ? "is" : "are"));
 }
 
-void note_redundancy(Squareness& result, double inflation) {
+void note_redundancy(ScalesAndSquareness& result, double inflation) {
   const auto nu = static_cast<double>(result.degrees_of_freedom);
   if (result.degrees_of_freedom == 0) {
     result.notes.push_back("There are no more lines than combinations of terms: nothing checks whether they agree");
@@ -85,7 +105,7 @@ void note_redundancy(Squareness& result, double inflation) {
                     result.chi_squared, result.degrees_of_freedom, inflation));
 }
 
-void note_limits(Squareness& result, std::span<const LineSlope> slopes) {
+void note_limits(ScalesAndSquareness& result, std::span<const LineSlope> slopes) {
   const bool any_square = std::any_of(result.terms.begin() + scales, result.terms.end(),
                                       [](const SquarenessTerm& term) { return term.value_um_per_m.has_value(); });
   if (any_square)
@@ -103,8 +123,8 @@ void note_limits(Squareness& result, std::span<const LineSlope> slopes) {
 
 }  // namespace
 
-Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_scale_um_per_m) {
-  Squareness result;
+ScalesAndSquareness estimate_squareness(std::span<const LineSlope> slopes, double common_scale_um_per_m) {
+  ScalesAndSquareness result;
   for (std::size_t k = 0; k < parameter_ids.size(); ++k) result.terms[k].id = parameter_ids[k];
   if (slopes.empty()) return result;
 
@@ -112,13 +132,13 @@ Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_
   result.weighted = std::ranges::all_of(slopes, known, &LineSlope::uncertainty_um_per_m);
   Matrix lines(count, unknowns);
   Eigen::VectorXd measured(count);
-  Eigen::VectorXd weights(count);
+  const Eigen::VectorXd weights = result.weighted ? weights_of(slopes) : Eigen::VectorXd::Ones(count).eval();
   for (Eigen::Index i = 0; i < count; ++i) {
     const LineSlope& line = slopes[static_cast<std::size_t>(i)];
-    AXIOMETRY_CONTRACT(is_finite(line.direction) && norm(line.direction) > 0.0 && std::isfinite(line.slope_um_per_m));
+    AXIOMETRY_CONTRACT(is_finite(line.direction) && norm(line.direction) > 0.0 && std::isfinite(line.slope_um_per_m) &&
+                       line.degrees_of_freedom > 0.0);
     lines.row(i) = row_of(line.direction);
     measured[i] = line.slope_um_per_m;
-    weights[i] = result.weighted ? 1.0 / line.uncertainty_um_per_m : 1.0;
   }
 
   const Subspaces subspaces(lines);
@@ -134,11 +154,14 @@ Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_
 
   const auto nu = static_cast<double>(result.degrees_of_freedom);
   const double inflation = result.degrees_of_freedom > 0 ? std::sqrt(std::max(1.0, result.chi_squared / nu)) : 1.0;
-  // (WᵀW)⁻¹ = R⁻¹R⁻ᵀ on the combinations that the lines tell.
-  const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd::Identity(count, count));
-  Eigen::MatrixXd covariance =
-      inflation * inflation * subspaces.told * inverse * inverse.transpose() * subspaces.told.transpose();
-  const Eigen::MatrixXd gains = inflation * subspaces.told * inverse;  // of each slope over its u
+  // Of each slope times its weight.
+  const Eigen::MatrixXd gains =
+      inflation * subspaces.told * Eigen::MatrixXd(qr.solve(Eigen::MatrixXd::Identity(count, count)));
+  Eigen::VectorXd own = weights;  // u of each slope times its weight
+  if (result.weighted)
+    for (Eigen::Index i = 0; i < count; ++i) own[i] *= slopes[static_cast<std::size_t>(i)].uncertainty_um_per_m;
+  const Eigen::MatrixXd scaled = gains * own.asDiagonal();
+  Eigen::MatrixXd covariance = scaled * scaled.transpose();
   // A scale that all slopes share is e_x = e_y = e_z: u·u = 1.
   covariance.topLeftCorner(scales, scales).array() += common_scale_um_per_m * common_scale_um_per_m;
 

@@ -38,14 +38,14 @@ struct SquarenessTerm {
   double coverage_factor = 2.0;                ///< k of Student's t for 95.45 %: of few targets or runs above 2
 };
 
-struct Squareness {
+struct ScalesAndSquareness {
   std::array<SquarenessTerm, 6> terms;
   /// Of the terms in (µm/m)², rows and columns of those that are absent 0; all 0 when unweighted.
   std::array<std::array<double, 6>, 6> covariance_um2_per_m2{};
-  std::size_t rank = 0;                    ///< how many of 6 combinations of the terms the lines tell
-  bool weighted = true;                    ///< whether by 1/u²; else all lines count alike, because one u is not known
+  std::size_t rank = 0;  ///< how many of 6 combinations of the terms the lines tell
+  bool weighted = true;  ///< by 1/σ², as far as each line tells it; else all count alike, because one u is not known
   std::vector<double> residuals_um_per_m;  ///< residual of each line, measured − model
-  double chi_squared = 0.0;                ///< Σ (residual/u)²; 0 and without meaning when unweighted
+  double chi_squared = 0.0;                ///< Σ weight · residual²; 0 and without meaning when unweighted
   std::size_t degrees_of_freedom = 0;      ///< number of lines − rank
   std::vector<std::string> notes;          ///< limits of the method that concern this result
 };
@@ -58,7 +58,8 @@ struct Squareness {
 /// those of the lines, times √(χ²/ν) where that is above 1 and ν > 0; k after Welch and Satterthwaite from the
 /// degrees of freedom of the slopes.
 ///
-/// Needs finite directions of a length above 0 and finite slopes (contract). No line: rank 0, all absent.
-Squareness estimate_squareness(std::span<const LineSlope> slopes, double common_scale_um_per_m);
+/// Needs finite directions of a length above 0, finite slopes and degrees of freedom above 0 (contract). No line: rank
+/// 0, all absent.
+ScalesAndSquareness estimate_squareness(std::span<const LineSlope> slopes, double common_scale_um_per_m);
 
 }  // namespace axiometry::tracking

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/tracking/geometry/line_geometry.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
 #include "axiometry/tracking/geometry/obstacles.h"

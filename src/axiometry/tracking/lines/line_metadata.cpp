@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 #include "axiometry/standards/iso230_6.h"
@@ -20,10 +20,10 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double broken_beam_mm = 1e6;          // what a lost beam costs beside the length of a way
-constexpr double no_way_mm = 1e9;               // what a way costs that does not exist
-constexpr double on_extension_mm = 1.0;         // of a diagonal: a station that near is on it
-constexpr double negligible_share = 1.0 / 3.0;  // of the instrument's uncertainty: 5 % of both together
+constexpr double broken_beam_mm = 1e6;          // cost of a lost beam beside the length of a way
+constexpr double no_way_mm = 1e9;               // cost of a way that does not exist
+constexpr double on_extension_mm = 1.0;         // a station this near to the extension of a diagonal is on it
+constexpr double negligible_share = 1.0 / 3.0;  // share of the instrument's uncertainty: it adds 5 % to both together
 constexpr double step_least = 1e-6, step_most = 1.0;
 
 bool is_seven(std::string_view id) { return std::ranges::find(seven_lines, id) != seven_lines.end(); }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/programme.h"
 #include "axiometry/standards/iso230_6.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
@@ -15,8 +15,8 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double off_the_line = 0.25;  // steps, across the line
-constexpr int most_steps = 100;        // along it, to find such a place
+constexpr double off_the_line = 0.25;  // distance across the line, in steps
+constexpr int most_steps = 100;        // steps along the line in the search for a place
 constexpr std::size_t runs_of_line = 5;
 
 /// k/1000, not k·0.001, is the double that "12.345" reads as.

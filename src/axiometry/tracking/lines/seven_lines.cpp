@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/tracking/geometry/obstacles.h"
 #include "axiometry/tracking/geometry/visibility.h"
@@ -15,7 +15,7 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double same_length_mm = 1e-6;  // of two intervals: rounding must not choose the octant
+constexpr double same_length_mm = 1e-6;  // intervals this alike count as equal: rounding must not choose the octant
 constexpr double farthest_mm = 1e7;      // no machine is longer
 
 bool better(const Attempt& a, const Attempt& b) {

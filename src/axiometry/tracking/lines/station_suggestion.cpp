@@ -13,10 +13,10 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double inside_mm = 10.0;      // of a limit: where it stands is known to some millimetres before it is located
-constexpr double outside_share = 0.25;  // of the reach, that a table may be larger
-constexpr int divisions_flat = 16;      // of the grid when X and Y may change
-constexpr int divisions_space = 8;      // of the grid when Z may change, too
+constexpr double inside_mm = 10.0;        // kept from a limit: unlocated, a station is known to some millimetres
+constexpr double outside_share = 0.25;    // share of the travel by which a table may be larger
+constexpr int divisions_flat = 16;        // grid divisions when X and Y may change
+constexpr int divisions_space = 8;        // grid divisions when Z may change, too
 constexpr double smallest_step_mm = 1.0;  // step at which the refinement ends
 constexpr double worth_mm = 1e-6;         // a gain below is rounding
 constexpr std::size_t refined_starts = 3;

@@ -15,7 +15,7 @@ namespace axiometry::tracking {
 namespace {
 
 constexpr int grid_divisions = 6;         // divisions of each travel
-constexpr double beside_sphere_mm = 5.0;  // beyond the safe radius
+constexpr double beside_sphere_mm = 5.0;  // distance kept beyond the safe radius
 constexpr double not_reached = std::numeric_limits<double>::infinity();
 
 /// Way points of the axes, first and last included.

@@ -9,7 +9,7 @@
 #include "axiometry/base/contract.h"
 #include "axiometry/base/go_on_unless.h"
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/tracking/polar/polar_reduction.h"
+#include "axiometry/tracking/polar/polar_settling.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 #include "axiometry/tracking/station/residual_findings.h"
 
@@ -17,7 +17,8 @@ namespace axiometry::tracking {
 namespace detail {
 namespace {
 
-constexpr std::size_t polar_unknowns_most = 300;  // of stations: their system is solved with dense matrices
+constexpr double fits_to = 4.0;                   // χ² of a reading on average
+constexpr std::size_t polar_unknowns_most = 300;  // unknowns of stations: their system is solved by dense matrices
 
 /// One call of adjust_polar().
 class PolarAdjustment {
@@ -67,7 +68,7 @@ class PolarAdjustment {
 
   Result<void> check_points() const {
     for (std::size_t i = 0; i < system_.blocks.size(); ++i)
-      if (!(system_.blocks[i].narrowest > 1e-13))
+      if (!(system_.blocks[i].narrowest > 1e-12))
         return fail(
             fmt::format("found readings of point {} that leave it undetermined, expected angles, or lengths "
                         "from three stations off one line with it",
@@ -120,71 +121,38 @@ class PolarAdjustment {
     return {};
   }
 
-  PolarState stepped(const Eigen::VectorXd& step, double part) const {
-    PolarState next = state_;
-    for (std::size_t i = 0; i < next.points.size(); ++i) {
-      const PolarBlock& block = system_.blocks[i];
-      Eigen::Vector3d way = block.step;
-      for (std::size_t k = 0; k < block.columns.size(); ++k)
-        way += step[static_cast<Eigen::Index>(block.columns[k])] * block.shares.col(static_cast<Eigen::Index>(k));
-      next.points[i] -= part * way;
-    }
-    for (std::size_t j = 0; j < next.poses.size(); ++j) {
-      const auto at = static_cast<Eigen::Index>(layout_.column[j]);
-      PolarPose& pose = next.poses[j];
-      pose.at += part * step.segment(at, 3);
-      if (layout_.has_angles[j]) {
-        const Eigen::Vector3d turn = part * step.segment(at + 3, 3);
-        if (turn.norm() > 0.0) pose.turn = Eigen::AngleAxisd(turn.norm(), turn.normalized()) * pose.turn;
-      } else {
-        for (std::size_t k = 0; k < pose.dead.size(); ++k)
-          pose.dead[k] += part * step[at + 3 + static_cast<Eigen::Index>(k)];
-      }
-    }
-    return next;
-  }
-
-  double largest_move(const PolarState& next) const {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < next.points.size(); ++i)
-      largest = std::max(largest, (next.points[i] - state_.points[i]).norm());
-    for (std::size_t j = 0; j < next.poses.size(); ++j)
-      largest = std::max(largest, (next.poses[j].at - state_.poses[j].at).norm());
-    return largest;
-  }
-
-  /// Gauss and Newton; a step that makes χ² larger is halved.
   Result<void> solve() {
-    double move_mm = 0.0;
-    for (fit_.iterations = 1; fit_.iterations <= options_.iterations_most; ++fit_.iterations) {
-      AXIOMETRY_TRY_VOID(go_on_unless(options_.stop));
-      inverse_ = invert_polar(system_, station_gauge(layout_, state_, middle()));
-      if (inverse_.null_directions > 0)
-        return fail(
-            fmt::format("found readings that leave {} direction{} of the stations undetermined beyond position "
-                        "and orientation, expected more points that several stations see, off one line",
-                        inverse_.null_directions, inverse_.null_directions == 1 ? "" : "s"));
-      const Eigen::VectorXd step = -inverse_.covariance * system_.gradient;
-      PolarState next = stepped(step, 1.0);
-      double squares = polar_chi_squared(layout_, readings_, next);
-      // Rounding alone may raise a χ² of 0: below 1e-9 of one reading's share it is left alone.
-      const double allowed = system_.chi_squared * (1.0 + 1e-9) + 1e-9;
-      for (double part = 0.5; !(squares <= allowed) && part > 1e-3; part *= 0.5) {
-        next = stepped(step, part);
-        squares = polar_chi_squared(layout_, readings_, next);
-      }
-      if (!std::isfinite(squares))
+    PolarSettling found = settle_polar(layout_, readings_, std::move(state_), options_);
+    state_ = std::move(found.state);
+    system_ = std::move(found.system);
+    inverse_ = std::move(found.inverse);
+    fit_.iterations = found.iterations;
+    switch (found.outcome) {
+      case PolarOutcome::settled: return check_stations();
+      case PolarOutcome::not_wanted: return go_on_unless(options_.stop);
+      case PolarOutcome::diverged:
         return fail(fmt::format("the solution diverges in iteration {}, expected readings that belong together; {}",
-                                fit_.iterations, farthest_reading()));
-      move_mm = largest_move(next);
-      state_ = std::move(next);
-      system_ = reduce_polar(layout_, readings_, state_);
-      if (move_mm <= 1e-7) return {};
+                                found.iterations, farthest_reading()));
+      case PolarOutcome::unsettled: break;
     }
+    if (found.outcome == PolarOutcome::unsettled &&
+        system_.chi_squared <= fits_to * static_cast<double>(layout_.equations))
+      return fail(fmt::format(
+          "the solution fits the readings but does not settle within {} iterations (points or stations still move "
+          "by {:.3g} mm): they tell where the stations stand too weakly, expected more points, or better angles",
+          options_.iterations_most, found.move_mm));
     return fail(
-        fmt::format("the solution does not settle within {} iterations (points still move by {:.3g} mm), "
-                    "expected readings that belong together; {}",
-                    options_.iterations_most, move_mm, farthest_reading()));
+        fmt::format("the solution does not settle within {} iterations (points or stations still move by {:.3g} "
+                    "mm), expected readings that belong together; {}",
+                    options_.iterations_most, found.move_mm, farthest_reading()));
+  }
+
+  Result<void> check_stations() const {
+    if (inverse_.null_directions == 0) return {};
+    return fail(
+        fmt::format("found readings that leave {} direction{} of the stations undetermined beyond position "
+                    "and orientation, expected more points that several stations see, off one line",
+                    inverse_.null_directions, inverse_.null_directions == 1 ? "" : "s"));
   }
 
   /// Of a solution that is none: where to look first.
@@ -250,7 +218,7 @@ class PolarAdjustment {
     fit_.chi_squared = system_.chi_squared;
     fit_.equations = layout_.equations;
     fit_.unknowns = 3 * state_.points.size() + layout_.columns - 6;
-    const PolarCovariances c = polar_covariances(layout_, state_, system_, inverse_.covariance, datum_station());
+    const PolarCovariances c = polar_covariances(layout_, state_, system_, inverse_.factor, datum_station());
     const double factor = fit_.variance_factor();
     const auto grown = [factor](Matrix3 m) {
       for (auto& row : m)
@@ -264,8 +232,9 @@ class PolarAdjustment {
     }
     for (std::size_t j = 0; j < state_.poses.size(); ++j) {
       const PolarPose& pose = state_.poses[j];
-      PolarStation station{
-          vector(pose.at + back), {}, grown(c.stations[j]), static_cast<bool>(layout_.has_angles[j]), pose.dead};
+      PolarStation station{vector(pose.at + back), {}, {}, static_cast<bool>(layout_.has_angles[j]), pose.dead};
+      if (j != datum_station())
+        station.covariance_mm2 = grown(c.stations[j]);  // of the datum rounding alone would be left
       for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b)
           station.turn[a][b] = pose.turn(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
@@ -277,21 +246,17 @@ class PolarAdjustment {
   /// 1 less the redundancy number of a row: the share of its variance that the fit takes up.
   double leverage(const PolarReading& reading, const PolarRow& row) const {
     const PolarBlock& block = system_.blocks[reading.point];
-    const auto q = static_cast<Eigen::Index>(block.columns.size());
     Eigen::VectorXd local = -(block.shares.transpose() * row.point);
     const std::size_t begin = layout_.column[reading.station];
     const std::size_t pose = layout_.has_angles[reading.station] ? 6 : 3;
-    for (Eigen::Index k = 0; k < q; ++k) {
-      const std::size_t column = block.columns[static_cast<std::size_t>(k)];
-      if (column >= begin && column < begin + pose) local[k] += row.pose[static_cast<Eigen::Index>(column - begin)];
-      if (pose == 3 && column == begin + 3 + reading.segment) local[k] += row.dead;
+    for (std::size_t k = 0; k < block.columns.size(); ++k) {
+      const std::size_t column = block.columns[k];
+      double& share = local[static_cast<Eigen::Index>(k)];
+      if (column >= begin && column < begin + pose) share += row.pose[static_cast<Eigen::Index>(column - begin)];
+      if (pose == 3 && column == begin + 3 + reading.segment) share += row.dead;
     }
-    double sum = row.point.dot(block.covariance * row.point);
-    for (Eigen::Index a = 0; a < q; ++a)
-      for (Eigen::Index b = 0; b < q; ++b)
-        sum += local[a] * local[b] *
-               inverse_.covariance(static_cast<Eigen::Index>(block.columns[static_cast<std::size_t>(a)]),
-                                   static_cast<Eigen::Index>(block.columns[static_cast<std::size_t>(b)]));
+    const Eigen::RowVectorXd taken = local.transpose() * inverse_.factor(block.columns, Eigen::all);
+    const double sum = row.point.dot(block.covariance * row.point) + taken.squaredNorm();
     return std::clamp(sum, 0.0, 1.0);
   }
 

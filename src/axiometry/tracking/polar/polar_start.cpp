@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "axiometry/numeric/dense/dense.h"
-#include "axiometry/tracking/polar/polar_equations.h"
+#include "axiometry/tracking/polar/polar_settling.h"
 #include "axiometry/tracking/ranges/range_eigen.h"
 #include "axiometry/tracking/ranges/range_start.h"
 
@@ -30,6 +30,8 @@ class PolarStart {
     if (!needs_nominal() && !is_any_placed()) place_without_nominal();
     AXIOMETRY_TRY_VOID(check_stations());
     AXIOMETRY_TRY_VOID(check_points());
+    if (std::ranges::find(layout_.has_angles, false) == layout_.has_angles.end()) return std::move(state_);
+    settle_angles();
     for (std::size_t j = 0; j < placed_.size(); ++j)
       if (!layout_.has_angles[j]) AXIOMETRY_TRY_VOID(place_by_lengths(j, findings));
     return std::move(state_);
@@ -130,11 +132,39 @@ class PolarStart {
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     for (const auto& p : to) moments += (p - to_mean) * (p - to_mean).transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(moments, Eigen::EigenvaluesOnly);
-    if (!(spread.eigenvalues()[1] > 1e-8 * spread.eigenvalues()[2])) return false;  // on one line within 1e-4 of it
+    if (!(spread.eigenvalues()[1] > 1e-8 * spread.eigenvalues()[2]))
+      return false;  // on one line within 1e-4 of its length
     PolarPose& pose = state_.poses[j];
     pose.turn = best_turn(from, to);
     pose.at = to_mean - pose.turn * from_mean;
     return true;
+  }
+
+  /// The points as all stations with angles tell them, before others are placed on these: one instrument with bad
+  /// angles may have told them first.
+  void settle_angles() {
+    std::vector<std::size_t> number(placed_.size(), 0);
+    std::size_t stations = 0;
+    for (std::size_t j = 0; j < placed_.size(); ++j)
+      if (layout_.has_angles[j]) number[j] = stations++;
+    std::vector<PolarReading> readings;
+    std::vector<bool> has_direction(state_.points.size(), false);
+    for (const PolarReading& r : readings_) {
+      if (!layout_.has_angles[r.station]) continue;
+      readings.push_back(r);
+      readings.back().station = number[r.station];
+      if (r.direction) has_direction[r.point] = true;
+    }
+    if (stations < 2 || std::ranges::find(has_direction, false) != has_direction.end()) return;
+    PolarState some{state_.points, {}};
+    for (std::size_t j = 0; j < placed_.size(); ++j)
+      if (layout_.has_angles[j]) some.poses.push_back(state_.poses[j]);
+    const PolarLayout layout = lay_out_polar(some.points.size(), stations, readings);
+    PolarSettling found = settle_polar(layout, readings, std::move(some), options_);
+    if (found.outcome != PolarOutcome::settled || found.inverse.null_directions > 0) return;
+    state_.points = std::move(found.state.points);
+    for (std::size_t j = 0; j < placed_.size(); ++j)
+      if (layout_.has_angles[j]) state_.poses[j] = found.state.poses[number[j]];
   }
 
   Result<void> place_by_lengths(std::size_t j, std::vector<Finding>& findings) {

@@ -30,7 +30,7 @@ class Multilateration {
     AXIOMETRY_TRY(const RangeCounts counts, check_ranges(in_));
     AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, counts.segments));
     AXIOMETRY_TRY(starts_, start_all(in_, in_.options.find_breaks));
-    if (!check_counts(in_, fit_.rank, segments())) {  // too few readings to say that a beam was broken
+    if (!check_counts(in_, fit_.rank, segments())) {  // too few readings to tell a broken beam
       AXIOMETRY_TRY(starts_, start_all(in_, false));
       AXIOMETRY_TRY_VOID(check_counts(in_, fit_.rank, segments()));
     }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking::detail {

@@ -15,7 +15,7 @@ constexpr double freedom_least = 8.0;  // below it the scatter itself is too unc
 
 /// A segment's residuals and rows about a start: [−u, w], less their means.
 struct Segment {
-  std::vector<std::size_t> at;  // among the station's readings
+  std::vector<std::size_t> at;  // indices of the segment's readings among those of the station
   std::vector<Eigen::Vector4d> rows;
 };
 
@@ -110,7 +110,7 @@ std::size_t settle_restart(StationReadings& r, std::size_t before, const Station
   std::vector<std::size_t> both;
   for (std::size_t k = 0; k < r.segment.size(); ++k)
     if (r.segment[k] == old || r.segment[k] == fresh) both.push_back(k);
-  double least = 0.0, sum = 0.0;  // of Σ over those given to `old` of their squares less those about `fresh`
+  double least = 0.0, sum = 0.0;  // Σ over the readings given to `old`: square about `old` less square about `fresh`
   std::size_t cut = 0;
   for (std::size_t k = 0; k < both.size(); ++k) {
     const double e = distance(r.nominal_mm[both[k]], start.station_mm) - r.length_mm[both[k]];

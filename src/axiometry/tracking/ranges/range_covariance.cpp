@@ -120,7 +120,7 @@ class Covariances {
       sum.gram += parts[k].gram;
     }
     ct_ = reduced_ * sum.t;
-    m_ = sum.gram.inverse();
+    m_ = numeric::inverse(sum.gram);
     mqm_ = m_ * (sum.points + GaugeSquare(sum.t.transpose() * ct_)) * m_;
   }
 

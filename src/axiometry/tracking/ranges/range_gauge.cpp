@@ -89,7 +89,7 @@ ReducedRank reduced_rank(const ReducedSystem& system, const GaugeDirections& gau
   const double above = 1.0 + static_cast<double>(system.size);  // no eigenvalue of S exceeds its trace
   const Eigen::MatrixXd within = projector * s.matrix * projector + above * s.gauge * s.gauge.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(within);
-  const Eigen::VectorXd& values = solver.eigenvalues();  // rising; those of the gauge come last
+  const Eigen::VectorXd& values = solver.eigenvalues();  // ascending; those of the gauge come last
   ReducedRank rank;
   while (rank.null_directions < system.size && values[static_cast<Eigen::Index>(rank.null_directions)] < null_limit)
     ++rank.null_directions;

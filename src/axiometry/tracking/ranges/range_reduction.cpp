@@ -8,8 +8,8 @@ namespace {
 struct Sums {
   ReducedSystem system;
   ColumnPattern pattern;
-  std::vector<double> compact;           // of the pattern: upper triangle by rows
-  std::vector<double> compact_gradient;  // likewise
+  std::vector<double> compact;           // normal matrix of the pattern: upper triangle by rows
+  std::vector<double> compact_gradient;  // gradient of the pattern
   std::vector<double> compact_diagonal;
   std::vector<double> w;  // three rows of W, then of L⁻¹W
 
@@ -156,7 +156,7 @@ ReducedSystem reduce(const ReductionInput& input, RangeState& state, const std::
       if (step) {
         const Vector3 move = point_move(input, *step, i);
         const double length = norm(move);
-        if (!(length <= sums.system.largest_move_mm)) sums.system.largest_move_mm = length;  // keeps a NaN
+        if (!(length <= sums.system.largest_move_mm)) sums.system.largest_move_mm = length;  // a NaN is kept
         state.points[i] = step->from.points[i] + move;
       }
       take_point(sums, input, state, i, damping);

@@ -14,6 +14,7 @@
 namespace axiometry::tracking::detail {
 namespace {
 
+constexpr double farthest_radii = 1e3;     // of a start from the points: beyond, beams are parallel to all digits
 constexpr std::size_t linear_most = 4000;  // readings that a start is found from
 constexpr std::size_t search_most = 400;   // likewise when many starts are tried
 
@@ -27,9 +28,9 @@ std::vector<std::size_t> sample(std::size_t count, std::size_t most) {
 
 struct Cloud {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0.0;  // root mean square
+  double radius = 0.0;  // root mean square distance from the centre
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double thickness = 0.0;  // along it, over the radius
+  double thickness = 0.0;  // extent along the normal divided by the radius
 };
 
 Cloud cloud_of(const StationReadings& r, std::span<const std::size_t> chosen) {
@@ -78,7 +79,7 @@ std::optional<Eigen::Vector3d> linear_start(const StationReadings& r, const Clou
   qr.compute(a);
   if (qr.rank() < 5) return std::nullopt;
   const Eigen::VectorXd x = qr.solve(b);
-  if (!x.allFinite() || x.head<3>().norm() > 1e3) return std::nullopt;
+  if (!x.allFinite() || x.head<3>().norm() > farthest_radii) return std::nullopt;
   return cloud.centre + cloud.radius * x.head<3>();
 }
 
@@ -90,7 +91,8 @@ struct Refined {
 
 class Refinement {
  public:
-  Refinement(const StationReadings& r, std::vector<std::size_t> chosen) : r_(r), chosen_(std::move(chosen)) {}
+  Refinement(const StationReadings& r, const Cloud& cloud, std::vector<std::size_t> chosen)
+      : r_(r), centre_(cloud.centre), farthest_(farthest_radii * cloud.radius), chosen_(std::move(chosen)) {}
 
   Refined from(Eigen::Vector3d s) {
     double squares = linearise(s);
@@ -101,7 +103,9 @@ class Refinement {
       Eigen::Matrix3d damped = normal;
       damped.diagonal() += damping * (normal.diagonal().array() + 1e-12 * normal.trace()).matrix();
       const Eigen::Vector3d step = -damped.ldlt().solve(gradient);
-      const double tried = linearise(s + step);
+      // A place that noise draws away without end is held where its lengths still have digits.
+      const bool is_far = !((s + step - centre_).norm() <= farthest_);
+      const double tried = is_far ? std::numeric_limits<double>::infinity() : linearise(s + step);
       if (tried <= squares) {
         s += step;
         const bool done = step.norm() < 1e-9 * (1.0 + s.norm()) || squares - tried < 1e-14 * squares;
@@ -145,6 +149,8 @@ class Refinement {
   }
 
   const StationReadings& r_;
+  Eigen::Vector3d centre_;
+  double farthest_ = 0.0;
   std::vector<std::size_t> chosen_;
   std::vector<double> count_;
   std::vector<Eigen::Vector4d> mean_;
@@ -154,7 +160,7 @@ class Refinement {
 };
 
 Refined search(const StationReadings& r, const Cloud& cloud) {
-  Refinement refinement(r, sample(r.length_mm.size(), search_most));
+  Refinement refinement(r, cloud, sample(r.length_mm.size(), search_most));
   Refined best;
   for (double radius : {1.0, 2.0, 5.0})
     for (int x = -1; x <= 1; ++x)
@@ -181,7 +187,7 @@ Result<StationStart> start_station(const StationReadings& r, const std::string& 
     return fail(
         fmt::format("found all {} nominal points of station {} at one place, expected different ones", n, name));
 
-  Refinement refinement(r, r.segments > 1 ? sample(n, n) : chosen);
+  Refinement refinement(r, cloud, r.segments > 1 ? sample(n, n) : chosen);
   Refined best;
   if (const auto linear = linear_start(r, cloud)) best = refinement.from(*linear);
   const double poor = 1e-3 * cloud.radius;  // machines err less
@@ -197,7 +203,7 @@ Result<StationStart> start_station(const StationReadings& r, const std::string& 
   const double height = (best.station - cloud.centre).dot(cloud.normal);
   if (cloud.thickness < 1e-3 && std::abs(height) > 1e-6 * cloud.radius) {
     const Refined other = refinement.from(best.station - 2.0 * height * cloud.normal);
-    const double least = 1e-6 * cloud.radius;  // of the residuals that tell them apart
+    const double least = 1e-6 * cloud.radius;  // difference of residuals that tells the two apart
     const bool ambiguous =
         rms(other) < 2.0 * rms(best) + least && (other.station - best.station).norm() > 1e-3 * cloud.radius;
     if (ambiguous) {

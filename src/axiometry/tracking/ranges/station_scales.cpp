@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/tracking/ranges/multilateration_findings.h"
@@ -15,8 +15,8 @@
 namespace axiometry::tracking::detail {
 namespace {
 
-constexpr double gain_least = 60.0;               // as of a break, in look_for_breaks()
-constexpr double by_chance = 1e-6;                // of m − 1 unknowns without an effect
+constexpr double gain_least = 60.0;               // the same as for a break in look_for_breaks()
+constexpr double by_chance = 1e-6;                // chance that m − 1 unknowns without an effect gain as much
 constexpr double freedom_of_scales_least = 20.0;  // below it χ²/ν itself is too uncertain to measure by
 
 /// ν + 2 √(2ν): by chance above it once in forty times.

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/geometry/machine_axes.h"
 #include "axiometry/tracking/geometry/visibility.h"
@@ -45,13 +45,13 @@ double badness(std::span<const Vector3> points, Vector3 station) {
     wide << q.x, q.y, q.z, 2.0 / scale * (length - length_centre), -1.0;
     matrix.noalias() += wide * wide.transpose();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> refined(rows);
-  const Eigen::Vector4d values = refined.eigenvalues().cwiseMax(epsilon * refined.eigenvalues()[3]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> refined(rows);
+  const Eigen::VectorXd values = refined.eigenvalues().cwiseMax(epsilon * refined.eigenvalues()[3]);
   double worst = 0.0;
   for (Eigen::Index k = 0; k < 3; ++k)
     worst = std::max(worst, refined.eigenvectors().row(k).cwiseAbs2().dot(values.cwiseInverse()));
-  const Eigen::Matrix<double, 5, 1> linear =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 5, 5>>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd linear =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
   const double condition = linear[4] / std::max(linear[0], epsilon * linear[4]);  // squared, as `worst` is
   return 0.5 * std::log(worst) + 0.125 * std::log(condition);
 }
@@ -251,7 +251,7 @@ Result<LocationPlan> plan_location(const TrackingSetup& setup, std::size_t count
                               "XYZ"[k]));
   if (!is_finite(setup.station.position_mm)) return fail("found a station that is not finite, expected numbers in mm");
   Candidates candidates = candidates_of(setup, 6);
-  if (candidates.points.size() < 2 * count) candidates = candidates_of(setup, 13);  // narrow places
+  if (candidates.points.size() < 2 * count) candidates = candidates_of(setup, 13);  // a finer grid for narrow places
   if (candidates.points.size() < count)
     return fail(fmt::format(
         "found {} of {} places over the travels that can be reached and seen, expected {} or more; "

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry::tracking {
 

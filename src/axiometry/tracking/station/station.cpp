@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/tracking/station/station_checks.h"
 #include "axiometry/tracking/station/station_fit.h"
 #include "axiometry/tracking/station/station_surface.h"
@@ -21,7 +21,7 @@ constexpr double absurd_distance_mm = 100'000.0;  // no tracking instrument reac
 constexpr double catalogue_range_mm = 20'000.0;   // of the instrument of the paper (Table 1)
 constexpr double harmful_offset_mm = 1.0;         // what the paper calls harmless is less than this
 
-std::vector<Vector3> first_starts(const LinearSolution& linear, const StationOptions& options) {
+std::vector<Vector3> first_starts(const LinearEstimate& linear, const StationOptions& options) {
   std::vector<Vector3> first;
   if (linear.fit.numerical_rank == 5) first.push_back(linear.fit.station_mm);
   first.insert(first.end(), linear.candidates.begin(), linear.candidates.end());
@@ -62,7 +62,7 @@ Choice choose(const std::vector<Minimum>& minima, std::span<const LocationPoint>
   return {possible[0], possible[1].station_mm};
 }
 
-void add_uncertainties(const LinearSolution& linear, const RefinedSolution& refined, StationLocation& location) {
+void add_uncertainties(const LinearEstimate& linear, const RefinedSolution& refined, StationLocation& location) {
   LinearFit& fit = *location.linear;
   double misclosure = 0.0;
   for (std::size_t i = 0; i < linear.gain.size(); ++i) {
@@ -172,7 +172,7 @@ Result<StationLocation> locate_station(std::span<const LocationPoint> points, co
   StationLocation location;
   AXIOMETRY_TRY_VOID(check_triangles(points, options, location.findings));
 
-  LinearSolution linear = solve_linear(points);
+  LinearEstimate linear = solve_linear(points);
   const auto minima = refine_from_all(points, options, starts_around(points, first_starts(linear, options)));
   if (minima.empty()) return fail("found no station near which the lengths fit, expected at least one");
   const Choice choice = choose(minima, points, options);

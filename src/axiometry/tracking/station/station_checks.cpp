@@ -10,7 +10,7 @@
 #include <optional>
 #include <tuple>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking {
@@ -134,12 +134,12 @@ Result<void> check_triangles(std::span<const LocationPoint> points, const Statio
     double gap = 0.0, apart = 0.0;
   } worst, worst_relative;
   const double slack = 0.02 + 6.0 * std::sqrt(2.0) * length_sigma_mm(options, 1000.0);
-  constexpr double surely = 1.0 - 1e-9;  // of squares: more than their rounding, far less than any slack
+  constexpr double surely = 1.0 - 1e-9;  // factor for squares: beyond their rounding, far below any slack
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t k = points.size() > most_pairs_from ? i - std::min<std::size_t>(i, 1) : 0; k < i; ++k) {
       const double gap = std::abs(points[i].length_difference_mm - points[k].length_difference_mm);
       const Vector3 between = points[i].at_mm - points[k].at_mm;
-      if (gap * gap < surely * dot(between, between)) continue;  // as nearly all: the roots would take most of the time
+      if (gap * gap < surely * dot(between, between)) continue;  // nearly all pairs end here, without a square root
       const double apart = distance(points[i].at_mm, points[k].at_mm);
       if (gap - apart > worst.excess) worst = {gap - apart, i, k, gap, apart};
       const double beyond = gap - 1.02 * apart - absurd_error_mm;
@@ -174,7 +174,7 @@ std::string better_reading(std::span<const LocationPoint> points, const StationO
   for (const OtherReading& reading : other_readings) {
     std::vector<LocationPoint> other(points.begin(), points.end());
     for (LocationPoint& p : other) p.length_difference_mm *= reading.factor;
-    const LinearSolution linear = solve_linear(other);
+    const LinearEstimate linear = solve_linear(other);
     std::vector<Vector3> first = linear.candidates;
     if (linear.fit.numerical_rank == 5) first.push_back(linear.fit.station_mm);
     // a machine that is wrong by a thousandth does not hide a wrong unit; lengths that are nothing beside the points

@@ -17,7 +17,7 @@ namespace axiometry::tracking {
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Eq. 14 solved. Of four points it has no solution, but the two candidates that fit them.
-struct LinearSolution {
+struct LinearEstimate {
   LinearFit fit;  ///< station, L0 and what follows from them where numerical_rank is 5; rank is left to judge_rank()
   std::size_t count = 0;  ///< number of points
   double scale_mm = 0.0;  ///< rms radius of the points
@@ -30,7 +30,7 @@ struct LinearSolution {
   std::vector<Vector3> gain;            ///< change of the station per change of ΔL_i
   std::vector<double> misclosure_gain;  ///< change of the misclosure per change of ΔL_i, mm
 };
-LinearSolution solve_linear(std::span<const LocationPoint> points);
+LinearEstimate solve_linear(std::span<const LocationPoint> points);
 
 /// Standard uncertainties of what stands in the matrix of eq. 14.
 struct MatrixNoise {
@@ -39,7 +39,7 @@ struct MatrixNoise {
 };
 /// Sets rank and rank_tolerance: the singular value σ_k with the direction (a, b, c) counts when it is above
 /// 3 √n (2/r) √(|a|² u_p² + b² u_L²) + n ε σ_1, three times what the noise alone makes of it.
-void judge_rank(LinearSolution& solution, const MatrixNoise& noise);
+void judge_rank(LinearEstimate& solution, const MatrixNoise& noise);
 
 /// σ_i of a length, at the distance, with the machine's share along the beam.
 double length_sigma_mm(const StationOptions& options, double distance_mm);

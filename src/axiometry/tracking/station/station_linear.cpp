@@ -70,7 +70,7 @@ std::vector<Vector3> candidates_along(const Vector5& x0, const Vector5& v, const
   return stations;
 }
 
-void describe_solution(LinearSolution& result, const Vector5& x, const Eigen::MatrixXd& inverse, const Scaled& s,
+void describe_solution(LinearEstimate& result, const Vector5& x, const Eigen::MatrixXd& inverse, const Scaled& s,
                        std::span<const LocationPoint> points) {
   LinearFit& fit = result.fit;
   const double r = s.scale_mm;
@@ -98,12 +98,12 @@ void describe_solution(LinearSolution& result, const Vector5& x, const Eigen::Ma
 
 }  // namespace
 
-LinearSolution solve_linear(std::span<const LocationPoint> points) {
+LinearEstimate solve_linear(std::span<const LocationPoint> points) {
   AXIOMETRY_CONTRACT(points.size() >= 4);
   const Scaled s = scaled(points);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(s.matrix, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const Eigen::VectorXd& values = svd.singularValues();
-  LinearSolution result;
+  LinearEstimate result;
   result.count = points.size();
   result.scale_mm = s.scale_mm;
   LinearFit& fit = result.fit;
@@ -130,7 +130,7 @@ LinearSolution solve_linear(std::span<const LocationPoint> points) {
   return result;
 }
 
-void judge_rank(LinearSolution& solution, const MatrixNoise& noise) {
+void judge_rank(LinearEstimate& solution, const MatrixNoise& noise) {
   LinearFit& fit = solution.fit;
   const double n = static_cast<double>(solution.count);
   const auto tolerance = [&](std::size_t k) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/tracking/station/station_checks.h"
@@ -17,7 +17,7 @@ namespace {
 struct Hypothesis {
   std::size_t first = 0;
   bool to_the_end = false;
-  double promise = 0.0;  ///< what χ² would lose, to first order
+  double promise = 0.0;  ///< fall of χ² expected to first order
   Minimum minimum{};
 
   std::vector<double> shape(std::size_t count) const {

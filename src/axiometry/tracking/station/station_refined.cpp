@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/model/station_bounds.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/tracking/station/station_fit.h"
@@ -10,7 +11,7 @@
 namespace axiometry::tracking {
 namespace {
 
-constexpr double far_away = 1e6;  // radii: there the beams are parallel, and nothing draws a start back
+constexpr double far_away = 1e6;  // in radii of the points: there the beams are parallel, and no start returns
 
 Vector3 centre_of(std::span<const LocationPoint> points) {
   Vector3 centre;
@@ -138,7 +139,7 @@ class Descent {
 
 /// Of many points as many as show where minima are.
 constexpr std::size_t points_for_starts = 200;
-constexpr double hopeless = 100.0;  // times as large a χ² of these is no minimum that all points make the best
+constexpr double hopeless = 100.0;  // a start whose χ² is this many times the least is given up
 
 struct Some {
   std::vector<LocationPoint> points;
@@ -287,8 +288,7 @@ RefinedSolution describe(std::span<const LocationPoint> points, const StationOpt
 
   fit.degrees_of_freedom = points.size() - 4;
   fit.chance = numeric::chi_square_tail(fit.chi_squared, fit.degrees_of_freedom);
-  if (fit.degrees_of_freedom > 0)
-    fit.inflation = std::max(1.0, fit.chi_squared / static_cast<double>(fit.degrees_of_freedom));
+  fit.inflation = inflation_of(fit.chi_squared, fit.degrees_of_freedom);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       fit.covariance_stated_mm2[i][k] = covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));

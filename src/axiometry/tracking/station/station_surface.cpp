@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/tracking/station/station_checks.h"
 
@@ -24,7 +24,7 @@ bool is_cone(const RefinedSolution& refined) {
 struct Extents {
   double off_line_mm = 0.0;
   double off_plane_mm = 0.0;
-  Vector3 along;  ///< of the best line, a unit vector
+  Vector3 along;  ///< direction of the best line, a unit vector
 };
 Extents extents_of(std::span<const LocationPoint> points) {
   Vector3 centre;
@@ -137,7 +137,7 @@ std::string_view critical_surface_name(CriticalSurface surface) {
   return "";
 }
 
-void name_surface(const LinearSolution& linear, const RefinedSolution& refined, const MatrixNoise& noise,
+void name_surface(const LinearEstimate& linear, const RefinedSolution& refined, const MatrixNoise& noise,
                   std::span<const LocationPoint> points, StationLocation& location) {
   const auto set = [&](CriticalSurface surface) { location.surface = surface; };
   const double root_n = std::sqrt(static_cast<double>(points.size()));
@@ -160,7 +160,7 @@ void name_surface(const LinearSolution& linear, const RefinedSolution& refined, 
                                           : CriticalSurface::hyperboloid);
 }
 
-void add_surface_findings(const LinearSolution& linear, const RefinedSolution& refined,
+void add_surface_findings(const LinearEstimate& linear, const RefinedSolution& refined,
                           std::span<const LocationPoint> points, const StationOptions& options,
                           StationLocation& location) {
   std::vector<Finding>& findings = location.findings;

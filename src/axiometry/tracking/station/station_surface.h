@@ -17,14 +17,14 @@ namespace axiometry::tracking {
 /// - plane: the points' smallest extent is below the tolerance of the rank; sphere: the extent of the lengths is;
 /// - otherwise with (a, b, c) of the last direction L = k/b − (a/b)·(p − s): a quadric of revolution with the focus s
 ///   and the eccentricity |a|/|b|.
-void name_surface(const LinearSolution& linear, const RefinedSolution& refined, const MatrixNoise& noise,
+void name_surface(const LinearEstimate& linear, const RefinedSolution& refined, const MatrixNoise& noise,
                   std::span<const LocationPoint> points, StationLocation& location);
 
 /// Whether any estimator can tell the station from points on such a surface.
 bool can_be_told(CriticalSurface surface);
 
 /// Findings about the surface, the mirror image, and the condition of both estimators.
-void add_surface_findings(const LinearSolution& linear, const RefinedSolution& refined,
+void add_surface_findings(const LinearEstimate& linear, const RefinedSolution& refined,
                           std::span<const LocationPoint> points, const StationOptions& options,
                           StationLocation& location);
 

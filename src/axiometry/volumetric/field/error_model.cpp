@@ -97,7 +97,7 @@ bool ErrorModel::is_told_but_for_a_constant(const BeamRow& row, Vector3 tool_mm,
   });
 }
 
-FieldValue ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches) const {
+ToolPointError ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches) const {
   const std::size_t width = parts_.coefficients.raw();
   BeamRow x(parts_.coefficients, parts_.machine, axes_mm, tool_mm, approaches);
   BeamRow y(parts_.coefficients, parts_.machine, axes_mm, tool_mm, approaches);
@@ -106,7 +106,7 @@ FieldValue ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches approache
   y.along({0.0, 1.0, 0.0});
   z.along({0.0, 0.0, 1.0});
   const std::array<const BeamRow*, 3> rows = {&x, &y, &z};
-  FieldValue field;
+  ToolPointError field;
   for (std::size_t i = 0; i < 3; ++i)
     if (is_told_but_for_a_constant(*rows[i], tool_mm, i)) field.error_um[i] = rows[i]->times(parts_.values);
   for (std::size_t i = 0; i < 3; ++i)

@@ -27,7 +27,7 @@ struct Estimate {
 
 /// Displacement of the tool point and its covariance. A component that the lengths do not tell, but for a constant of
 /// all places with this tool, has no number.
-struct FieldValue {
+struct ToolPointError {
   std::array<std::optional<double>, 3> error_um;
   Matrix3 covariance_um2{};  ///< rows and columns of components without a number are 0
 
@@ -66,7 +66,7 @@ class ErrorModel {
   std::vector<std::size_t> unseen_errors() const;
 
   /// δ at q with a tool, to first order (kinematics.h).
-  FieldValue at(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches = {}) const;
+  ToolPointError at(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches = {}) const;
 
   /// What the row makes of the coefficients; absent where the lengths do not tell it.
   std::optional<Estimate> estimate(const BeamRow& row) const;

@@ -38,7 +38,7 @@ std::vector<std::optional<Vector3>> grid_errors(const ErrorModel& model, Vector3
       errors.emplace_back(field_um(model, model.parts().values, q, tool_mm));
       continue;
     }
-    const FieldValue value = model.at(q, tool_mm);
+    const ToolPointError value = model.at(q, tool_mm);
     errors.push_back(value.is_whole() ? std::optional<Vector3>(value.error()) : std::nullopt);
   }
   return errors;

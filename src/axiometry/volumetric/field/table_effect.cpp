@@ -14,7 +14,7 @@
 namespace axiometry::volumetric {
 namespace {
 
-constexpr std::size_t places_least = 11;  // along each axis
+constexpr std::size_t places_least = 11;  // places along each axis
 constexpr std::size_t searched_least = SearchedGrid{}.searched, searched_most = 192;
 
 /// Of whose spans none but the ends is a position of the tables: there a table leaves nothing.

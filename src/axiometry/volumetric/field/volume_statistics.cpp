@@ -78,7 +78,7 @@ class VolumeGrid {
   /// The largest node of each of 64 blocks, but for those that are less than half of the largest: between others may be
   /// the largest of all.
   std::vector<Vector3> largest_of_blocks(const std::vector<Vector3>& field) const {
-    constexpr std::size_t blocks = 4;  // along each axis: of octants the largest that tables leave was missed by 17 %
+    constexpr std::size_t blocks = 4;  // blocks along each axis; two missed the largest error that tables leave by 17 %
     std::array<std::optional<std::size_t>, blocks * blocks * blocks> largest;
     const TravelBox box = model_.observed();
     for (std::size_t j = 0; j < field.size(); ++j) {
@@ -150,7 +150,7 @@ Vector3 largest_along(std::size_t axis, Vector3 from, const TravelBox& box, std:
 Vector3 largest_place(const std::vector<Vector3>& starts, const TravelBox& box, std::size_t searched,
                       const FieldAt& field) {
   constexpr int rounds_most = 6;
-  constexpr double grown_least = 1e-3;  // of what is told to 1 %
+  constexpr double grown_least = 1e-3;  // relative growth that ends the search; the result is stated to 1 %
   Vector3 best = starts.front();
   for (const Vector3& start : starts) {
     Vector3 q = start;
@@ -287,7 +287,7 @@ FieldSlice field_slice(const ErrorModel& model, Vector3 tool_mm, std::size_t fix
     for (const double across : slice.across_mm) {
       q[slice.up_axis] = up;
       q[slice.across_axis] = across;
-      const FieldValue value = model.at(q, tool_mm);
+      const ToolPointError value = model.at(q, tool_mm);
       slice.error_um.push_back(value.is_whole() ? std::optional<Vector3>(value.error()) : std::nullopt);
     }
   return slice;

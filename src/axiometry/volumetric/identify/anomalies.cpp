@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "axiometry/numeric/distributions/chi_square.h"
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -87,10 +87,10 @@ double share_of_clear(const Problem& problem, const State& state, std::span<cons
 double break_limit(std::size_t readings) { return 30.0 + 4.0 * std::log(static_cast<double>(readings)); }
 
 std::size_t stretch_before(const Unknowns& unknowns, std::size_t reading) {
-  const Stretch& own = unknowns.stretches[unknowns.stretch_of[reading]];
+  const BeamStretch& own = unknowns.stretches[unknowns.stretch_of[reading]];
   std::size_t last = reading;
   while (last-- > 0) {
-    const Stretch& other = unknowns.stretches[unknowns.stretch_of[last]];
+    const BeamStretch& other = unknowns.stretches[unknowns.stretch_of[last]];
     if (other.virtual_station == own.virtual_station && other.segment == own.segment) break;
   }
   return unknowns.stretch_of[last];

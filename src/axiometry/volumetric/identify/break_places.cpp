@@ -9,8 +9,8 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr std::size_t least_beside_break = 2;      // one alone may be an outlier
-constexpr double thousandth = 13.815510557964274;  // 2 ln 1000, of χ²
+constexpr std::size_t least_beside_break = 2;      // readings; one alone may be an outlier
+constexpr double thousandth = 13.815510557964274;  // by which χ² must fall: 2 ln 1000
 
 /// χ² of some readings about the mean, or the straight line, of those among them that fit a stretch; as much as can be
 /// for each other.
@@ -54,7 +54,7 @@ class SideCost {
 /// A reading of one of two stretches, about what was fitted of each.
 struct Held {
   std::size_t reading = 0;
-  double weight = 0.0;  ///< over the robust variance
+  double weight = 0.0;  ///< weight of the reading divided by the robust variance
   double off_before_um = 0.0;
   double off_behind_um = 0.0;
 };
@@ -62,8 +62,8 @@ struct Held {
 /// A dead path and its drift over the readings of its stretch.
 struct Course {
   double level_um = 0.0;
-  double slope_um = 0.0;  ///< per reading
-  double middle = 0.0;    ///< reading of the stretch
+  double slope_um = 0.0;  ///< drift per reading
+  double middle = 0.0;    ///< reading in the middle of the stretch
 
   double at(double reading) const { return level_um + slope_um * (reading - middle); }
 };
@@ -112,7 +112,7 @@ class PlaceSearch {
 
  private:
   std::vector<Held> held_;
-  std::vector<std::optional<double>> costs_;  ///< of a break before each; none where too few are on a side
+  std::vector<std::optional<double>> costs_;  ///< cost of a break before each; none where a side has too few
 };
 
 }  // namespace
@@ -124,7 +124,7 @@ std::vector<BreakPlace> break_places(const Problem& everything, const State& sta
   const double limit = outlier_limit(residuals.size());
   std::vector<std::vector<std::size_t>> readings(unknowns.stretches.size());
   for (std::size_t i = 0; i < residuals.size(); ++i) readings[unknowns.stretch_of[i]].push_back(i);
-  std::vector<std::size_t> begin_of(unknowns.stretches.size(), 0);  // behind what the break before leaves in doubt
+  std::vector<std::size_t> begin_of(unknowns.stretches.size(), 0);  // behind the readings in doubt of the last break
   std::vector<BreakPlace> places;
   for (const std::size_t break_before : breaks) {
     const std::size_t from = stretch_before(unknowns, break_before), to = unknowns.stretch_of[break_before];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/numeric/side_by_side.h"
 #include "axiometry/volumetric/identify/beyond_places.h"
 #include "axiometry/volumetric/identify/common_scale.h"
@@ -15,10 +16,10 @@
 namespace axiometry::volumetric {
 namespace {
 
+using detail::BeamStretch;
 using detail::Fit;
 using detail::Identifier;
 using detail::Problem;
-using detail::Stretch;
 using detail::Unknowns;
 
 std::vector<double> times(std::vector<double> values, double factor) {
@@ -71,7 +72,7 @@ std::vector<IdentifiedStretch> stretches_of(const Identifier& done) {
   std::vector<IdentifiedStretch> stretches;
   const Unknowns& unknowns = done.unknowns();
   for (std::size_t j = 0; j < unknowns.stretches.size(); ++j) {
-    const Stretch& own = unknowns.stretches[j];
+    const BeamStretch& own = unknowns.stretches[j];
     IdentifiedStretch stretch{own.virtual_station, own.segment, own.readings, done.fit().state.dead_paths_mm[j], {}};
     if (done.drift()) stretch.drift_um = done.fit().state.drifts_um[j];
     stretches.push_back(stretch);
@@ -122,6 +123,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   if (beyond)
     if (auto made = Identifier::make(machine, lengths, *beyond); made && made->run() && leaves_less(*made, first))
       finer.emplace(*std::move(made));
+  AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
   const Identifier& done = finer ? *finer : first;
   const Fit& fit = done.fit();
   const std::size_t told = fit.solution.told();

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct IdentifyOptions {
   bool find_breaks = true;    ///< look for breaks of the beam that the file does not tell
   bool find_outliers = true;  ///< set readings aside that no model explains
   std::size_t threads = 0;    ///< 0: as many as there are cores. The result does not depend on it
+  std::stop_token stop = {};  ///< nobody waits for it any more: fails, as unavailable
 };
 
 /// Where the instrument stood, as one tool sees it.

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/volumetric/field/curve_nodes.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
 #include "axiometry/volumetric/identify/noise_trials.h"

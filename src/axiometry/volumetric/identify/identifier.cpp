@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/volumetric/field/point_spread.h"
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
 #include "axiometry/volumetric/identify/smoothing.h"
@@ -25,9 +25,9 @@ namespace {
 constexpr std::size_t outlier_rounds = 6;
 constexpr std::size_t huber_rounds = 8;
 constexpr double drift_chance_most = 1e-3;
-constexpr std::size_t readings_for_unknown = 20;  // for a start
+constexpr std::size_t readings_for_unknown = 20;  // readings for each unknown in the first fit
 constexpr std::size_t many_times_enough = 4;
-constexpr double travel_slack_mm = 0.01;  // what programs are rounded to, and more
+constexpr double travel_slack_mm = 0.01;  // more than positions in part programs are rounded by
 
 /// For a first look, before breaks and outliers are known: what a machine's errors usually need.
 constexpr std::size_t first_size = 5;
@@ -99,7 +99,7 @@ Result<void> Identifier::check_readings() {
 /// Rows that are the same in every cell: one measurement, written twice.
 void Identifier::find_copies() {
   const auto& readings = lengths_.readings;
-  std::vector<std::pair<double, std::size_t>> order;  // few lengths are alike to the last digit: the rest only of these
+  std::vector<std::pair<double, std::size_t>> order;  // only readings of exactly equal length are compared further
   order.reserve(readings.size());
   for (std::size_t i = 0; i < readings.size(); ++i) order.emplace_back(readings[i].length_mm, i);
   std::ranges::sort(order);
@@ -164,7 +164,8 @@ std::size_t Identifier::threads() const {
 Problem Identifier::problem() const {
   return {machine_,          *coefficients_, *unknowns_,
           lengths_.readings, tools_mm_,      approaches_,
-          judged_.weights,   threads(),      penalty_ ? &*penalty_ : nullptr};
+          judged_.weights,   threads(),      penalty_ ? &*penalty_ : nullptr,
+          options_.stop};
 }
 
 std::size_t Identifier::count() const {

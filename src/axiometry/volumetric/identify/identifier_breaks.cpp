@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t breaks_most = 200;
 constexpr std::size_t heeded_from = 8;  // readings set aside, more than outliers of a short stretch
 constexpr std::size_t settling_rounds = 8;
-constexpr std::size_t rounds_to_narrow = 4;  // from then on doubt only grows
+constexpr std::size_t rounds_to_narrow = 4;  // then the ranges of readings in doubt only grow
 
 }  // namespace
 
@@ -126,7 +126,7 @@ Result<void> Identifier::settle_breaks() {
 
 /// Whether anything that is fitted changed. The stretches stay as many, and in their order.
 bool Identifier::take_places(std::vector<BreakPlace> places) {
-  std::ranges::sort(places, {}, &BreakPlace::before);  // of segments that take turns they may pass each other
+  std::ranges::sort(places, {}, &BreakPlace::before);  // places of interleaved segments may have changed their order
   std::vector<std::size_t> breaks;
   for (const BreakPlace& place : places) breaks.push_back(place.before);
   const Unknowns unknowns = unknowns_of(*coefficients_, lengths_.readings, breaks, drift_);

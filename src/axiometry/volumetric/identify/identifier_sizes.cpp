@@ -27,8 +27,9 @@ std::optional<Identifier::Trial> Identifier::trial(const Sizes& sizes) const {
     if (judged_.weights[i] > 0.0) ++used;
   }
   if (used < coefficients->free() + unknowns.columns - coefficients->raw() + 2) return std::nullopt;
-  const ThinnedProblem few(
-      {machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_, judged_.weights, threads()}, some);
+  const ThinnedProblem few({machine_, *coefficients, unknowns, lengths_.readings, tools_mm_, approaches_,
+                            judged_.weights, threads(), nullptr, options_.stop},
+                           some);
   const auto fit = least_squares(few.problem(), std::move(state));
   if (!fit) return std::nullopt;
   const std::optional<double> value = akaike(fit->chi_squared, used, fit->solution.told());

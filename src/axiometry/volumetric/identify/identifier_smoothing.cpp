@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/volumetric/field/error_model.h"
 #include "axiometry/volumetric/identify/identifier.h"
 #include "axiometry/volumetric/identify/smoothing.h"

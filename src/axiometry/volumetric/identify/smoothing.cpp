@@ -10,7 +10,7 @@ namespace axiometry::volumetric::detail {
 namespace {
 
 constexpr std::size_t rounds_most = 300;
-constexpr double settled = 0.002;  // of ln τ in a round: changes no curve by a hundredth of its uncertainty
+constexpr double settled = 0.002;  // change of ln τ in a round: it moves no curve by a hundredth of its uncertainty
 constexpr std::size_t judged_places = 21;
 
 Vector3 judged_place(const Coefficients& coefficients, std::size_t k) {
@@ -50,7 +50,7 @@ LikeliestBends likeliest_bends(const Problem& problem, const Fit& plain, Curvatu
   }
   for (std::size_t g = 0; g < bends.size(); ++g)
     bends[g] = std::clamp(std::sqrt(bends[g] / std::max(1.0, counts[g])), Smoothness::least, Smoothness::most);
-  for (std::size_t round = 0; round < rounds_most; ++round) {
+  for (std::size_t round = 0; round < rounds_most && !problem.stop.stop_requested(); ++round) {
     penalty.set(bends, factor);
     const LinearSolution solution(problem.coefficients, penalty.added_to(equations), nulls);
     std::vector<double> coefficients = pull_on(penalty, solution, plain.state.coefficients, problem.unknowns.columns);

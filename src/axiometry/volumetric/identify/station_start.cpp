@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/numeric/side_by_side.h"
@@ -25,10 +25,10 @@ using tracking::Minimum;
 constexpr std::size_t readings_least = 5;
 constexpr std::size_t sights_most = 1000;
 constexpr std::size_t points_most = 200;  // enough to find a place; all readings refine it
-constexpr double usual_error_mm = 0.03;   // of a machine before it is known
-constexpr double huber = 1.5;             // standard deviations
+constexpr double usual_error_mm = 0.03;   // error of a machine before it is calibrated
+constexpr double huber = 1.5;             // limit of Huber's weights, in standard deviations
 constexpr double no_machine_errs_mm = 1.0;
-constexpr double usual_misfit_mm = 0.1;  // at most, where units are right
+constexpr double usual_misfit_mm = 0.1;  // largest misfit where the units are right
 
 struct Sight {
   Vector3 reflector_mm;
@@ -50,7 +50,7 @@ std::vector<LocationPoint> points_of(std::span<const Sight> sights, std::size_t 
 std::vector<Vector3> places(std::span<const LocationPoint> points) {
   tracking::StationOptions options;
   options.machine_sigma_mm = usual_error_mm;
-  const tracking::LinearSolution linear = tracking::solve_linear(points);
+  const tracking::LinearEstimate linear = tracking::solve_linear(points);
   std::vector<Vector3> starts = linear.candidates;
   if (linear.fit.numerical_rank == 5) starts.insert(starts.begin(), linear.fit.station_mm);
   std::vector<Minimum> minima;

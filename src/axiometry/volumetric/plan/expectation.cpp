@@ -24,7 +24,7 @@ using detail::State;
 using detail::Unknowns;
 
 constexpr std::size_t curve_places = 41;
-constexpr std::size_t field_places = 7;  // along each axis
+constexpr std::size_t field_places = 7;  // places along each axis
 
 double place_of(const TravelBox& travel, std::size_t axis, std::size_t k, std::size_t count) {
   const double share = static_cast<double>(k) / static_cast<double>(count - 1);
@@ -104,7 +104,7 @@ void take_field(const ErrorModel& model, Expectation& expected) {
       const Vector3 q = {place_of(travel, 0, i % field_places, field_places),
                          place_of(travel, 1, i / field_places % field_places, field_places),
                          place_of(travel, 2, i / field_places / field_places, field_places)};
-      const FieldValue field = model.at(q, model.machine().tools[t].offset_mm);
+      const ToolPointError field = model.at(q, model.machine().tools[t].offset_mm);
       std::optional<double> variance;
       if (field.is_whole())
         variance = field.covariance_um2[0][0] + field.covariance_um2[1][1] + field.covariance_um2[2][2];
@@ -212,7 +212,7 @@ double expected_score(const MachineModel& machine, std::span<const Visit> visits
       Vector3 q;
       for (std::size_t a = 0; a < axis_count; ++a)
         q[a] = i == 8 ? place_of(travel, a, 1, 3) : place_of(travel, a, (i >> a) & 1, 2);
-      const FieldValue field = solved->model.at(q, tool.offset_mm);
+      const ToolPointError field = solved->model.at(q, tool.offset_mm);
       for (std::size_t k = 0; k < 3; ++k) sum += field.covariance_um2[k][k];
       count += 1.0;
     }

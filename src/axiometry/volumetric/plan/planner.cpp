@@ -7,7 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/go_on_unless.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/volumetric/field/point_spread.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
@@ -156,6 +157,7 @@ Result<PlannedCalibration> plan_calibration(CalibrationPlan plan, const PlanOpti
   plan.runs.clear();
   for (std::size_t s = 0; s < plan.machine.stations.size(); ++s)
     for (std::size_t t = 0; t < plan.machine.tools.size(); ++t) {
+      AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
       PlannedRun run{s, t};
       run.stops = plan_stops(plan, run, options.points);
       plan.runs.push_back(std::move(run));
@@ -164,6 +166,7 @@ Result<PlannedCalibration> plan_calibration(CalibrationPlan plan, const PlanOpti
     return fail(
         "found no point that the instrument sees from any station, expected some: are the stations given in "
         "the machine's coordinates, and where does the reflector look?");
+  AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
   AXIOMETRY_TRY(Expectation expected, expect(plan.machine, visits_of(plan), options.expect));
   PlannedCalibration planned{std::move(plan), std::move(expected), {}};
   planned.findings = findings_of(planned, options.points);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct PlanOptions {
   std::optional<TravelBox> room = {};  ///< room where the instrument may stand; station_room() when absent
   std::size_t points = 100;            ///< points of each station and tool
   ExpectOptions expect = {};
+  std::stop_token stop = {};  ///< nobody waits for it any more: fails, as unavailable
 };
 
 /// Where an instrument is looked for when nothing else is said: over the table as far as reflectors reach and 15 % of

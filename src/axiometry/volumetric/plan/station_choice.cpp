@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/volumetric/plan/planner.h"
 #include "axiometry/volumetric/plan/point_set.h"
@@ -28,7 +29,7 @@ constexpr std::size_t exchange_rounds = 3;
 /// Where an instrument could stand, and what it sees of the points that are looked at, by tool.
 struct Candidate {
   Vector3 at_mm;
-  std::vector<Visit> visible;  ///< station 0
+  std::vector<Visit> visible;  ///< visits that the station sees, with station number 0
 };
 
 Vector3 grid_place(const TravelBox& room, std::size_t i) {
@@ -117,8 +118,10 @@ Result<std::vector<NamedStation>> propose_stations(const CalibrationPlan& plan, 
   const TravelBox room = options.room.value_or(station_room(plan.machine));
   std::vector<Candidate> candidates;
   std::map<std::string, int> reasons;
-  for (std::size_t i = 0; i < grid[0] * grid[1] * grid[2]; ++i)
+  for (std::size_t i = 0; i < grid[0] * grid[1] * grid[2]; ++i) {
+    AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
     if (auto candidate = candidate_at(plan, grid_place(room, i), reasons)) candidates.push_back(*std::move(candidate));
+  }
   const std::size_t count = options.stations;
   const auto too_few = [&]() -> std::unexpected<Error> {
     const auto most = std::ranges::max_element(reasons, {}, [](const auto& r) { return r.second; });
@@ -153,6 +156,7 @@ Result<std::vector<NamedStation>> propose_stations(const CalibrationPlan& plan, 
         std::vector<const Candidate*> next = chosen;
         next[s] = &other;
         if (&other == chosen[s] || !is_allowed(next)) continue;
+        AXIOMETRY_TRY_VOID(go_on_unless(options.stop));
         const double score = score_of(plan.machine, next);
         if (!(score < best * (1.0 - 1e-9))) continue;
         best = score;

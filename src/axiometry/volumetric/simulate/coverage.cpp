@@ -55,7 +55,7 @@ void try_field(const ErrorModel& model, const TrueErrors& truth, Draw draw, Cove
   std::size_t places = 0;
   for (const Vector3& q : spread_points(machine.travel, field_places_tried, {shift[0], shift[1], shift[2]}))
     for (const Tool& tool : machine.tools) {
-      const FieldValue stated = model.at(q, tool.offset_mm);
+      const ToolPointError stated = model.at(q, tool.offset_mm);
       const Vector3 error = displacement_um(machine, truth.at(q), q, tool.offset_mm);
       ++places;
       for (std::size_t c = 0; c < 3; ++c) {
@@ -124,11 +124,11 @@ void Share::add(const Share& other) {
 
 double Share::rms() const { return count > 0 ? std::sqrt(sum_squares / static_cast<double>(count)) : 0.0; }
 
-Coverage::Total Coverage::total(Share CoverageTrial::*which) const {
+CoverageStudy::Total CoverageStudy::total(Share CoverageTrial::*which) const {
   Total total;
   double n = 0.0, sum = 0.0, squares = 0.0;
   for (const CoverageTrial& trial : trials) {
-    if ((trial.*which).count == 0) continue;  // it states nothing that could be true or false
+    if ((trial.*which).count == 0) continue;  // the trial states no such value
     n += 1.0;
     total.share.add(trial.*which);
     sum += (trial.*which).share();
@@ -138,7 +138,7 @@ Coverage::Total Coverage::total(Share CoverageTrial::*which) const {
   return total;
 }
 
-double Coverage::chi_squared_per_dof() const {
+double CoverageStudy::chi_squared_per_dof() const {
   double chi = 0.0, dof = 0.0;
   for (const CoverageTrial& trial : trials) {
     chi += trial.chi_squared;
@@ -147,7 +147,7 @@ double Coverage::chi_squared_per_dof() const {
   return dof > 0.0 ? chi / dof : 0.0;
 }
 
-Result<Coverage> try_coverage(const MachineModel& machine, const CoverageOptions& options) {
+Result<CoverageStudy> try_coverage(const MachineModel& machine, const CoverageOptions& options) {
   if (options.trials < 1 || options.trials > trials_most)
     return fail(fmt::format("found {} trials, expected 1 to {}", options.trials, trials_most));
   std::vector<std::optional<Result<CoverageTrial>>> done(options.trials);
@@ -160,7 +160,7 @@ Result<Coverage> try_coverage(const MachineModel& machine, const CoverageOptions
     for (std::size_t k = 1; k < std::max(1u, std::thread::hardware_concurrency()); ++k) others.emplace_back(run);
     run();
   }
-  Coverage coverage;
+  CoverageStudy coverage;
   for (auto& trial : done) {
     if (*trial) {
       coverage.trials.push_back(**std::move(trial));

@@ -52,7 +52,7 @@ struct CoverageTrial {
   std::size_t set_aside_wrong = 0;      ///< readings that were right; not those that a break leaves in doubt
 };
 
-struct Coverage {
+struct CoverageStudy {
   std::vector<CoverageTrial> trials;  ///< trials that came to an end
   std::size_t failed = 0;
   std::string first_failure = {};
@@ -69,6 +69,6 @@ struct Coverage {
 
 /// Trials run side by side; the result does not depend on how many. Fails on no trials or more than 100 000, and as
 /// simulate_lengths() does.
-Result<Coverage> try_coverage(const MachineModel& machine, const CoverageOptions& options);
+Result<CoverageStudy> try_coverage(const MachineModel& machine, const CoverageOptions& options);
 
 }  // namespace axiometry::volumetric

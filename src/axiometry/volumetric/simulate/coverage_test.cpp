@@ -37,7 +37,7 @@ TEST(Coverage, IsThatOfANormalDistributionWhereTheCurvesHoldTheTruth) {
   ASSERT_TRUE(coverage) << coverage.error().message;
   EXPECT_EQ(coverage->failed, 0u);
   for (Share CoverageTrial::*which : {&CoverageTrial::curves, &CoverageTrial::field}) {
-    const Coverage::Total total = coverage->total(which);
+    const CoverageStudy::Total total = coverage->total(which);
     EXPECT_NEAR(total.share.share(), 0.95, 3.5 * total.standard_error + 0.005);
     EXPECT_NEAR(total.share.rms(), 1.0, 0.06);
   }
@@ -71,7 +71,7 @@ TEST(Coverage, IsThatOfANormalDistributionWithReversalOverManyMachines) {
     ASSERT_TRUE(coverage) << coverage.error().message;
     EXPECT_EQ(coverage->failed, 0u);
     for (Share CoverageTrial::*which : {&CoverageTrial::curves, &CoverageTrial::directions, &CoverageTrial::field}) {
-      const Coverage::Total total = coverage->total(which);
+      const CoverageStudy::Total total = coverage->total(which);
       EXPECT_GT(total.share.count, 3000u);
       EXPECT_NEAR(total.share.share(), 0.95, 3.5 * total.standard_error + 0.005);
       EXPECT_NEAR(total.share.rms(), 1.0, 0.12);

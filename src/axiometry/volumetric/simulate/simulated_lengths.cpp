@@ -88,7 +88,7 @@ std::vector<Visit> in_any_order(std::vector<Visit> visits, Draw draw) {
   const std::vector<double> u = uniforms(draw, detail::stream_order, visits.size());
   for (std::size_t begin = 0, end = 0; begin < visits.size(); begin = end) {
     while (end < visits.size() && is_same_run(visits[begin], visits[end])) ++end;
-    for (std::size_t left = end - begin; left > 1; --left) {  // Fisher and Yates
+    for (std::size_t left = end - begin; left > 1; --left) {  // shuffle of Fisher and Yates
       const std::size_t last = begin + left - 1;
       std::swap(visits[last], visits[begin + static_cast<std::size_t>(u[last] * static_cast<double>(left))]);
     }
@@ -126,7 +126,7 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
       if (!lost.contains(i)) approaches.push_back(all_approaches[i]);
     }
   }
-  std::vector<std::size_t> inner, any;  // a break before the first reading of a run would be none
+  std::vector<std::size_t> inner, any;  // a break before the first reading of a run changes nothing
   for (std::size_t i = 0; i < visits.size(); ++i) {
     any.push_back(i);
     if (i > 0 && is_same_run(visits[i - 1], visits[i])) inner.push_back(i);

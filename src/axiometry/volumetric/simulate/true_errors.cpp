@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/volumetric/simulate/random_streams.h"
 

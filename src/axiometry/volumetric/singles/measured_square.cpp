@@ -14,7 +14,7 @@
 namespace axiometry::volumetric {
 namespace {
 
-constexpr double range_slack_mm = 1e-6;  // what no axis resolves
+constexpr double range_slack_mm = 1e-6;  // finer than any axis resolves
 
 struct MeasuredRange {
   double lower_mm = 0.0, upper_mm = 0.0;

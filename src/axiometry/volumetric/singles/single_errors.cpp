@@ -41,7 +41,8 @@ class SingleAssembly {
     rows_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(coefficients.raw()),
                                   static_cast<Eigen::Index>(inputs_->count()));
     told_.assign(21, false);
-    for (const std::size_t m : std::array<std::size_t, motion_count>{3, 4, 5, 0, 1, 2})  // displacements hold rotations
+    for (const std::size_t m :
+         std::array<std::size_t, motion_count>{3, 4, 5, 0, 1, 2})  // displacements contain rotations
       for (std::size_t a = 0; a < axis_count; ++a) {
         put_motion(coefficients, {a, m});
         put_half(coefficients, {a, m});
@@ -377,8 +378,8 @@ class SingleAssembly {
   TravelBox observed_;
   std::optional<SingleInputs> inputs_;
   Eigen::MatrixXd rows_;
-  std::vector<bool> told_;                                     ///< in the order of error_names()
-  std::array<bool, axis_count * motion_count> told_halves_{};  ///< likewise
+  std::vector<bool> told_;                                     ///< by error, in the order of error_names()
+  std::array<bool, axis_count * motion_count> told_halves_{};  ///< likewise of reversal
   std::vector<NamedFinding> findings_;
 };
 

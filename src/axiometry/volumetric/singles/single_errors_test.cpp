@@ -97,7 +97,7 @@ TEST(SingleErrors, TogetherGiveTheFieldOfTheMachineButForItsPlaceAndOrientation)
     for (int k = 0; k < 40; ++k) {
       Vector3 q;
       for (std::size_t a = 0; a < 3; ++a) q[a] = truth.lower(a) + share(random) * (truth.upper(a) - truth.lower(a));
-      const FieldValue value = made->model.at(q, tool);
+      const ToolPointError value = made->model.at(q, tool);
       ASSERT_TRUE(value.is_whole()) << chain;
       places.push_back(q);
       differences.push_back(value.error() - truth.field(q, tool));

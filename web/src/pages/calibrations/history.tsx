@@ -5,7 +5,7 @@ import { useMemo } from 'preact/hooks';
 import type { CalibrationFigure, CalibrationPage, CalibrationRow, KeptCalibration } from '../../api/types';
 import { query } from '../../api/client';
 import { use_get } from '../../api/use';
-import { Chart, Swatch, type ChartModel, type ChartSeries } from '../../components/chart';
+import { Chart, Swatch, type ChartModel, type ChartSeries } from '../../components/chart/chart';
 import { day_seconds } from '../../components/dates';
 import { FailureNotice } from '../../components/failure';
 import { go } from '../../router';

@@ -5,7 +5,7 @@ import { is_motion_kind } from '../motions/form';
 import { MotionView } from '../motions/view';
 import { Results } from '../tracking/results';
 import { VolumeResult } from '../volume/result';
-import '../tracking.css';
+import '../tracking/tracking.css';
 import { t } from './texts';
 
 export function CalibrationResult({ calibration }: { calibration: KeptCalibration }) {

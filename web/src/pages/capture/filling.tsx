@@ -3,7 +3,7 @@
 import type { RefObject } from 'preact';
 import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { Capture } from '../../api/types';
-import { Chart, type ChartSeries } from '../../components/chart';
+import { Chart, type ChartSeries } from '../../components/chart/chart';
 import { absent, fixed } from '../../numbers';
 import type { Direction, Reading } from './live';
 import { t as t_motion } from './motion_texts';

@@ -10,7 +10,7 @@ import { DataTable } from '../../components/table';
 import { count } from '../../numbers';
 import { go } from '../../router';
 import { decimal } from '../../settings';
-import '../capture.css';
+import './capture.css';
 import { t } from './length_texts';
 import { is_over } from './live';
 import { sent, SourceChoice, SourceOptions, type SourceForm } from './source_fields';

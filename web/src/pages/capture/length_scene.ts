@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The set-up of a capture of lengths in terms of the picture: what has been caught, and where the reflector is to go.
 import type { CapturedPlan, TrackingPlanFile, TrackingRequest, VolumetricPlanFile } from '../../api/types';
-import type { Place, SceneModel, ScenePath, ScenePoint } from '../../components/scene';
+import type { Place, SceneModel, ScenePath, ScenePoint } from '../../components/scene/scene';
 import { tracking_scene } from '../tracking/scene_model';
 import { plan_scene } from '../volume/plan_scene';
 import type { Caught } from './live';

@@ -5,7 +5,7 @@ import { query } from '../../api/client';
 import type { Capture, CapturedLengths, CapturedPlan } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
-import { Scene } from '../../components/scene';
+import { Scene } from '../../components/scene/scene';
 import { DataTable } from '../../components/table';
 import { absent, fixed, shortest, when } from '../../numbers';
 import { decimal, language } from '../../settings';

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a capture of one axis tells beside its readings.
 import type { Capture } from '../../api/types';
-import { page_words } from '../../components/page_words';
 import { fixed } from '../../numbers';
 import type { Reading } from './live';
 import { t } from './texts';
@@ -15,7 +14,7 @@ export function Events({ capture }: { capture: Capture }) {
         <ul class="event-list" tabIndex={0} aria-labelledby="events">
           {all.map((event, i) => (
             <li key={i}>
-              <span class="number quiet">{event.time_s === null ? '' : `${fixed(event.time_s, 1)} s`}</span> {page_words(event.message)}
+              <span class="number quiet">{event.time_s === null ? '' : `${fixed(event.time_s, 1)} s`}</span> {event.message}
             </li>
           ))}
         </ul>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mean deviations of several tests in one chart. Tests have targets of their own; nothing is shown at places where a
 // test has none, except as an interpolated value that says so.
-import type { Shape } from '../../components/chart';
-import type { ChartModel, ChartSeries } from '../../components/chart';
+import type { Shape } from '../../components/chart/chart';
+import type { ChartModel, ChartSeries } from '../../components/chart/chart';
 import type { Test } from '../../api/types';
 import { texts } from '../../i18n/texts';
 import { position_unit, unit_sign } from '../../numbers';

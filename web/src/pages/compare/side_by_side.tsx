@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 import { Fragment } from 'preact';
 import type { Method, Parameter, Test, Vocabulary } from '../../api/types';
-import { Swatch } from '../../components/chart';
+import { Swatch } from '../../components/chart/chart';
 import { Aligned, most_decimals } from '../../components/aligned';
 import { narrow } from '../../components/narrow';
 import { ParameterSymbol } from '../../components/symbol';
-import { method_title } from '../../components/uncertainty';
+import { method_title, method_with_coverage } from '../../components/uncertainty';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
 import { absent, decimals_of, fixed, unit_sign } from '../../numbers';
@@ -30,7 +30,7 @@ const t = texts({
   no_method: 'no uncertainty',
   with_interval: 'Value, interval',
   value_only: 'Value',
-  legend: 'Differences to the first test. Strong: larger than the combined uncertainty √(U₁² + U₂²), of intervals their half widths, with ▲ or ▼ where the parameter has no sign of its own. Quiet: within it. With a question mark: a test states no uncertainty. Errors that both tests have in common would make the true bound smaller.',
+  legend: 'Differences to the first test. Strong: larger than the combined uncertainty √(U₁² + U₂²), of intervals their half widths, with ▲ or ▼ where the parameter has no sign of its own. Quiet: within it. With a question mark: a test states no uncertainty. Errors that both tests have in common would make the true bound smaller; the scatter of the approaches, which only the uncertainty of this machine holds, would make it larger.',
 });
 
 const most_beside_on_paper = 3;  // tests whose differences stand in columns of their own
@@ -57,6 +57,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   const main = main_parameters(reference.result);
   const methods = tests.map((test) => record_method(test));
   const named = methods.map((method) => (method === null ? t('no_method') : method_title(method)));
+  const with_coverage = tests.map((test, n) => (methods[n] ? method_with_coverage(test, methods[n]) : t('no_method')));
   const several = new Set(methods.filter((method) => method !== null)).size > 1;
   const incomplete = tests.filter((test) => test.result.findings.some((finding) => finding.id === 'uncertainty-stated') &&
     test.shown.some((row) => row.low !== null));
@@ -72,7 +73,7 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
               {tests.map((test, n) => (
                 <th key={test.id} scope="colgroup" colSpan={n === 0 || stacked ? 1 : 2} class="test-name">
                   <span class={test.title.length <= longest_on_a_line ? 'one-line' : ''}><Swatch series={look_of(n)} /> {test.title}</span>
-                  <span class="by-method quiet small">{named[n]}</span>
+                  <span class="by-method quiet small">{with_coverage[n]}</span>
                 </th>
               ))}
             </tr>

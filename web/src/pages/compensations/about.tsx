@@ -6,7 +6,6 @@ import { CopyButton } from '../../components/copy';
 import { Listing, line_count } from '../../components/listing';
 import { t } from './texts';
 import { sign_of } from './uses';
-import { page_words } from './words';
 
 type Described = Pick<CompensationResult, 'sign'> & { verified: CompensationResult['verified']; loading: string | null };
 
@@ -18,10 +17,10 @@ export function described_by(control: CompensatedControl, is_turned = false): De
 export function AboutFormat({ sign, loading, verified: { verified, inferred } }: Described) {
   return (
     <dl class="about-format">
-      <div><dt>{t('sign')}</dt><dd>{page_words(sign)}</dd></div>
-      {loading !== null && <div><dt>{t('loading_title')}</dt><dd>{page_words(loading)}</dd></div>}
-      <div><dt>{t('verified')}</dt><dd>{page_words(verified)}</dd></div>
-      <div class={inferred === '' ? '' : 'inferred'}><dt>{t('inferred')}</dt><dd>{inferred === '' ? t('nothing_inferred') : page_words(inferred)}</dd></div>
+      <div><dt>{t('sign')}</dt><dd>{sign}</dd></div>
+      {loading !== null && <div><dt>{t('loading_title')}</dt><dd>{loading}</dd></div>}
+      <div><dt>{t('verified')}</dt><dd>{verified}</dd></div>
+      <div class={inferred === '' ? '' : 'inferred'}><dt>{t('inferred')}</dt><dd>{inferred === '' ? t('nothing_inferred') : inferred}</dd></div>
     </dl>
   );
 }

@@ -2,7 +2,7 @@
 // Mean deviations before, predicted and measured again, in terms of the drawing: the colour tells the step, line and
 // shape the direction.
 import type { CompensationMean, CompensationNode, Parameter, Shown, Unit } from '../../api/types';
-import type { ChartLine, ChartModel, ChartSeries } from '../../components/chart';
+import type { ChartLine, ChartModel, ChartSeries } from '../../components/chart/chart';
 import { position_unit, shortest, unit_sign } from '../../numbers';
 import { plain_symbol } from '../test/figures_text';
 import { t } from './texts';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo, useState } from 'preact/hooks';
 import type { Parameter, Shown, Unit } from '../../api/types';
-import { Chart, ChartLegend, Swatch } from '../../components/chart';
+import { Chart, ChartLegend, Swatch } from '../../components/chart/chart';
 import { DataTable } from '../../components/table';
 import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
 import { decimal, language } from '../../settings';

@@ -7,7 +7,6 @@ import { FileDrop } from '../../components/file_drop';
 import { bytes } from '../../numbers';
 import type { Answered } from './asked';
 import { t } from './texts';
-import { page_words } from './words';
 
 /** The table that was active while the test was measured: from the archive, where that knows it. */
 export interface Existing { file: File; of: number | null }
@@ -46,7 +45,7 @@ export function ExistingPanel({ existing, set, read, loaded, is_proved, control,
       )}
       {existing !== null && children}
       {too_large && <p class="notice bad" role="alert">{t('too_large', { size: bytes(existing.file.size), limit: bytes(largest_table) })}</p>}
-      {read.error && !too_large && <FailureNotice error={read.error} message={page_words(read.error.message)} {...(read.error.kind === 'bad_input' ? {} : { retry: read.again })} />}
+      {read.error && !too_large && <FailureNotice error={read.error} {...(read.error.kind === 'bad_input' ? {} : { retry: read.again })} />}
       <FileDrop label={t(existing === null ? 'choose_existing' : 'choose_other')} hint={t('drop_existing')} of_page take={(file) => set({ file, of: null })} />
     </div>
   );

@@ -12,7 +12,6 @@ import { FigureTable } from './figures';
 import { KeepTable } from './keep';
 import { Refused } from './refused';
 import { t } from './texts';
-import { in_page_words } from './words';
 
 interface Props {
   test: Test; control: CompensatedControl | null; options: CompensationOptions | null; made: Answered<MadeCompensation>;
@@ -47,7 +46,7 @@ export function Outcome({ test, control, options, made, existing, file, read, wr
             <KeepTable ready={made.is_current && options !== null} test={test.id} version={test.version} options={options as CompensationOptions}
               existing={file} serious={result.findings.filter(({ severity }) => severity === 'serious').length} />
           </header>
-          <div class="inset"><VolumeFindings findings={in_page_words(result.findings)} /></div>
+          <div class="inset"><VolumeFindings findings={result.findings} /></div>
           <FigureTable result={result} test={test} />
         </section>
       )}

@@ -2,7 +2,6 @@
 import type { ApiError } from '../../api/client';
 import { FailureNotice } from '../../components/failure';
 import { t } from './texts';
-import { page_words } from './words';
 
 /** Why no table comes of it, in the words of the program. */
 export function Refused({ error, again }: { error: ApiError; again: () => void }) {
@@ -10,7 +9,7 @@ export function Refused({ error, again }: { error: ApiError; again: () => void }
   return (
     <div class="notice bad" role="alert">
       <p class="heading">{t('no_table_made')}</p>
-      <p>{page_words(error.message)}</p>
+      <p>{error.message}</p>
     </div>
   );
 }

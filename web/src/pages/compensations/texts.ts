@@ -189,8 +189,6 @@ export const t = texts({
   step_retest: 'Measured again',
   step_predicted: 'predicted',
   or_less: '(95 % of re-tests below {value})',
-  flag_existing: 'existing table',
-  flag_retest: 're-test',
   share: '{share} % ± {u} % of the table act (k = 2)',
   no_retest: 'Only a re-test proves the table: load it, reference the axis, measure the same targets again.',
   counts_not: 'What was found with it does not count.',

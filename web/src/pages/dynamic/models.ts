@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the charts of a motion show.
 import type { DynamicCurve, DynamicResult } from '../../api/types';
-import type { ChartModel, ChartSeries } from '../../components/chart';
+import type { ChartModel, ChartSeries } from '../../components/chart/chart';
 import { decimals_for, fixed, unit_sign } from '../../numbers';
 import { t } from './texts';
 

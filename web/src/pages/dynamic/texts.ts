@@ -71,7 +71,7 @@ export const t = texts({
   no_vibration: 'No vibration stands out of the noise and of what a drift leaves.',
   of_stretch: 'Of the longest stretch of even motion less its line, from {begin} to {end} s; frequencies nearer than {resolution} Hz cannot be told apart.',
   of_recording: 'Of the whole recording less a straight line, from {begin} to {end} s; frequencies nearer than {resolution} Hz cannot be told apart.',
-  stands_out: 'Listed is what stands above {threshold} {unit}.',
+  stands_out: 'Listed is what stands above the noise about its frequency, nowhere less than {threshold} {unit}.',
   more_peaks: 'Not listed: {n} lower {n|peak|peaks}.',
   frequency: 'Frequency / Hz',
   amplitude: 'Amplitude / {unit}',

@@ -2,7 +2,7 @@
 // What a recording without standstills tells: curves, figures, even motion, vibrations, what is to be known.
 import type { ComponentChildren } from 'preact';
 import type { DynamicExtreme, DynamicResult, DynamicStretch } from '../../api/types';
-import { Chart, Swatch, type ChartModel } from '../../components/chart';
+import { Chart, Swatch, type ChartModel } from '../../components/chart/chart';
 import { sentence } from '../../components/findings';
 import { DataTable } from '../../components/table';
 import { absent, count, decimals_for, fixed, shortest, unit_sign } from '../../numbers';

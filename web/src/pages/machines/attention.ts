@@ -7,16 +7,35 @@ import { last_verdict } from './axis_courses';
 
 export interface Attention {
   kind: 'does not conform' | 'overdue' | 'undecided' | 'never';
-  since: string;            // of what is overdue
-  axes: readonly string[];  // of a verdict
+  axes: readonly string[];       // of a verdict
+  overdue: readonly Overdue[];   // of what is overdue
 }
 
-/** The day since when its next test is due; null while it is not, or when that cannot be said. */
-export function overdue_since(machine: Machine): string | null {
-  const months = Number(due_months.value);
-  if (months === 0 || machine.latest_test === null) return null;
-  const due = months_later(machine.latest_test.measured_on, months);
+/** Axes whose next test has been due since one day; no names where these are all axes of the machine. */
+export interface Overdue { since: string; axes: readonly string[] }
+
+/** The day since when a next test is due; null while it is not, or when that cannot be said. */
+function overdue_since(measured_on: string, months: number): string | null {
+  const due = months_later(measured_on, months);
   return due !== null && (days_until(due) ?? 0) < 0 ? due : null;
+}
+
+/** What is overdue of a machine, the oldest first: each axis by its own latest test, whatever was measured of the others. */
+export function overdue(machine: Machine): Overdue[] {
+  const months = Number(due_months.value);
+  if (months === 0 || machine.latest_test === null) return [];
+  if (machine.latest_of_axes.length === 0) {
+    const since = overdue_since(machine.latest_test.measured_on, months);
+    return since === null ? [] : [{ since, axes: [] }];
+  }
+  const by_day = new Map<string, string[]>();
+  for (const latest of machine.latest_of_axes) {
+    // Where no day is known it was measured on the day it was received, or earlier.
+    const since = overdue_since(latest.measured_on || latest.received_at, months);
+    const axis = machine.axes.find(({ id }) => id === latest.axis);
+    if (since !== null && axis) by_day.set(since, [...(by_day.get(since) ?? []), axis.name]);
+  }
+  return [...by_day.entries()].sort(([a], [b]) => a.localeCompare(b)).map(([since, axes]) => ({ since, axes: axes.length === machine.axes.length ? [] : axes }));
 }
 
 /** The gravest first. */
@@ -25,13 +44,13 @@ export function attention(machine: Machine): Attention[] {
   const of_verdict = (kind: Verdict & Attention['kind']) => {
     const axes = machine.axes.filter((axis) => last_verdict(axis.id) === kind).map((axis) => axis.name);
     // The last test of all is known at once; those of the axes come a moment later.
-    if (axes.length > 0 || machine.latest_test?.verdict === kind) all.push({ kind, since: '', axes });
+    if (axes.length > 0 || machine.latest_test?.verdict === kind) all.push({ kind, axes, overdue: [] });
   };
   of_verdict('does not conform');
-  const since = overdue_since(machine);
-  if (since !== null) all.push({ kind: 'overdue', since, axes: [] });
+  const late = overdue(machine);
+  if (late.length > 0) all.push({ kind: 'overdue', axes: [], overdue: late });
   of_verdict('undecided');
-  if (machine.latest_test === null) all.push({ kind: 'never', since: '', axes: [] });
+  if (machine.latest_test === null) all.push({ kind: 'never', axes: [], overdue: [] });
   return all;
 }
 

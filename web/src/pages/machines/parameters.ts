@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { FigureOfTest, Parameter, Trend, Verdict } from '../../api/types';
-import type { Shape } from '../../components/chart';
+import type { Shape } from '../../components/chart/chart';
 
 /** In the order in which the library lists them. */
 export const parameters: readonly Parameter[] = ['A', 'A_up', 'A_down', 'E', 'E_up', 'E_down', 'M', 'R', 'R_up', 'R_down', 'B', 'B_mean'];

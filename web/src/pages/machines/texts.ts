@@ -14,6 +14,7 @@ export const t = texts({
   none_fits: 'No machine fits.',
   attention: 'Attention',
   overdue: 'overdue since {date}',
+  axes_overdue: '{axes} overdue since {date}',
   never: 'never tested',
   summary: '{n} {n|machine|machines}, {attention} {attention|needs|need} attention',
   axes: 'Axes',

@@ -2,7 +2,7 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { CompensationHead, Limit, Parameter, Trend } from '../../api/types';
 import { use_get } from '../../api/use';
-import { Chart, ChartLegend, type ChartLine, type ChartMark, type ChartPlace, type ChartSeries, type Ends } from '../../components/chart';
+import { Chart, ChartLegend, type ChartLine, type ChartMark, type ChartPlace, type ChartSeries, type Ends } from '../../components/chart/chart';
 import { day_seconds } from '../../components/dates';
 import { FailureNotice } from '../../components/failure';
 import { ParameterSymbol } from '../../components/symbol';

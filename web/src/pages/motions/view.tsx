@@ -2,7 +2,7 @@
 // What straightness, angles or squareness has found: figures, curves, what is to be known. Of a file just evaluated and of
 // one that is kept alike.
 import type { MotionEstimate, MotionOfFile, MotionResult } from '../../api/types';
-import { Chart, Swatch, type ChartModel } from '../../components/chart';
+import { Chart, Swatch, type ChartModel } from '../../components/chart/chart';
 import { DataTable } from '../../components/table';
 import { absent, decimals_for, fixed } from '../../numbers';
 import { sentence } from '../../components/findings';

@@ -3,6 +3,7 @@ import type { ComponentChildren } from 'preact';
 import type { PlanDraft, PlanFile, PlanPart } from '../../api/types';
 import { CopyButton } from '../../components/copy';
 import { FindingList } from '../../components/findings';
+import { picture } from '../../components/report_parts';
 import { fixed, shortest } from '../../numbers';
 import { t } from './texts';
 
@@ -75,7 +76,6 @@ function Figure({ name, value, unit }: { name: string; value: string; unit?: str
 }
 
 /** As a picture of its own: what the drawing says can do nothing here. */
-const picture = (svg: string): string => `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
 
 export function lasting(seconds: number): string {
   if (seconds < 90) return t('seconds', { n: Math.round(seconds) });

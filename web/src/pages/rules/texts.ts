@@ -24,10 +24,7 @@ export const t = texts({
   differs: 'Formula differs by',
   findings: 'Findings',
   departs: 'The test departs from {standard}; see Findings.',
-  report: 'Report',
   unit: 'Values in {unit}; below them the difference from the parameter of {standard}.',
   unchecked: 'not checked against the text of the rule',
   partly_unchecked: 'in part not checked against the text of the rule',
-  to_latest: 'to the latest',
-  older: 'Of version {n}; the latest is {latest}.',
 });

@@ -15,7 +15,7 @@ export const t = texts({
   dark: 'dark',
   actor: 'Name for the audit trail',
   actor_hint: 'Stands beside everything that is kept or changed from here.',
-  due: 'A machine is due for its next test after',
+  due: 'Each tested axis of a machine is due for its next test after',
   months: '{n} months',
   never: 'never',
   keyboard: 'Keyboard',

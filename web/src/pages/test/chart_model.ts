@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The positioning chart of a test in terms of the drawing: runs, means, bands, limits.
-import type { ChartBand, ChartLine, ChartModel, ChartSeries, Values } from '../../components/chart';
+import type { ChartBand, ChartLine, ChartModel, ChartSeries, Values } from '../../components/chart/chart';
 import type { Evaluated, Parameter, PositionResult, Verdict } from '../../api/types';
 import { texts } from '../../i18n/texts';
 import { position_unit, shortest, unit_sign } from '../../numbers';

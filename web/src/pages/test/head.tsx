@@ -26,6 +26,7 @@ const t = texts({
   compare: 'Compare',
   correct: 'Correct the axis',
   rules: 'By other rules',
+  periodic: 'Periodic error',
   raw: 'Raw file',
   edit: 'Edit',
   close: 'Close the editor',
@@ -116,6 +117,7 @@ export function Head({ state }: { state: TestState }) {
           <a class="button" href={`/compare?tests=${test.id}`}>{t('compare')}</a>
           <a class="button" href={`/tests/${test.id}/table${query({ version })}`}>{t('correct')}</a>
           {!is_line && <a class="button" href={`/tests/${test.id}/rules${query({ version })}`}>{t('rules')}</a>}
+          <a class="button" href={`/tests/${test.id}/periodic${query({ version })}`}>{t('periodic')}</a>
           <a class="button" href={`/api/tests/${test.id}/raw`} download={test.file.name}>{t('raw')}</a>
           <button type="button" onClick={() => set_asking(true)}>{t(turn)}</button>
         </div>

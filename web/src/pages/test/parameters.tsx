@@ -2,7 +2,7 @@
 import type { Evaluated, Method, Parameter, Vocabulary } from '../../api/types';
 import { Aligned, most_decimals } from '../../components/aligned';
 import { ParameterSymbol } from '../../components/symbol';
-import { all_methods, method_title, stated_interval } from '../../components/uncertainty';
+import { all_methods, coverage_words, method_title, stated_interval } from '../../components/uncertainty';
 import { VerdictMark } from '../../components/verdict';
 import { texts } from '../../i18n/texts';
 import { absent, decimals_of, fixed, shortest } from '../../numbers';
@@ -26,7 +26,7 @@ const t = texts({
   of_record: 'of record',
   compared: 'for comparison',
   units: 'Values in {unit}.',
-  units_U: 'Values in {unit}. U: expanded uncertainty, about 95 %. Of record is {method}, which decides.',
+  units_U: 'Values in {unit}. U: expanded uncertainty, about 95 % ({coverage}). Of record is {method}, which decides.',
   units_interval: 'Values in {unit}. Of record is the interval by {method}, which decides.',
 });
 
@@ -49,7 +49,7 @@ const head_of = (method: Method): string => (method === 'monte_carlo' ? t('inter
 function foot_text(evaluated: Evaluated, method: Method | null): string {
   const unit = evaluated.shown[0]?.unit ?? '';
   if (method === null) return t('units', { unit });
-  return t(method === 'monte_carlo' ? 'units_interval' : 'units_U', { unit, method: method_title(method) });
+  return t(method === 'monte_carlo' ? 'units_interval' : 'units_U', { unit, method: method_title(method), coverage: coverage_words(evaluated, method) });
 }
 
 /** All twelve parameters: the uncertainty of record first, what other methods say behind it. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo, useState } from 'preact/hooks';
 import type { Evaluated, Parameter } from '../../api/types';
-import { Chart, ChartLegend, type ChartPlace } from '../../components/chart';
+import { Chart, ChartLegend, type ChartPlace } from '../../components/chart/chart';
 import { texts } from '../../i18n/texts';
 import { fixed, position_unit, shortest, unit_sign } from '../../numbers';
 import { decimal, language } from '../../settings';

@@ -28,9 +28,19 @@ function reasons(evaluated: Evaluated): Reason[] {
   return found;
 }
 
-/** Corrections that the reason names as on the command line, "--correct nde", which the page can make as well. */
+/** Corrections by the words in which a reason names them, in every language. */
+const named_as = texts({
+  nde: 'the correction for thermal expansion',
+  'air=ciddor': 'the correction for the air after Ciddor',
+  'dead-path': 'the correction of the dead path',
+  gain: 'the correction of the gain',
+  sign: 'the correction of the sign',
+});
+const named = ['nde', 'air=ciddor', 'dead-path', 'gain', 'sign'] as const;
+
+/** Those that the reason names, which the page can make as well. */
 const corrections_in = (text: string, { corrections }: Vocabulary): Vocabulary['corrections'] =>
-  [...text.matchAll(/--correct ([\w=-]+)/g)].flatMap(([, id]) => corrections.filter((one) => one.id === id));
+  named.filter((id) => text.includes(named_as(id))).flatMap((id) => corrections.filter((one) => one.id === id));
 
 const fields_in = (text: string, { fields }: Vocabulary): Field[] => fields.filter(({ key }) => text.includes(key));
 

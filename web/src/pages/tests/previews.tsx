@@ -9,9 +9,9 @@ import { bytes } from '../../numbers';
 import { go } from '../../router';
 import { largest_table } from '../compensations/existing';
 import { held_table } from '../compensations/held';
-import { held_recording, is_recording } from '../dynamic/held';
+import { held_recording } from '../dynamic/held';
 import { t as dynamic_words } from '../dynamic/texts';
-import { held_motions, is_motion } from '../motions/held';
+import { held_motions } from '../motions/held';
 import { t as motion_words } from '../motions/texts';
 import { keep_plan } from '../plan/import';
 import { keep_focus } from '../../focus';
@@ -85,8 +85,8 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
       {one.error && (one.error.kind === 'bad_input'
         ? <Refusal one={one} message={one.error.message} place={one.error.place} on_formats={on_formats} />
         : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
-      {preview?.refused && (is_plan(preview.refused.message) ? <PlanFound one={one} why={why} /> : is_motion(preview.refused.message) ? <MotionFound one={one} />
-        : is_recording(preview.refused.message) ? <RecordingFound one={one} /> : !is_asked(one) && (
+      {preview?.refused && (preview.instead === 'plan' ? <PlanFound one={one} why={why} /> : preview.instead === 'error-motion' ? <MotionFound one={one} />
+        : preview.instead === 'recording' ? <RecordingFound one={one} /> : !is_asked(one) && (
         <Refusal one={one} message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
       {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
@@ -124,8 +124,6 @@ function State({ one }: { one: Incoming }) {
   );
 }
 
-const is_plan = (message: string): boolean => message.includes('"axiometry-plan/');
-
 /** No test, but a plan: it has a place of its own. */
 function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
   const [error, set_error] = useState<ApiError | null>(null);
@@ -145,7 +143,7 @@ function PlanFound({ one, why }: { one: Incoming; why: string | null }) {
 /** No test of positions, but straightness or an angle, with all others of that sort that wait here. */
 function MotionFound({ one }: { one: Incoming }) {
   const look = () => {
-    const others = incoming.value.filter((other) => other !== one && is_motion(other.preview?.refused?.message ?? ''));
+    const others = incoming.value.filter((other) => other !== one && other.preview?.instead === 'error-motion');
     held_motions.value = [one, ...others].map(({ file }) => file);
     for (const { key } of [one, ...others]) remove(key);
     go('/motions');

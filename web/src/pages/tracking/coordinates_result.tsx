@@ -4,7 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { type ApiError, as_error, made_of_files, offer, query } from '../../api/client';
 import type { FoundPoint, Multilateration, PolarResult, TrackingFinding } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
-import { Scene } from '../../components/scene';
+import { Scene } from '../../components/scene/scene';
 import { DataTable } from '../../components/table';
 import { absent, count, decimals_for, fixed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';

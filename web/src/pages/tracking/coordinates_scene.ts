@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stations and points that were found, in terms of the picture; with nominal points arrows from these.
-import type { Place, SceneArrow, SceneModel, ScenePoint } from '../../components/scene';
+import type { Place, SceneArrow, SceneModel, ScenePoint } from '../../components/scene/scene';
 import { station_solids } from '../../components/scene/model';
 import type { Coordinates } from './coordinates';
 

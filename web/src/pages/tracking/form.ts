@@ -9,7 +9,10 @@ export const axes = ['X', 'Y', 'Z'] as const;
 export type Triple = readonly [number, number, number];
 
 /** Where the instrument was found, as the rest of the page takes it. */
-export interface LocatedStation { file: string; position: Triple; covariance: number[][] }
+export interface LocatedStation {
+  file: string; position: Triple; covariance: number[][];
+  for_bounds?: number[][];  // as wide as a normal station must have it; absent in what an older page kept
+}
 
 export interface ObstacleForm { name: string; low: string[]; high: string[] }
 
@@ -78,7 +81,7 @@ function setup_of(form: TrackingForm, located: LocatedStation | null, read: Read
   if (is_aligned(form)) return { ...machine, ranging, obstacles: boxes_of(form.obstacles, read) } as Setup;
   return {
     ...machine,
-    station: located ? { position_mm: [...located.position], covariance_mm2: located.covariance } : { position_mm: read.triple('station', form.station) },
+    station: located ? { position_mm: [...located.position], ...(located.for_bounds ? { covariance_mm2: located.for_bounds } : {}) } : { position_mm: read.triple('station', form.station) },
     limits: given({
       range_least_mm: limit('range_least'), range_most_mm: limit('range_most'), elevation_lowest_deg: limit('elevation_lowest'),
       elevation_highest_deg: limit('elevation_highest'), incidence_most_deg: limit('incidence'), safe_radius_mm: limit('safe_radius'),
@@ -114,7 +117,13 @@ export function request_of(form: TrackingForm, located: LocatedStation | null): 
 }
 
 export const located_station = (found: TrackingStation): LocatedStation =>
-  ({ file: found.source.file, position: found.refined.station as unknown as Triple, covariance: found.refined.covariance as unknown as number[][] });
+  ({
+    file: found.source.file, position: found.refined.station as unknown as Triple, covariance: found.refined.covariance as unknown as number[][],
+    for_bounds: found.refined.covariance_for_bounds as unknown as number[][],
+  });
+
+/** The covariance that plans and lines take; none where an older page kept only one that is too small for bounds. */
+export const bounds_of = ({ for_bounds }: LocatedStation): number[][] | null => for_bounds ?? null;
 
 /** Standard uncertainties of X, Y, Z in µm. */
 export const station_u = ({ covariance }: LocatedStation): number[] => axes.map((_, k) => 1000 * Math.sqrt(Math.max(0, covariance[k]?.[k] ?? 0)));

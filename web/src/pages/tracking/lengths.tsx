@@ -11,7 +11,7 @@ import { set_query } from '../../router';
 import { decimal, language } from '../../settings';
 import { t as t_lengths } from '../capture/length_texts';
 import { use_taken_lengths } from '../capture/taken_lengths';
-import type { LocatedStation } from './form';
+import { bounds_of, type LocatedStation } from './form';
 import { Results } from './results';
 import { t } from './texts';
 
@@ -88,7 +88,7 @@ export function LengthsPanel({ plan, located }: { plan: TrackingPlanFile | null;
   const [busy, set_busy] = useState(false);
   const [not_saved, set_not_saved] = useState<ApiError | null>(null);
   const plan_text = own_plan === null && plan !== null ? JSON.stringify(plan) : null;
-  const station_text = own_plan === null && located !== null ? JSON.stringify({ station: located.position, covariance: located.covariance }) : null;
+  const station_text = own_plan === null && located !== null ? JSON.stringify({ station: located.position, covariance: bounds_of(located) }) : null;
   const sent = useMemo((): Sent | null => {
     const plan_file = own_plan ?? (plan_text === null ? null : as_file(plan_text, 'lines.plan.json'));
     if (lengths === null || plan_file === null || asked === null) return null;

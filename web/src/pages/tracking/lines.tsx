@@ -4,7 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import type { TrackingDraft, TrackingPoints, TrackingRequest } from '../../api/types';
 import { Field } from '../../components/field';
 import { sentence } from '../../components/findings';
-import { Scene } from '../../components/scene';
+import { Scene } from '../../components/scene/scene';
 import { DataTable } from '../../components/table';
 import { fixed, shortest } from '../../numbers';
 import { language } from '../../settings';

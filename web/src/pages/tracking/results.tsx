@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useState } from 'preact/hooks';
 import type { EvaluatedLine, Parameter, TrackingEvaluation } from '../../api/types';
-import { Chart, Swatch, type ChartModel } from '../../components/chart';
+import { Chart, Swatch, type ChartModel } from '../../components/chart/chart';
 import { FindingList, sentence } from '../../components/findings';
 import { Formula } from '../../components/formula';
 import { ParameterSymbol } from '../../components/symbol';
@@ -45,14 +45,13 @@ export function Results({ evaluation }: { evaluation: TrackingEvaluation }) {
   );
 }
 
-/** A slope with as many decimals as its uncertainty has meaning. */
-/** A result that was kept before it had a k has U with 2. */
+/** A slope with as many decimals as its uncertainty has meaning, and k where it is not 2; a result that was kept before it had one has U with 2. */
 function slope_text({ um_per_m: value, u_um_per_m: u, k: own_k }: { um_per_m: number | null; u_um_per_m: number | null; k?: number | null }): string {
   if (value === null) return absent;
   if (u === null || !(u > 0)) return fixed(value, 2);
   const k = own_k ?? 2;
   const decimals = Math.min(3, decimals_for(k * u, 2));
-  return `${fixed(value, decimals)} ± ${fixed(k * u, decimals)}`;
+  return `${fixed(value, decimals)} ± ${fixed(k * u, decimals)}${k === 2 ? '' : ` (k = ${fixed(k, 2)})`}`;
 }
 
 const bound_of = ({ length_difference: difference }: EvaluatedLine): string => {

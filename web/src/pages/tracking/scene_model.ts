@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The set-up of a tracking interferometer in terms of the picture.
 import type { TrackingDraft, TrackingPoints, TrackingRequest } from '../../api/types';
-import { station_solids, type Place, type SceneModel, type ScenePath, type ScenePoint, type SceneSolid, type Token } from '../../components/scene';
+import { station_solids, type Place, type SceneModel, type ScenePath, type ScenePoint, type SceneSolid, type Token } from '../../components/scene/scene';
 import { t } from './texts';
 import { station_place } from './station_place';
 

@@ -8,7 +8,7 @@ import { decimals_for, fixed, parsed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { NumberField, TripleFields, type FormProps } from './fields';
 import { TrackingFindings } from './findings';
-import { axes, is_aligned, located_station, station_u, type LocatedStation } from './form';
+import { axes, bounds_of, is_aligned, located_station, station_u, type LocatedStation } from './form';
 import { MoreFields } from './more';
 import { t } from './texts';
 import { station_place } from './station_place';
@@ -67,6 +67,7 @@ function LocatedPlace({ located, discard }: { located: LocatedStation; discard: 
           ))}
         </tbody>
       </table>
+      {bounds_of(located) === null && <p class="notice caution">{t('no_bounds')}</p>}
       <button type="button" onClick={discard}>{t('discard')}</button>
     </div>
   );

@@ -35,6 +35,7 @@ export const t = texts({
   located: 'Located from {file}',
   located_row: '{axis} {value} ± {u}',
   standard_u: 'standard uncertainty in µm',
+  no_bounds: 'An earlier version of this page kept it without what bounds of length differences need: none are computed until it is located again.',
   discard: 'Discard',
   station_file: 'Station file',
   report: 'Report',

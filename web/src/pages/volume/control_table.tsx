@@ -9,7 +9,7 @@ import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { fixed } from '../../numbers';
 import { decimal } from '../../settings';
-import '../compensations.css';
+import '../compensations/compensations.css';
 import { AboutFormat, TableText, described_by } from '../compensations/about';
 import { CurvesField, TurnedSign } from '../compensations/choices';
 import { ControlChoice } from '../compensations/control_choice';
@@ -19,7 +19,6 @@ import { NumberFields } from '../compensations/number_fields';
 import { Refused } from '../compensations/refused';
 import { t as words } from '../compensations/texts';
 import { takes } from '../compensations/uses';
-import { in_page_words } from '../compensations/words';
 import { axes, type Axis } from './error_names';
 import { VolumeFindings } from './findings';
 import { given_model, machine_of, type Modelled } from './model_parts';
@@ -118,7 +117,7 @@ function Remaining({ made: { result } }: { made: VolumetricCompensation }) {
           <div key={name}><dt>{name}</dt><dd class="number">{fixed(before, 1)} → {fixed(after, 1)} <span class="unit">µm {note}</span></dd></div>
         ))}
       </dl>
-      <VolumeFindings findings={in_page_words(result.findings)} />
+      <VolumeFindings findings={result.findings} />
     </>
   );
 }

@@ -2,7 +2,7 @@
 // The 21 errors: 18 curves with their bands, three angles, and all of them as a table.
 import { useMemo } from 'preact/hooks';
 import type { VolumetricErrors, VolumetricNode, VolumetricSquareness } from '../../api/types';
-import { Chart, type ChartModel } from '../../components/chart';
+import { Chart, type ChartModel } from '../../components/chart/chart';
 import { DataTable } from '../../components/table';
 import { absent, decimals_for, fixed } from '../../numbers';
 import { language } from '../../settings';

@@ -7,7 +7,7 @@ import type { VolumetricAssembly, VolumetricDifference, VolumetricField, Volumet
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { FileDrop } from '../../components/file_drop';
-import { Scene, use_shared_view, type SharedView } from '../../components/scene';
+import { Scene, use_shared_view, type SharedView } from '../../components/scene/scene';
 import { decimals_for, fixed, shortest } from '../../numbers';
 import { decimal, language } from '../../settings';
 import { axes } from './error_names';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The field of errors in terms of the picture: slices and arrows of what the server computed on a grid.
 import type { VolumetricField } from '../../api/types';
-import type { Extent, Place, SceneArrow, SceneModel, ScenePatch, SceneScale } from '../../components/scene';
+import type { Extent, Place, SceneArrow, SceneModel, ScenePatch, SceneScale } from '../../components/scene/scene';
 
 export type ToolField = VolumetricField['tools'][number];
 export type Vector = readonly [number, number, number];

@@ -5,7 +5,7 @@ import { query } from '../../api/client';
 import { as_json, use_posted } from '../../api/posted';
 import type { PredictedLine, Vocabulary, VolumetricPrediction } from '../../api/types';
 import { use_get } from '../../api/use';
-import { Chart, type ChartModel } from '../../components/chart';
+import { Chart, type ChartModel } from '../../components/chart/chart';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { fixed, parsed, shortest } from '../../numbers';

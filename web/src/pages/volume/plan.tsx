@@ -6,7 +6,7 @@ import type { VolumetricDraft, VolumetricExpectation } from '../../api/types';
 import { FailureNotice } from '../../components/failure';
 import { Field } from '../../components/field';
 import { sentence } from '../../components/findings';
-import { Scene } from '../../components/scene';
+import { Scene } from '../../components/scene/scene';
 import { DataTable } from '../../components/table';
 import { absent, count, fixed, shortest } from '../../numbers';
 import { language } from '../../settings';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A planned calibration in terms of the picture: reach of the reflector, stations, the points of one run.
 import type { VolumetricDraft } from '../../api/types';
-import { station_solids, type Place, type SceneModel, type ScenePoint, type SceneSolid } from '../../components/scene';
+import { station_solids, type Place, type SceneModel, type ScenePoint, type SceneSolid } from '../../components/scene/scene';
 
 type PlanFile = VolumetricDraft['plan'];
 const place = (numbers: readonly number[]): Place => [numbers[0] ?? 0, numbers[1] ?? 0, numbers[2] ?? 0];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import { useMemo } from 'preact/hooks';
-import { Chart, type ChartModel } from '../../components/chart';
+import { Chart, type ChartModel } from '../../components/chart/chart';
 import { language } from '../../settings';
 import { t } from './texts';
 

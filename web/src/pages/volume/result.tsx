@@ -12,7 +12,7 @@ import { VolumeFindings } from './findings';
 import { LinePanel } from './line';
 import { t } from './result_texts';
 import { TablePanel } from './tables';
-import '../plan.css';
+import '../plan/plan.css';
 import './volume.css';
 
 /** `taken`: buttons that take it along; `more`: what belongs to it and is not in it. */

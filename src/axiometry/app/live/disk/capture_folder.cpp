@@ -18,9 +18,9 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/live/disk/stop_marks.h"
 #include "axiometry/app/recordings/raw_log.h"
-#include "axiometry/base/json.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/json/json.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

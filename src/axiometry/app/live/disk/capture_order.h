@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "axiometry/app/live/disk/table_order.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/store/records.h"
 

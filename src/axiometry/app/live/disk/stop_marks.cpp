@@ -13,8 +13,8 @@
 #include <system_error>
 
 #include "axiometry/app/files/whole_file.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

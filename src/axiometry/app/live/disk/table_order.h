@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axiometry/app/live/lengths/length_task.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/capture/values/value_listener.h"
 #include "axiometry/model/motion_series.h"
 

@@ -11,7 +11,7 @@
 
 #include "axiometry/app/live/lengths/found_table.h"
 #include "axiometry/app/recordings/capture_session.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/base/vector3.h"
 #include "axiometry/model/tracking.h"

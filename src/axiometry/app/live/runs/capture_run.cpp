@@ -21,7 +21,7 @@
 #include "axiometry/app/recordings/piped_log.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/raw_playing.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
 namespace {
@@ -350,7 +350,7 @@ auto from_source(const CaptureRun& run, const CaptureObserver& observer, Capture
     -> std::invoke_result_t<Outcome, Run&> {
   AXIOMETRY_TRY(const auto live, parse_live(run.from));
   if (live && live->kind == LiveAddress::Kind::simulator && !run.connect)
-    return fail("found the simulator as source of positions or lengths, expected it with --stops");
+    return fail("found the simulator as source of positions or lengths, expected it for straightness or rotations");
   Run reading(run, observer, std::move(session));
   LiveCapture source{.name = {}, .connect = run.connect, .raw = {}, .beside = run.beside};
   if (live && !run.connect) source.connect = [address = *live] { return connect_to(address); };

@@ -13,7 +13,7 @@
 #include "axiometry/app/live/runs/capture_run.h"
 #include "axiometry/app/recordings/raw_log.h"
 #include "axiometry/app/recordings/read_recording.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "tests/support/simulated_recording.h"
@@ -144,8 +144,7 @@ TEST_F(CaptureTornTest, EveryByteOfAnEndMayBeMissing) {
     ASSERT_EQ(cut.error, "");
     expect_among(cut, sound, std::to_string(missing));
     const bool whole = bytes[size - 1] == '\n';
-    EXPECT_EQ(std::ranges::any_of(cut.remarks, [](const auto& r) { return r.contains(" no whole sample"); }),
-              !whole);
+    EXPECT_EQ(std::ranges::any_of(cut.remarks, [](const auto& r) { return r.contains(" no whole sample"); }), !whole);
   }
   folder_.written("run.raw", bytes.substr(0, bytes.find('\n', bytes.size() / 2) + 2));
   EXPECT_THAT(played(options).remarks, Contains("left out the last byte of the recording, which is no whole sample"));

@@ -32,8 +32,8 @@ Result<PartOutcome> run_part_capture(const CaptureRun& run, const CaptureOptions
   AXIOMETRY_TRY(const std::string bytes, whole_file(options.plan));
   AXIOMETRY_TRY(const volumetric::CalibrationPlan plan, in_file(formats::read_volumetric_plan(bytes), options.plan));
   if (!options.part && plan.runs.size() > 1)
-    return fail(fmt::format("found a plan of {} parts, expected the one that is measured: --part 1 to {}",
-                            plan.runs.size(), plan.runs.size()));
+    return fail(fmt::format("found a plan of {} parts, expected which one is measured: 1 to {}", plan.runs.size(),
+                            plan.runs.size()));
   const PartRange parts{options.part.value_or(1), options.part.value_or(1)};
   AXIOMETRY_TRY(CaptureSession session, open_parts(plan, parts, options));
   AXIOMETRY_TRY(const HeardSource heard, hear_source(run, std::move(session), observer));

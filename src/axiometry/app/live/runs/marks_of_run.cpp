@@ -22,8 +22,8 @@ Result<void> take_marks(const CaptureRun& run, MotionStatement& stated) {
     AXIOMETRY_TRY(stated.marks, marks_beside(played));
   }
   if (stated.sign != capture::StopSign::keys || live || !stated.marks.empty()) return {};
-  return std::unexpected(Error{
-      "found a finished recording and no keys, expected --keys with those that were said at its stops", run.from, {}});
+  return std::unexpected(
+      Error{"found a finished recording and no keys, expected those that were said at its stops", run.from, {}});
 }
 
 }  // namespace axiometry::app

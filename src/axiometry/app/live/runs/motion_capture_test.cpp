@@ -204,25 +204,28 @@ TEST(MotionCapture, RefusesStatementsThatFitNoCapture) {
     change(capture);
     return capture.refusal();
   };
-  EXPECT_THAT(refusal([](auto& c) { c.plan.errors.clear(); }), HasSubstr("made for positions, expected --error"));
+  EXPECT_THAT(refusal([](auto& c) { c.plan.errors.clear(); }),
+              HasSubstr("made for positions, expected the error that is read"));
   EXPECT_THAT(refusal([](auto& c) { c.plan.errors.push_back(*motion_name("EZX")); }),
-              HasSubstr("made for EYX, EZX, expected --error"));
+              HasSubstr("made for EYX, EZX, expected the error that is read"));
   EXPECT_THAT(refusal([](auto& c) { c.options.motion->error = *motion_name("EZX"); }),
               HasSubstr("found readings of EZX with a plan made for EYX"));
   EXPECT_THAT(refusal([](auto& c) { c.options.motion->sense = *reading_sense("+Z"); }),
               HasSubstr("expected +Y or -Y as EYX is"));
-  EXPECT_THAT(refusal([](auto& c) { c.options.motion->stop_column.reset(); }), HasSubstr("expected --stop-column"));
+  EXPECT_THAT(refusal([](auto& c) { c.options.motion->stop_column.reset(); }),
+              HasSubstr("expected its number among those beside the time"));
   EXPECT_THAT(refusal([](auto& c) { c.options.motion->sign = StopSign::readings; }),
               HasSubstr("found a column of the stops"));
   EXPECT_THAT(refusal([](auto& c) {
                 c.options.motion->sign = StopSign::keys;
                 c.options.motion->stop_column.reset();
               }),
-              HasSubstr("found a finished recording and no keys, expected --keys"));
-  EXPECT_THAT(refusal([](auto& c) { c.options.matcher.reversed = true; }), HasSubstr("--stops position alone"));
+              HasSubstr("found a finished recording and no keys, expected those"));
+  EXPECT_THAT(refusal([](auto& c) { c.options.matcher.reversed = true; }),
+              HasSubstr("only where a position tells the stops"));
   EXPECT_THAT(refusal([](auto& c) { c.options.stream = "umd"; }), HasSubstr("whose numbers are positions"));
   EXPECT_THAT(refusal([](auto& c) { c.options.recording.axis_stated = false, c.options.recording.axis = 0; }),
-              HasSubstr("expected --stream-axis"));
+              HasSubstr("expected the number of the one with the readings"));
 }
 
 TEST(MotionCapture, PlaysKeysOfAFinishedRecordingAgain) {

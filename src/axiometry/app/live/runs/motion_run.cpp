@@ -18,7 +18,7 @@
 #include "axiometry/app/live/runs/recording_spared.h"
 #include "axiometry/app/live/sources/own_options.h"
 #include "axiometry/app/live/sources/simulated_motion.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

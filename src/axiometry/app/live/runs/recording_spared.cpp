@@ -29,8 +29,7 @@ Result<void> check_recording_spared(const CaptureRun& run, const std::string& pl
   };
   const auto is_out = [&](const std::string& name) { return whole(run.out) == whole(name); };
   if (run.raw.empty() || !(is_out(run.raw) || is_out(times_name(run.raw)) || is_out(marks_name(run.raw)))) return {};
-  return std::unexpected(
-      Error{"found one file for the test and for what arrives, expected two (--out, --raw)", run.out, {}});
+  return std::unexpected(Error{"found one file for the test and for what arrives, expected two", run.out, {}});
 }
 
 }  // namespace axiometry::app

@@ -253,7 +253,7 @@ Result<std::string> captures_folder(const store::Info& store) {
     return std::string(value == nullptr ? "" : value);
   };
   const std::string state = environment("XDG_STATE_HOME"), home = environment("HOME");
-  if (state.empty() && home.empty()) return fail("found no home folder for captures, expected --captures");
+  if (state.empty() && home.empty()) return fail("found no home folder for captures, expected XDG_STATE_HOME or HOME");
   const std::filesystem::path base =
       state.empty() ? std::filesystem::path(home) / ".local" / "state" : std::filesystem::path(state);
   return (base / "axiometry" / fmt::format("captures-{}", sha256(store.location).substr(0, 16))).string();

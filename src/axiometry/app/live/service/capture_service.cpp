@@ -17,8 +17,8 @@
 #include "axiometry/app/live/sources/simulated_motion.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/recordings/stop_options.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/database/clock.h"
 
 namespace axiometry::app {

@@ -10,7 +10,7 @@
 #include "axiometry/app/live/service/capture_running.h"
 #include "axiometry/app/live/sources/own_options.h"
 #include "axiometry/app/recordings/capture_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/store/database/clock.h"
 
 namespace axiometry::app {

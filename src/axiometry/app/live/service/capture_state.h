@@ -12,7 +12,7 @@
 #include "axiometry/app/live/service/caught_lengths.h"
 #include "axiometry/app/live/sources/capture_source.h"
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/capture/capture_result.h"
 #include "axiometry/capture/standstill.h"
 #include "axiometry/store/records.h"

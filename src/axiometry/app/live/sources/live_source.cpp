@@ -13,8 +13,8 @@
 #include <memory>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/recordings/hpi_frames.h"
 
 namespace axiometry::app {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/app/volumetric/simulated_recording.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/simulation/tracked_recording.h"
 #include "axiometry/volumetric/simulate/simulated_lengths.h"

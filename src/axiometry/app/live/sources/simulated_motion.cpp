@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/motions/motion_units.h"
 #include "axiometry/simulation/motion_walk.h"
 

@@ -15,7 +15,7 @@
 #include "axiometry/app/live/sources/capture_source.h"
 #include "axiometry/app/live/sources/played_source.h"
 #include "axiometry/app/recordings/raw_recording.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/simulation/presets.h"
 #include "axiometry/simulation/simulate.h"

@@ -84,6 +84,23 @@ TEST(SingleMeans, SayOfOneRunWhereNothingTellsItsUncertainty) {
   EXPECT_EQ(refusal(error_motions::InstrumentUncertainty{0.1, 2.0}), "none");
 }
 
+TEST(SingleMeans, RefuseRunsThatAllAgreeWhereNoInstrumentSaysHowWellTheyAreKnown) {
+  std::vector<PositionMeans> positions;
+  for (const double at : {0.0, 100.0, 200.0}) positions.push_back({at, DirectionMean{1.0, 0.0, 3}, {}});
+  const auto equal = single_means({0, 1}, positions, {});
+  ASSERT_FALSE(equal);
+  EXPECT_THAT(equal.error().message, HasSubstr("found runs of EYX that agree to the last digit and no uncertainty"));
+  const auto none_there = single_means({0, 1}, positions, error_motions::InstrumentUncertainty{0.0, 2.0});
+  ASSERT_FALSE(none_there);
+  EXPECT_THAT(none_there.error().message,
+              HasSubstr("that agree to the last digit and 0 as uncertainty of its instrument at 0 mm"));
+  EXPECT_TRUE(single_means({0, 1}, positions, error_motions::InstrumentUncertainty{0.4, 0.0}));
+  positions[1].up->s = 0.1;
+  const auto stepped = single_means({0, 1}, positions, {});
+  ASSERT_TRUE(stepped);
+  EXPECT_GT(stepped->motion.u[0], 0.0);
+}
+
 TEST(AssembleDirections, PredictTheirOwnTestWithItsEAndBAndM) {
   const testing_support::TemporaryFolder folder;
   const AssembleRequest request = request_of(folder, directed_test(directed_positions, bent));
@@ -245,10 +262,14 @@ TEST(AssembleDirections, HaveTheUncertaintyOfTheirRunsAndShareThatOfTheInstrumen
   const auto& c = both->made.model.coefficients();
   const std::size_t half = c.half(0);
   // Three runs of 0.1 µm: s = 0.1, of each mean 0.1/√3, of half of the difference of two 0.1/√6; no instrument in it.
-  EXPECT_NEAR(both->items[0].u_largest, std::hypot(0.1 / std::sqrt(6.0), 2.0), 1e-6);
+  // Six positions in both directions tell s with 24 degrees of freedom: Student's t for 95.45 % is 2.10969602 in place
+  // of 2.
+  const double widening = 2.109696019518304 / 2.0;
+  EXPECT_NEAR(both->items[0].u_largest, std::hypot(widening * 0.1 / std::sqrt(6.0), 2.0), 1e-6);
   const double of_rotations =
       std::pow(0.1e-3 / std::sqrt(6.0), 2) * (300.0 * 300.0 + 400.0 * 400.0);  // y, z of the tool
-  EXPECT_NEAR(both->made.model.parts().covariance[half * c.raw() + half], 0.01 / 6.0 + of_rotations, 1e-9);
+  EXPECT_NEAR(both->made.model.parts().covariance[half * c.raw() + half],
+              widening * widening * (0.01 / 6.0 + of_rotations), 1e-9);
   // One run: its scatter is not known, and the difference is as uncertain as the instrument.
   request.items = {
       {.name = "EXX",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/volumetric/singles/assemble_singles.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,14 +23,16 @@ constexpr const char* assembled_machine =
         "functional_point_mm": {"X": [0, 0, 0], "Y": [0, 0, 0]}})";
 constexpr const char* U_lacks = "EXX: no uncertainty of the instrument is stated: U does not hold it";
 
-/// EXX of two runs whose reversal is 10 µm; without a reading downwards between others unless `whole`.
+/// EXX of two runs that differ by 0.02 µm, whose reversal is 10 µm; without a reading downwards between others unless
+/// `whole`.
 std::string positioning(bool whole) {
   std::string text = "# axis.name: X\ntarget_mm,run,direction,deviation_um\n";
-  for (const char* run : {"1", "2"})
-    for (const char* target : {"0", "300", "600", "900"})
+  for (const int run : {1, 2})
+    for (const int target : {0, 300, 600, 900})
       for (const bool up : {true, false})
-        if (whole || up || std::string_view(target) != "600")
-          text += std::string(target) + "," + run + (up ? ",up," : ",down,") + (up ? "0.1" : "-9.9") + "\n";
+        if (whole || up || target != 600)
+          text += fmt::format("{},{},{},{:.2f}\n", target, run, up ? "up" : "down",
+                              (up ? 0.1 : -9.9) + (run == 1 ? 0.01 : -0.01));
   return text;
 }
 

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
 namespace {
@@ -31,16 +32,37 @@ Result<std::vector<double>> without_one_sided_ends(std::vector<PositionMeans>& p
   return left_out;
 }
 
-double variance_of(const DirectionMean& m) { return m.s ? *m.s * *m.s / static_cast<double>(m.runs) : 0.0; }
-
-void add_both(SingleMotion& motion, const DirectionMean& up, const DirectionMean& down, double instrument_u) {
-  const double common = instrument_u * instrument_u, of_up = variance_of(up), of_down = variance_of(down);
+void add_both(SingleMotion& motion, const DirectionMean& up, const DirectionMean& down, double instrument_u,
+              const std::array<MeanScatter, 2>& scatter) {
+  const double common = instrument_u * instrument_u;
+  const double of_up = scatter[0].variance, of_down = scatter[1].variance;
   const double unknown = (up.s ? 0.0 : common) + (down.s ? 0.0 : common);
   motion.values.push_back(0.5 * (up.mean + down.mean));
   motion.u.push_back(std::sqrt(0.25 * (of_up + of_down) + common));
   motion.reversal->halves.push_back(0.5 * (up.mean - down.mean));
   motion.reversal->u.push_back(std::sqrt(0.25 * (of_up + of_down + unknown)));
   motion.reversal->covariances.push_back(0.25 * (of_up - of_down));
+}
+
+/// Which means have another s than all, as far as that is no chance.
+void tell_scatter(const RunScatter& scatter, volumetric::ErrorMotion error, SingleMeans& read) {
+  if (scatter.by_direction)
+    read.remarks.push_back(fmt::format(
+        "runs moving up scatter by {} {unit} (standard deviation), those moving down by {} {unit}: "
+        "each direction has the uncertainty of its own runs",
+        format_significant((*scatter.by_direction)[0], 2), format_significant((*scatter.by_direction)[1], 2),
+        fmt::arg("unit", error.is_rotation() ? "µrad" : "µm")));
+  std::string list;
+  for (std::size_t i = 0; i < scatter.means.size(); ++i)
+    for (const std::size_t direction : {0u, 1u})
+      if (scatter.means[i][direction].stands_out)
+        list += fmt::format("{}{} mm {}", list.empty() ? "" : ", ", format_exact(read.motion.positions_mm[i]),
+                            direction == 0 ? "↑" : "↓");
+  if (!list.empty())
+    read.remarks.push_back(
+        "runs scatter more here than elsewhere, as a wrong reading makes them too; each of these means has the "
+        "scatter of its own runs alone in its uncertainty: " +
+        list);
 }
 
 }  // namespace
@@ -80,9 +102,19 @@ Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<Posi
     return fail(both ? "found fewer than two positions approached from both sides, expected two or more"
                      : "found one position, expected two or more");
   bool is_one_run = false;
-  for (const PositionMeans& p : positions) {
+  const RunScatter scatter = run_scatter(positions);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const PositionMeans& p = positions[i];
     const double instrument_u = instrument ? instrument->standard(p.at_mm - lowest) : 0.0;
-    for (const auto& mean : {p.up, p.down}) {
+    for (const std::size_t direction : {0u, 1u}) {
+      const auto& mean = direction == 0 ? p.up : p.down;
+      if (mean && mean->s && scatter.means[i][direction].variance == 0.0 && instrument_u == 0.0)
+        return instrument
+                   ? fail(fmt::format("found runs of {} that agree to the last digit and 0 as uncertainty of its "
+                                      "instrument at {} mm, expected runs that differ or an uncertainty above 0 "
+                                      "there: nothing tells how well it is known",
+                                      volumetric::error_name(error), format_shortest(p.at_mm)))
+                   : std::unexpected(no_uncertainty_of_equal_runs(volumetric::error_name(error)));
       if (!mean || mean->s) continue;
       is_one_run = true;
       if (!instrument) return std::unexpected(no_uncertainty_of(volumetric::error_name(error)));
@@ -94,14 +126,15 @@ Result<SingleMeans> single_means(volumetric::ErrorMotion error, std::vector<Posi
     }
     read.motion.positions_mm.push_back(p.at_mm);
     if (both) {
-      add_both(read.motion, *p.up, *p.down, instrument_u);
+      add_both(read.motion, *p.up, *p.down, instrument_u, scatter.means[i]);
       read.reversal = std::max(read.reversal, std::abs(p.up->mean - p.down->mean));
     } else {
       const DirectionMean& one = up ? *p.up : *p.down;
       read.motion.values.push_back(one.mean);
-      read.motion.u.push_back(std::sqrt(variance_of(one) + instrument_u * instrument_u));
+      read.motion.u.push_back(std::sqrt(scatter.means[i][up ? 0 : 1].variance + instrument_u * instrument_u));
     }
   }
+  tell_scatter(scatter, error, read);
   if (read.motion.reversal && is_one_run)
     read.remarks.emplace_back(
         "of one run of each direction, what these differ by is taken to be as uncertain as readings of the instrument "

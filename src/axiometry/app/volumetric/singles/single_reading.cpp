@@ -15,7 +15,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/volumetric/singles/single_means.h"
 #include "axiometry/base/go_on_unless.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/motions/motion_result.h"
 #include "axiometry/standards/error_motions/reference_line.h"

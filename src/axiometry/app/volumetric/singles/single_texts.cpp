@@ -8,8 +8,8 @@
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/singles/assemble_singles.h"
 #include "axiometry/app/volumetric/singles/single_reading.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 

@@ -8,7 +8,7 @@
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/results/experiment.h"
 #include "axiometry/app/volumetric/result_model.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/named_finding.h"
 #include "axiometry/volumetric/field/error_model.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "axiometry/app/volumetric/tables/volume_compensation.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/figures/compensation_curves.h"
 #include "axiometry/report/sections/added_table.h"
 #include "axiometry/report/translated.h"

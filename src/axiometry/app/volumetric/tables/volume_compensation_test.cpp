@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/language/language.h"
 #include "axiometry/volumetric/known_machine_test_support.h"
 

@@ -15,9 +15,9 @@
 #include "axiometry/app/volumetric/identify_options.h"
 #include "axiometry/app/volumetric/volumetric_request.h"
 #include "axiometry/app/workbench/test_state.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/base/version.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/plan/plan_json.h"
@@ -105,10 +105,12 @@ Result<EvaluatedCalibration> evaluated_lines(std::span<const CalibrationSource> 
   return EvaluatedCalibration(std::move(lines));
 }
 
-Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSource> files, const Value& options) {
+Result<EvaluatedCalibration> identified_machine(std::span<const CalibrationSource> files, const Value& options,
+                                                const std::stop_token& stop) {
   constexpr std::array<std::string_view, 3> roles = {"lengths", "machine", "plan"};
   AXIOMETRY_TRY(const Sources sources, Sources::of(files, roles, Sources::Lengths::several));
-  IdentifyFiles given{.lengths = sources.lengths(), .machine = sources.find("machine"), .plan = sources.find("plan")};
+  IdentifyFiles given{
+      .lengths = sources.lengths(), .machine = sources.find("machine"), .plan = sources.find("plan"), .stop = stop};
   if (given.lengths.empty()) return fail("found no file lengths, expected one");
   if (!given.machine && !given.plan) return fail("found neither a file machine nor a file plan, expected one of them");
   AXIOMETRY_TRY(const IdentifyChoices asked, identify_choices_from(options));
@@ -262,9 +264,9 @@ std::string plan_role(std::size_t number) { return numbered_role("plan", number)
 std::string readings_role(std::size_t number) { return numbered_role("readings", number); }
 
 Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,
-                                                  const Value& options) {
+                                                  const Value& options, const std::stop_token& stop) {
   if (kind == "lines") return evaluated_lines(files, options);
-  if (kind == "volumetric") return identified_machine(files, options);
+  if (kind == "volumetric") return identified_machine(files, options, stop);
   if (is_motion_kind(kind)) return evaluated_motion(kind, files, options);
   return fail(
       fmt::format("found the kind of calibration {}, expected {}", text::quoted(kind), store::calibration_kinds_text));

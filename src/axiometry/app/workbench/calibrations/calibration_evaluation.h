@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,7 +11,7 @@
 #include "axiometry/app/error_motions/motion_choices.h"
 #include "axiometry/app/tracking/tracking_evaluate.h"
 #include "axiometry/app/volumetric/identify_lengths.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/report/document.h"
 #include "axiometry/store/records.h"
 
@@ -42,10 +43,11 @@ std::string plan_role(std::size_t number);
 std::string motion_kind_of_files(std::span<const CalibrationSource> files);
 
 /// Options as evaluate_options_from() has them of lines, identify_choices_from() of the 21 errors,
-/// motion_choices_from() of the others. Fails as these and as evaluate_presentable(), identify_lengths() and
-/// evaluate_motion() do, on another kind, and on files that are missing, of no use or there twice.
+/// motion_choices_from() of the others. The 21 errors end, as unavailable, once nobody waits. Fails as these and as
+/// evaluate_presentable(), identify_lengths() and evaluate_motion() do, on another kind, and on files that are missing,
+/// of no use or there twice.
 Result<EvaluatedCalibration> evaluate_calibration(std::string_view kind, std::span<const CalibrationSource> files,
-                                                  const json::Value& options);
+                                                  const json::Value& options, const std::stop_token& stop = {});
 
 /// As the verbs print it (docs/results.md).
 json::Value result_of(const EvaluatedCalibration& evaluated);

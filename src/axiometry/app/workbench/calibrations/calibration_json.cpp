@@ -9,8 +9,8 @@
 #include "axiometry/app/results/localised_result.h"
 #include "axiometry/app/workbench/kept_records.h"
 #include "axiometry/app/workbench/workbench_json.h"
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app {

@@ -3,7 +3,7 @@
 
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/workbench/calibrations/calibrations.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/store/store.h"
 
 /// Calibrations as the API spells them (apps/server/openapi.json), and its requests as values.

@@ -10,7 +10,7 @@
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/app/workbench/kept_records.h"
 #include "axiometry/app/workbench/withdrawn.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/report/drawing/utf8.h"
 
 namespace axiometry::app {
@@ -66,9 +66,9 @@ Result<LoadedFiles> loaded(const store::Store& archive, const CalibrationRecord&
 }
 
 Result<EvaluatedCalibration> evaluated_again(const store::Store& archive, const CalibrationRecord& calibration,
-                                             const Value& options) {
+                                             const Value& options, const std::stop_token& stop) {
   AXIOMETRY_TRY(const LoadedFiles files, loaded(archive, calibration));
-  return evaluate_calibration(calibration.kind, files.sources, options);
+  return evaluate_calibration(calibration.kind, files.sources, options, stop);
 }
 
 bool is_same(const KeptFigure& a, const KeptFigure& b) {
@@ -129,7 +129,8 @@ Result<std::vector<store::Id>> calibrations_of_files(const store::Store& archive
 }  // namespace
 
 Result<KeptCalibration> keep_calibration(store::Store& archive, const NewCalibration& sent, const store::By& by) {
-  AXIOMETRY_TRY(const EvaluatedCalibration evaluated, evaluate_calibration(sent.kind, sent.files, sent.options));
+  AXIOMETRY_TRY(const EvaluatedCalibration evaluated,
+                evaluate_calibration(sent.kind, sent.files, sent.options, sent.stop));
   const SuggestedText own = suggested(evaluated);
   CalibrationRecord calibration = calibration_of(sent.kind, evaluated);
   calibration.title = sent.title.empty() ? report::printable(own.title) : sent.title;
@@ -182,7 +183,7 @@ Result<KeptCalibration> revise_calibration(store::Store& archive, store::Id id, 
   AXIOMETRY_TRY_VOID(take_texts(archive, calibration, revision));
   std::optional<store::Content> result;
   if (revision.options) {
-    AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, calibration, *revision.options));
+    AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, calibration, *revision.options, revision.stop));
     CalibrationRecord found = calibration_of(calibration.kind, evaluated);
     calibration.program = std::move(found.program);
     calibration.figures = std::move(found.figures);
@@ -210,7 +211,7 @@ Result<Rendered> calibration_report(const store::Store& archive, store::Id id, s
                 begun_report(archive, file_name_part(kept.value.title), kept.version, extension, kept.value.result));
   if (extension == "json") return as_json_report(std::move(rendered), latest.value.withdrawn);
   AXIOMETRY_TRY(const Value options, options_of_record(kept.value.options));
-  AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, kept.value, options));
+  AXIOMETRY_TRY(const auto evaluated, evaluated_again(archive, kept.value, options, request.stop));
   AXIOMETRY_TRY(const Value result, archive.read([&](const store::Transaction& t) -> Result<Value> {
     return result_of_record(t, kept.value.result);
   }));

@@ -8,7 +8,7 @@
 
 #include "axiometry/app/workbench/calibrations/calibration_evaluation.h"
 #include "axiometry/app/workbench/workbench_values.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/store/store.h"
 
 /// Calibrations in the archive: kept with their files, evaluated again, shown, compared.
@@ -26,6 +26,7 @@ struct NewCalibration {
   std::optional<store::Id> instrument{};
   std::string measured_on{};  ///< empty: as the files say
   std::string notes{};
+  std::stop_token stop{};  ///< nobody waits for the answer any more
 };
 
 /// What is absent stays as it is.
@@ -38,6 +39,7 @@ struct CalibrationRevision {
   std::optional<std::optional<store::Id>> instrument{};
   std::optional<std::string> measured_on{};
   std::optional<std::string> notes{};
+  std::stop_token stop{};  ///< nobody waits for the answer any more
 };
 
 /// A calibration of the archive at one of its versions.
@@ -46,7 +48,7 @@ struct KeptCalibration {
   std::vector<store::Versioned<store::CalibrationRecord>> versions;     ///< the first is version 1
   std::optional<store::Versioned<store::MachineRecord>> machine;        ///< as it is called now
   std::optional<store::Versioned<store::InstrumentRecord>> instrument;  ///< as it was known then
-  json::Value result;                                             ///< exactly what was kept
+  json::Value result;                                                   ///< exactly what was kept
   /// Of one that has just been kept: the others of exactly these files, the oldest first, withdrawn ones too.
   std::optional<std::vector<store::Id>> same_files{};
 };

@@ -6,7 +6,7 @@
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/files/reader.h"
 #include "axiometry/app/workbench/compensations/compensations.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 
 /// Tables of compensation as the API spells them (apps/server/openapi.json), and its requests as values.
 namespace axiometry::app {

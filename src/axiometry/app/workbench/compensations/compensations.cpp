@@ -13,7 +13,7 @@
 #include "axiometry/app/workbench/compensations/compensation_standing.h"
 #include "axiometry/app/workbench/kept_records.h"
 #include "axiometry/app/workbench/withdrawn.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/base/version.h"
 
 namespace axiometry::app {

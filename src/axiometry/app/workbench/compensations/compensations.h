@@ -8,7 +8,7 @@
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/workbench/workbench.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/store/store.h"
 
 /// Tables of compensation in the archive: made from a test as a version of it is evaluated, kept with it, proved by a
@@ -61,7 +61,7 @@ struct ListedCompensation {
   std::optional<TestOfCompensation> retest;
   std::optional<store::Versioned<store::AxisRecord>> axis;        ///< as they are called now
   std::optional<store::Versioned<store::MachineRecord>> machine;  ///< machine of the axis
-  std::optional<NamedFinding> former{};                     ///< its table is in a form that is not read any more
+  std::optional<NamedFinding> former{};                           ///< its table is in a form that is not read any more
   int serious = 0;  ///< findings after which the table should not be used as it is: those that count, and those since
 
   /// Whether what was found with a re-test is of record: there is one, neither withdrawn nor revised since.
@@ -71,7 +71,7 @@ struct ListedCompensation {
 struct KeptCompensation {
   ListedCompensation head;
   std::vector<store::Versioned<store::CompensationRecord>> versions;  ///< the first is version 1
-  json::Value result;                                           ///< exactly what was kept
+  json::Value result;                                                 ///< exactly what was kept
   std::string table;
   std::vector<KeptFinding>
       findings;  ///< that are of record: those of the tests since, and those of the result that count

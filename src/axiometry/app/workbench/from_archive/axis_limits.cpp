@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "axiometry/app/results/result_json.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
 namespace {

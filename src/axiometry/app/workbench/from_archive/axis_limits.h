@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "axiometry/app/workbench/from_archive/from_archive.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/standards/iso230_2/finding.h"
 #include "axiometry/store/records.h"
 

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <span>
 
-#include "axiometry/base/iso_date.h"
+#include "axiometry/base/text/says_nothing.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
@@ -62,14 +63,17 @@ std::vector<InstrumentInputs> inputs_of(const KnownInstruments& known, const Met
   return found;
 }
 
+/// By what a machine or an instrument is known again: "-" and "unknown" would be one for all that state them.
+std::string named(std::string_view stated) { return text::says_nothing(stated) ? "" : report::printable(stated); }
+
 /// A component of the test equipment as an instrument; nothing of a line that identifies none.
 std::optional<store::InstrumentRecord> instrument_of(const Equipment& component) {
-  if (component.serial_number.empty() && component.manufacturer.empty() && component.type.empty()) return {};
   store::InstrumentRecord instrument;
   instrument.role = report::printable(component.role);
-  instrument.manufacturer = report::printable(component.manufacturer);
-  instrument.type = report::printable(component.type);
-  instrument.serial_number = report::printable(component.serial_number);
+  instrument.manufacturer = named(component.manufacturer);
+  instrument.type = named(component.type);
+  instrument.serial_number = named(component.serial_number);
+  if (instrument.serial_number.empty() && instrument.manufacturer.empty() && instrument.type.empty()) return {};
   return instrument;
 }
 
@@ -195,9 +199,9 @@ std::vector<store::InstrumentRecord> instruments_of(const Metadata& metadata) {
 
 store::MachineRecord machine_of(const Metadata& metadata) {
   store::MachineRecord machine;
-  machine.name = report::printable(metadata.machine.name);
+  machine.name = named(metadata.machine.name);
   machine.type = report::printable(metadata.machine.type);
-  machine.serial_number = report::printable(metadata.machine.serial_number);
+  machine.serial_number = named(metadata.machine.serial_number);
   machine.location = report::printable(metadata.machine.location);
   return machine;
 }

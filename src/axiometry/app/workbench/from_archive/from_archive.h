@@ -7,7 +7,7 @@
 
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/workbench/test_options.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 #include "axiometry/model/test.h"
 #include "axiometry/standards/iso230_2/verdict/tolerance.h"

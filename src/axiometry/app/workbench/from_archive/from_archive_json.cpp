@@ -3,7 +3,7 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/workbench/from_archive/from_archive.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "axiometry/app/files/given_text.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/surroundings.h"
 

@@ -3,7 +3,7 @@
 
 #include "axiometry/app/temperatures/evaluated_temperatures.h"
 #include "axiometry/app/workbench/test_options.h"
-#include "axiometry/base/json.h"
+#include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
 
 /// A log of temperatures among the options of a test's evaluation: KeptTemperatures of apps/server/openapi.json.

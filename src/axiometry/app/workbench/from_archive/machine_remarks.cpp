@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {
@@ -20,6 +20,12 @@ Result<std::vector<std::string>> remarks_on(const store::Transaction& archive, c
   const auto has_number = [](const store::MachineRecord& machine) {
     return !text::trim(machine.serial_number).empty();
   };
+  const bool by_number = meant.known && !meant.takes_number && has_number(stated) && !stated.name.empty();
+  if (by_number && !text::equal_ignoring_case(text::trim(stated.name), text::trim(meant.known->value.name)))
+    remarks.push_back(fmt::format(
+        "this test calls its machine {}: by the serial number {} alone it is kept with machine {}, called {}",
+        text::quoted(stated.name), text::quoted(stated.serial_number), meant.known->id,
+        text::quoted(meant.known->value.name)));
   if (meant.known && !has_number(stated) && has_number(meant.known->value))
     remarks.push_back(
         fmt::format("this test states no serial number: by the name {} alone it is kept with machine {}, whose number "

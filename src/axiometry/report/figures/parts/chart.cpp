@@ -14,6 +14,7 @@ namespace axiometry::report::plot {
 namespace {
 
 constexpr double right_room = 12.0;  // for half a label of the x axis
+constexpr double above_plot = 4.0;
 
 /// Decimals of ticks that each have their own: 0.05, 0.1, 20.
 constexpr int of_each = -1;
@@ -52,6 +53,14 @@ Ticks logarithmic_ticks(double low, double high) {
 Ticks ticks_of(const ChartAxis& axis, double wanted) {
   const double low = axis.low / axis.unit.native, high = axis.high / axis.unit.native;
   return axis.logarithmic ? logarithmic_ticks(low, high) : divide(low, high, wanted, axis.division);
+}
+
+/// About as many as are wanted, and two at least: one number alone is no scale.
+Ticks upwards(const ChartAxis& axis, double wanted) {
+  constexpr double most = 8.0;  // a step below a quarter of the range: two of its multiples lie within
+  Ticks ticks = ticks_of(axis, wanted);
+  while (ticks.major.size() < 2 && wanted < most) ticks = ticks_of(axis, ++wanted);
+  return ticks;
 }
 
 /// As many as leave room between their labels.
@@ -120,7 +129,10 @@ void draw_axes(Operations& operations, const Chart& chart, const Ticks& x, const
   const auto title = [](const ChartAxis& axis) { return joined({plain(axis.title + " / ")}, axis.unit.name); };
   operations.push_back(label(title(chart.x_axis), {(chart.left + chart.right) / 2.0, chart.bottom + 24.5},
                              ink::text_size, Anchor::middle));
-  Text upright = label(title(chart.y_axis), {9.5, (chart.top + chart.bottom) / 2.0}, ink::text_size, Anchor::middle);
+  // Beside the middle of the axis, or as far up as all of it lies in the figure.
+  const double half = text_width(title(chart.y_axis), ink::text_size) / 2.0;
+  const double middle = std::max((chart.top + chart.bottom) / 2.0, chart.top - above_plot + half);
+  Text upright = label(title(chart.y_axis), {9.5, middle}, ink::text_size, Anchor::middle);
   upright.degrees = 90.0;
   operations.push_back(std::move(upright));
 }
@@ -140,11 +152,11 @@ Chart draw_chart(Operations& operations, const ChartAxis& x, const ChartAxis& y,
   const double wanted = std::max((bottom - below_plot - top) / y_pitch, 2.0);
   Chart chart{.left = 0.0,
               .right = plate_width - right_room,
-              .top = top + 4.0,
+              .top = top + above_plot,
               .bottom = bottom - below_plot,
               .x_axis = x,
               .y_axis = y};
-  const Ticks up = ticks_of(y, wanted);
+  const Ticks up = upwards(y, wanted);
   chart.left = figure_edge + title_room + widest(up, style) + tick_and_gap;
   const Ticks along = across(chart, style);
   draw_grid(operations, chart, along, up);

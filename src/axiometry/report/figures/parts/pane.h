@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/report/figures/parts/dimension_line.h"
 #include "axiometry/report/figures/parts/range.h"
 #include "axiometry/report/figures/parts/symbols.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/model/axis.h"
 #include "axiometry/report/figures/parts/symbols.h"
 #include "axiometry/report/report.h"

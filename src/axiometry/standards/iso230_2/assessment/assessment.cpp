@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "axiometry/model/plan.h"
+#include "axiometry/standards/iso230_2/severity_order.h"
 #include "axiometry/standards/readings/artefact.h"
 #include "axiometry/standards/readings/reading_correction.h"
 
@@ -16,7 +17,7 @@ namespace {
 /// Results of another cycle than the standard one never stand without saying so (1, Annex B).
 std::string_view label_of(const Metadata& metadata, const Series& series) {
   if (const std::string_view label = cycle_label(metadata.conditions.cycle); !label.empty()) return label;
-  const bool both = series.has(Direction::up) && series.has(Direction::down);
+  const bool both = series.has_both_directions();
   return both ? "" : "one direction of approach only, not for acceptance";
 }
 
@@ -78,7 +79,7 @@ Assessment assess(const Test& test, Depth depth) {
                                  effect.reason() + "; no verdict on which it could matter is given"});
   if (depth == Depth::every_finding) add_input_remarks(result.findings, result.inputs);
   add_remarks(result.findings, test, depth);
-  std::ranges::stable_sort(result.findings, {}, &Finding::severity);
+  sort_by_severity(result.findings);
   result.label = label_of(test.metadata, test.series);
   return result;
 }

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/inputs/inputs_items.h"
 #include "axiometry/standards/readings/artefact.h"
 #include "axiometry/standards/readings/station_offset.h"

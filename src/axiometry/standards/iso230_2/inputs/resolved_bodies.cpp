@@ -18,7 +18,7 @@ struct BodyWords {
   std::string_view whose;  // what remarks call it
   std::string_view role;   // role of the sensors on it
   std::string_view alpha_symbol;
-  std::string_view expansion_input;  // these inputs state its distributions
+  std::string_view expansion_input;  // inputs that state its distributions: this and the next
   std::string_view temperature_input;
 };
 
@@ -179,7 +179,7 @@ class BodyResolver {
   const Metadata& metadata_;
   const AnnexAInputs& in_;
   bool linear_;
-  bool artefact_;                  // in place of the device (Annex D)
+  bool artefact_;                  // an artefact in place of the device (Annex D)
   std::string_view followed_key_;  // key of the coefficient that follows
 };
 
@@ -192,7 +192,7 @@ void resolve_bodies(StatementList& list, const Metadata& metadata, ResolvedInput
 }
 
 double machine_expansion(const Metadata& metadata) {
-  const StatedItems stated;  // who stated it decides about what is told, not about the value
+  const StatedItems stated;  // who stated a value decides what is told, not the value
   StatementList list(metadata.gum.distributions, stated);
   return BodyResolver(list, metadata).machine_expansion();
 }

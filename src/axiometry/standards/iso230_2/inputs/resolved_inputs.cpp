@@ -10,8 +10,8 @@
 #include <span>
 #include <utility>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_rows.h"
 #include "axiometry/standards/readings/artefact.h"
@@ -23,8 +23,8 @@ namespace {
 
 constexpr double mm_in_m = 1000.0;
 constexpr double degrees_in_radian = 180.0 / std::numbers::pi;
-constexpr double length_as_rounded = 0.999;  // of the travel: 1744 mm is said of 1744.209, and no uncertainty shows it
-constexpr double length_far_above = 1.25;    // of the travel: who measures four fifths of an axis may state all of it
+constexpr double length_as_rounded = 0.999;  // share of the travel: 1744 mm may stand for 1744.209 mm
+constexpr double length_far_above = 1.25;    // share of the travel: who measures four fifths of it may state all
 
 std::string_view kind_word(EnvironmentKind kind) {
   switch (kind) {
@@ -340,7 +340,7 @@ class Resolver {
   const GumInputs& gum_;
   StatementList list_;
   bool linear_;
-  bool artefact_;  // in place of the device (Annex D)
+  bool artefact_;  // an artefact in place of the device (Annex D)
   std::string_view unit_;
   double travel_mm_;
   ResolvedInputs result_;

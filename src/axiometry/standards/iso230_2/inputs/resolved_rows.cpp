@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 
 namespace axiometry::iso230_2 {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 #include "axiometry/standards/readings/artefact.h"
 #include "axiometry/standards/readings/reading_change.h"
@@ -52,7 +52,7 @@ Strain operator-(const Strain& a, const Strain& b) { return {a.start - b.start, 
 /// The lengths that a strain acts on, mm.
 struct Lengths {
   double travel = 0.0;
-  double farthest = 0.0;  ///< from where the instrument was set to zero
+  double farthest = 0.0;  ///< largest distance from the position where the instrument was set to zero
 };
 
 Lengths lengths_of(const Test& test) {
@@ -153,7 +153,8 @@ class EffectCollector {
         fmt::format("thermal expansion, about {:.1f} µm over the travel{}", on_lengths,
                     unsaid ? ", of which nobody said whether it was corrected," : ","),
         on_lengths, strain.largest_change() * lengths.farthest * metres_per_mm,
-        unsaid ? "--correct nde, or nde.applied = yes where the instrument has corrected it," : "--correct nde");
+        unsaid ? "the correction for thermal expansion, or nde.applied = yes where the instrument has made it,"
+               : "the correction for thermal expansion");
   }
 
   /// The correction was made with another coefficient than the machine is said to have: by the inputs of the
@@ -186,14 +187,15 @@ class EffectCollector {
     const auto index = test_air();
     if (!index) {
       add("air", "the index of refraction of an air that was not measured", std::nullopt, std::nullopt,
-          "--correct air=ciddor with temperature, pressure and humidity of the air");
+          "the correction for the air after Ciddor, with temperature, pressure and humidity of the air,");
       return;
     }
     const auto error = [&](double share) { return 1e6 * ((*assumed - 1.0) - index->refractivity(share)); };
     const Strain strain = Strain::of(error(0.0), error(1.0));
     const double on_lengths = strain.largest() * lengths.travel * metres_per_mm;
     add("air", fmt::format("the index of refraction of the air, about {:.1f} µm over the travel,", on_lengths),
-        on_lengths, strain.largest_change() * lengths.farthest * metres_per_mm, "--correct air=ciddor");
+        on_lengths, strain.largest_change() * lengths.farthest * metres_per_mm,
+        "the correction for the air after Ciddor");
   }
 
   void dead_path() {
@@ -202,12 +204,12 @@ class EffectCollector {
     const auto index = test_air();
     if (!index) {
       add("dead-path", "a dead path in an air that was not measured", std::nullopt, std::nullopt,
-          "--correct dead-path with temperature, pressure and humidity of the air");
+          "the correction of the dead path, with temperature, pressure and humidity of the air,");
       return;
     }
     const double size = std::abs(length->in_um() * (index->refractivity(1.0) - index->refractivity(0.0)));
     add("dead-path", fmt::format("a dead path, about {:.2g} µm in the course of the test,", size), size, size,
-        "--correct dead-path");
+        "the correction of the dead path");
   }
 
   void gain() {
@@ -216,12 +218,12 @@ class EffectCollector {
     const double on_lengths =
         std::abs(*gain - 1.0) * lengths_of(test_).travel * deviation_per_position(test_.metadata.axis.kind);
     add("gain", fmt::format("a gain of {} of the sensor", format_exact(*gain)), on_lengths, on_lengths,
-        "--correct gain");
+        "the correction of the gain");
   }
 
   void sign() {
     if (test_.metadata.instrument.sign_reversed != true || was_corrected(test_, "sign")) return;
-    add("sign", "the reversed sign of the instrument", std::nullopt, std::nullopt, "--correct sign");
+    add("sign", "the reversed sign of the instrument", std::nullopt, std::nullopt, "the correction of the sign");
   }
 
   void station() {

@@ -13,13 +13,13 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr double visible = 1e-8;  // of the largest λ, below which an axis is seen by rounding alone
+constexpr double visible = 1e-8;  // share of the largest λ below which an axis is rounding alone
 constexpr std::size_t scatter_steps = 16;
 constexpr std::size_t size_steps = 17;
-constexpr double size_reach = 8.0;      // a from an eighth of what was stated to eight times of it
+constexpr double size_reach = 8.0;      // a from an eighth of what was stated to eight times as much
 constexpr double size_spread = 0.6931;  // standard deviation of ln a
-constexpr double few_freedom = 10.0;    // below which the scatter may be ten times what was seen
-constexpr double kept_weight = 1e-5;    // of the largest; lighter hypotheses are left out
+constexpr double few_freedom = 10.0;    // degrees of freedom below which the scatter may be ten times what was seen
+constexpr double kept_weight = 1e-5;    // share of the largest weight; lighter hypotheses are left out
 
 double square_of(double x) { return x * x; }
 

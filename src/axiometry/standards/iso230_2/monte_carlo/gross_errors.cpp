@@ -9,9 +9,9 @@
 #include <limits>
 #include <numbers>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/numeric/distributions/chi_square.h"
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/numeric/leave_one_out.h"
 #include "axiometry/numeric/median.h"
 
@@ -24,9 +24,9 @@ constexpr double finest_step = 1e-4;     // native unit; readings that differ by
 constexpr double median_of_normal = 0.67448975;
 constexpr double trimmed_beyond = 3.0;       // standard deviations, …
 constexpr double variance_within = 0.97334;  // … and the variance of normal numbers that are not
-constexpr double own_share = 0.7;  // of a cell's own standard deviation: 1 in 10 cells like the others has more
+constexpr double own_share = 0.7;            // share of a cell's own standard deviation: 1 in 10 cells exceeds it
 constexpr int polishes = 2;
-constexpr std::size_t least_cells = 3;  // of a run, for a shift of it to be told from scatter
+constexpr std::size_t least_cells = 3;  // cells of a run by which its shift can be told from scatter
 constexpr std::size_t neighbours = 4;   // readings before and after, whose median follows a drift
 
 /// 0 of none.
@@ -95,7 +95,7 @@ void take_out_drift(std::vector<CellReadings>& cells, const Series& series, cons
 struct Departure {
   std::size_t cell, run;
   double size;
-  double relative_sd;  ///< of the departure, in units of the scatter
+  double relative_sd;  ///< standard deviation of the departure, in units of the scatter
   double others_sd;    ///< standard deviation of the other readings
 };
 
@@ -109,7 +109,7 @@ double standard_deviation(std::span<const double> values) {
 /// Standard deviation of the others without the one farthest from their median, made up for what leaving out the
 /// farthest of normal numbers takes; of three others that of all. A second gross error must not hide the first.
 double scatter_but_for_one(const numeric::LeaveOneOut& readings, std::size_t reading, std::size_t others) {
-  constexpr double made_up[] = {1.657, 1.453, 1.378, 1.313, 1.279, 1.247, 1.225};  // of 4 to 10 values
+  constexpr double made_up[] = {1.657, 1.453, 1.378, 1.313, 1.279, 1.247, 1.225};  // factors for 4 to 10 values
   if (others <= 3) return readings.deviation_without(reading);
   return made_up[std::min(others - 4, std::size(made_up) - 1)] * readings.deviation_but_for_farthest(reading);
 }

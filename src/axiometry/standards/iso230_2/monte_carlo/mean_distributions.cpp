@@ -9,7 +9,7 @@ namespace axiometry::iso230_2 {
 namespace {
 
 constexpr std::size_t rows_per_target = 3;   // ↑, ↓, both
-constexpr double rounding_of_means = 1e-12;  // of the largest number: thousands of roundings, nothing that is measured
+constexpr double rounding_of_means = 1e-12;  // share of the largest number: thousands of roundings
 
 /// By one output of every hypothesis.
 std::optional<MeanInterval> interval_of(std::vector<uncertainty::OutputSummary> by_hypothesis, double measured,
@@ -35,7 +35,7 @@ std::vector<std::size_t> targets_of_means(std::size_t target_count, std::size_t 
 Result<std::vector<MeanDistribution>> mean_distributions(std::span<const SettledTrials> models,
                                                          const Evaluation& evaluation,
                                                          std::span<const std::size_t> targets,
-                                                         const uncertainty::MonteCarloOptions& options) {
+                                                         const uncertainty::PropagationOptions& options) {
   std::vector<uncertainty::MonteCarloResult> all;
   for (const SettledTrials& model : models) {
     const auto block = [&](std::uint64_t number, uncertainty::BlockOutputs outputs) {

@@ -22,6 +22,6 @@ std::vector<std::size_t> targets_of_means(std::size_t target_count, std::size_t 
 Result<std::vector<MeanDistribution>> mean_distributions(std::span<const SettledTrials> models,
                                                          const Evaluation& evaluation,
                                                          std::span<const std::size_t> targets,
-                                                         const uncertainty::MonteCarloOptions& options);
+                                                         const uncertainty::PropagationOptions& options);
 
 }  // namespace axiometry::iso230_2

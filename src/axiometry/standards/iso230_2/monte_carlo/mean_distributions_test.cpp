@@ -62,6 +62,23 @@ TEST(MeanDistributions, CountAnErrorBetweenTwoPlacesFromTheZero) {
   }
 }
 
+/// Shifts of whole runs move all means alike: u(d)/√n, of the long run s/√n of the shifts that were seen.
+TEST(MeanDistributions, HaveShiftsOfWholeRuns) {
+  const axiometry::Test clamped = table2_of_inputs({{"run:clamping", "normal 0 0.5"}});
+  for (const MeanDistribution& position : drawn(clamped).means)
+    EXPECT_NEAR(position.mean.value().u, 0.5 / std::sqrt(5.0), 0.02);
+  axiometry::Test machine = table2_of_inputs({});
+  machine.metadata.gum.measurand = Measurand::this_machine;
+  const auto propagated = gum(machine, evaluate(machine.series));
+  ASSERT_TRUE(propagated && *propagated);
+  const MonteCarlo found = drawn(machine);
+  for (std::size_t i = 0; i < found.means.size(); ++i) {
+    const double u = (*propagated)->positions[i].up->total.u.in_native();  // s/√n; of Table 2 nearly all of s is shifts
+    EXPECT_GT(found.means[i].up->u, 0.6 * u) << i;
+    EXPECT_LT(found.means[i].up->u, 2.5 * u) << i;
+  }
+}
+
 TEST(MeanDistributions, ClaimNothingWhereNothingActs) {
   const MonteCarlo found = drawn(table2_of_inputs({{"scale:laser", "normal 0 2"}}));
   EXPECT_GT(found.means.back().mean->u, 3.0);

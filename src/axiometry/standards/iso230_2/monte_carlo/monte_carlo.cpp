@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/standards/iso230_2/monte_carlo/gross_errors.h"
 #include "axiometry/standards/iso230_2/monte_carlo/mean_distributions.h"
 #include "axiometry/standards/iso230_2/monte_carlo/settled_trials.h"
@@ -93,7 +93,7 @@ SettledTrials settled(TrialModel model, const Series& series, const Evaluation& 
 /// Standard uncertainty of every parameter in a run of its own.
 Result<Contribution> contribution(const SettledTrials& model, const MonteCarloOptions& options, std::string key,
                                   std::string title) {
-  uncertainty::MonteCarloOptions alone = options.propagation;
+  uncertainty::PropagationOptions alone = options.propagation;
   alone.trials = std::min(options.contribution_trials, alone.trials.value_or(options.contribution_trials));
   AXIOMETRY_TRY(const auto result, uncertainty::propagate(std::ref(model), model.trials().output_count(), alone));
   Contribution found{std::move(key), std::move(title), {}};
@@ -180,7 +180,7 @@ std::vector<SettledTrials> trials_of(const Subject& subject, std::span<const Noi
 /// The means at the targets, by fewer trials: their distribution is plain.
 Result<void> add_means(MonteCarlo& result, const Subject& subject, std::span<const SettledTrials> models) {
   if (subject.options.contribution_trials == 0) return {};
-  uncertainty::MonteCarloOptions propagation = subject.options.propagation;
+  uncertainty::PropagationOptions propagation = subject.options.propagation;
   propagation.trials = std::min(trials_of_means, propagation.trials.value_or(trials_of_means));
   const std::size_t count = subject.test.series.target_count();
   const auto targets = targets_of_means(count, most_means);

@@ -35,7 +35,7 @@ std::string_view type_a_key(TypeA type_a);  ///< "pooled", "t-scaled", "resample
 std::optional<TypeA> find_type_a(std::string_view key);
 
 struct MonteCarloOptions {
-  uncertainty::MonteCarloOptions propagation;
+  uncertainty::PropagationOptions propagation;
   std::uint64_t seed = 1;
   TypeA type_a = TypeA::pooled;
   std::size_t contribution_trials = 50'000;  ///< trials for each input alone, at most what was asked for; 0: none

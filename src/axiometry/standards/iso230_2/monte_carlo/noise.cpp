@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/standards/iso230_2/monte_carlo/environment_modes.h"
 #include "axiometry/standards/iso230_2/monte_carlo/environment_recording.h"
@@ -19,9 +19,9 @@ namespace {
 
 constexpr double upper_limit = 0.025;               // probability beyond the upper limit of the scatter
 constexpr double range_of_unit_sd = 3.4641016151;   // √12
-constexpr double white_shares[] = {0.0, 0.5, 1.0};  // of the most that white noise beside a drift may be
-constexpr double doubt = 5.0;  // E_VE of an unknown kind: one recording may miss so much of white noise, and of a trend
-constexpr double wide = 3.0;   // of the largest departure: the standard deviation of errors of single readings
+constexpr double white_shares[] = {0.0, 0.5, 1.0};  // shares of the largest white noise that may act beside a drift
+constexpr double doubt = 5.0;  // factor for E_VE of an unknown kind: one recording may miss so much of noise or trend
+constexpr double wide = 3.0;   // standard deviation of errors of single readings over the largest departure
 constexpr double negligible = 1e-12;  // E_VE, in the native deviation unit
 
 /// The noise that inputs state; E_VE for itself.

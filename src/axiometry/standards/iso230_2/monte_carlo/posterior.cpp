@@ -12,9 +12,9 @@ namespace {
 constexpr Direction both_directions[] = {Direction::up, Direction::down};
 
 constexpr std::size_t cells_for_run_shifts = 3;  // with fewer, a shift of the run and scatter look alike
-constexpr int sweeps = 20;                       // leave 1e-20 with a tenth of the readings missing
-constexpr double least_run_sd = 0.1;             // of what noise alone would show, to ten times what was seen
-constexpr double most_run_sd = 10.0;
+constexpr int sweeps = 20;                       // they leave 1e-20 with a tenth of the readings missing
+constexpr double least_run_sd = 0.1;             // times what noise alone would show
+constexpr double most_run_sd = 10.0;             // times what was seen
 constexpr std::size_t run_grid_size = 24;
 
 double square(double x) { return x * x; }
@@ -73,7 +73,7 @@ void ReadingPosterior::find_run_shifts() {
 void ReadingPosterior::take_run_shifts(std::span<const double> cells_of_run) {
   for (std::size_t j = 0; j < runs_; ++j) {
     run_shifts_[j] = 0.0;
-    if (cells_of_run[j] < double(cells_for_run_shifts)) continue;  // would take its readings for a shift
+    if (cells_of_run[j] < double(cells_for_run_shifts)) continue;  // too few cells to tell a shift from scatter
     for (const Cell& cell : cells_)
       if (!std::isnan(cell.readings[j])) run_shifts_[j] += (cell.readings[j] - cell.mean) / cells_of_run[j];
   }
@@ -144,7 +144,7 @@ void ReadingPosterior::find_curves(const Series& series, const ReadingPosterior*
     second.noise_variance = 2.0 * of_direction + in_difference;
     second.trend_terms = 1;
   } else {
-    for (std::size_t c = 0; c < cells_.size(); ++c) {  // each direction for itself
+    for (std::size_t c = 0; c < cells_.size(); ++c) {  // each direction on its own
       CurveData& own = cells_[c].place < targets_ ? first : second;
       own.terms.push_back({c, own.values.size(), 1.0});
       own.values.push_back(cells_[c].mean);

@@ -23,7 +23,8 @@
 /// machine and measurement in the ratio of their variances, and never below zero: the generalisation of (A.10).
 /// Derivation, and proof of the coverage by simulation: docs/theory/uncertainty.md, docs/studies/coverage.md.
 ///
-/// Common shifts of all readings are not followed: no parameter of clause 3 depends on them.
+/// What all readings have in common is drawn by itself, by draw_levels(): no parameter of clause 3 depends on it, but
+/// figures that count from zero do.
 namespace axiometry::iso230_2 {
 
 /// Standard uncertainties in the native deviation unit (µm or ″), all ≥ 0.
@@ -58,14 +59,22 @@ class ReadingPosterior {
   /// `take_away` is called for each cell with rows over its runs, NaN where no reading is, and may take any number away
   /// from each; it may be empty. Contract: independent_noise(), and trials in whole groups of normal numbers.
   using TakeAway = std::function<void(std::size_t place, numeric::Rows<double> readings)>;
-  struct CellMoments {
+  struct MomentRows {
     numeric::Rows<double> means, estimators;  ///< rows of one stride, the number of trials; 0: a cell has one reading
   };
-  void draw_moments(numeric::RandomKey key, const CellMoments& moments, const TakeAway& take_away = {}) const;
+  void draw_moments(numeric::RandomKey key, const MomentRows& moments, const TakeAway& take_away = {}) const;
 
   /// Contract: asked for. Long-run μ and σ of each cell: rows in the order direction, target; NaN where no reading is.
   /// σ contains the machine's own shifts from run to run.
   void draw_long_run(numeric::RandomKey key, numeric::Rows<double> means, numeric::Rows<double> sds) const;
+
+  /// By how much the level of all readings lies beside that of the draws of `key`, for each of their trials. The mean
+  /// of n shifts of runs is in the level that was seen; of the long run it is none of the machine's, and of readings
+  /// perfect instruments lack the part of d: standard deviation √((σ_ρ² + u(d)²)/n) and u(d)/√n, of the latter what the
+  /// draws do not have yet. Random numbers from `own`. 0 where two or more runs have fewer than 3 cells,
+  /// so that their shifts are not followed.
+  std::vector<double> draw_levels(numeric::RandomKey key, numeric::RandomKey own, std::size_t trials,
+                                  Asked asked) const;
 
   static constexpr std::uint64_t streams = 2;
 
@@ -110,6 +119,9 @@ class ReadingPosterior {
   void find_curves(const Series& series, const ReadingPosterior* alike);
   void add_curve(const Series& series, CurveData data);
   void draw_means(State& state, std::span<const double> uniforms, std::span<const double> normals) const;
+  /// Uniform numbers of each trial: two for σ, two for σ_ρ, one for every curve, one for every cell.
+  std::size_t uniforms_each() const { return 4 + curves_.size() + cells_.size(); }
+  void draw_spreads(std::span<const double> uniforms, numeric::Rows<double> sds, std::span<double> run_sds) const;
   State draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const;
   std::vector<double> draw_target_shifts(State& state) const;
   void share_means(State& state) const;
@@ -117,7 +129,7 @@ class ReadingPosterior {
   std::vector<double> draw_run_shifts(State& state) const;
   void draw_cell(std::size_t index, std::span<const double> shifts, State& state, numeric::Rows<double> readings) const;
   void part_shifts(std::size_t index, std::span<const double> shifts, const TakeAway& take_away, State& state) const;
-  void draw_moments_of(std::size_t index, State& state, const CellMoments& moments) const;
+  void draw_moments_of(std::size_t index, State& state, const MomentRows& moments) const;
 
   std::size_t targets_ = 0;
   std::size_t runs_ = 0;
@@ -127,7 +139,7 @@ class ReadingPosterior {
   double down_sign_ = 1.0;
   bool exact_ = false;
   std::vector<Cell> cells_;
-  double cells_per_run_ = 0.0;      ///< C, on average; 0 where shifts of the runs are not followed
+  double cells_per_run_ = 0.0;      ///< C, on average; 0 where shifts of the runs are not followed, and of one run
   std::vector<double> run_shifts_;  ///< observed ρ_j + d_j, about their mean
   std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be, draws fill the steps between
   double run_step_ = 0.0;           ///< step of ln σ_ρ

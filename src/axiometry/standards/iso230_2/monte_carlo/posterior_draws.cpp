@@ -26,7 +26,7 @@ const MomentKernel& moment_kernel_of(numeric::VectorTarget target) { return mome
 namespace {
 
 constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
-constexpr double negligible_share = 1e-12;  // of the variance of δ, below which other noise is none
+constexpr double negligible_share = 1e-12;  // share of the variance of δ below which other noise is neglected
 
 /// Rows of the random numbers of one key, made when they are taken, so that they are in the nearest cache.
 class RandomRows {
@@ -88,9 +88,9 @@ struct ReadingPosterior::State {
   numeric::UnsetNumbers<double> means;     ///< μ, then the true means of the cells' own approaches
   numeric::UnsetNumbers<double> run_sds;   ///< σ_ρ, one row
   numeric::UnsetNumbers<double> machines;  ///< σ²/(σ² + u²), the machine's share of the scatter; from share_mean()
-  std::optional<RandomRows> normals{};     ///< of share_means() and the readings, which take them in this order
+  std::optional<RandomRows> normals{};     ///< normal numbers, taken first by share_means(), then by the readings
   std::vector<double> target_shifts{};     ///< δ of every target; empty where there is none
-  std::vector<double> residuals{};         ///< of the cell that is being drawn, as what follows
+  std::vector<double> residuals{};         ///< residuals of the cell that is being drawn; the next three are of it too
   std::vector<const double*> run_shifts{};
   std::vector<double*> rows{};
   std::vector<double> signed_shift{};            ///< δ as it acts on the cell
@@ -101,6 +101,16 @@ struct ReadingPosterior::State {
   std::span<double> mean(std::size_t cell) { return means.all().subspan(cell * trials, trials); }
   std::span<double> machine(std::size_t cell) { return machines.all().subspan(cell * trials, trials); }
 };
+
+/// σ of every cell and σ_ρ, a value for each trial; `uniforms` hold what belongs to one trial after the other.
+void ReadingPosterior::draw_spreads(std::span<const double> uniforms, numeric::Rows<double> sds,
+                                    std::span<double> run_sds) const {
+  for (std::size_t t = 0; t < run_sds.size(); ++t) {
+    const std::span<const double> u = uniforms.subspan(t * uniforms_each(), uniforms_each());
+    spread_->draw({u[0], u[1], u.last(cells_.size())}, sds.values.subspan(t), sds.stride);
+    run_sds[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
+  }
+}
 
 /// σ, σ_ρ and μ of every trial.
 ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const {
@@ -113,15 +123,10 @@ ReadingPosterior::State ReadingPosterior::draw_state(numeric::RandomKey key, std
   if (asked == Asked::readings)
     state.normals.emplace(numeric::RandomKey{key.seed, key.stream + 1, key.block}, trials,
                           rows_shared + rows_of_readings);
-  const std::size_t uniforms_each = 4 + curves_.size() + cells;
-  const Numbers uniforms(uniforms_each * trials), curve_normals(curve_normals_ * trials);
+  const Numbers uniforms(uniforms_each() * trials), curve_normals(curve_normals_ * trials);
   numeric::fill_uniform({key.seed, key.stream, 2 * key.block}, uniforms.all());
   numeric::fill_normal({key.seed, key.stream, 2 * key.block + 1}, curve_normals.all());
-  for (std::size_t t = 0; t < trials; ++t) {
-    const std::span<const double> u = uniforms.all().subspan(t * uniforms_each, uniforms_each);
-    spread_->draw({u[0], u[1], u.last(cells)}, state.sds.all().subspan(t), trials);
-    state.run_sds.all()[t] = run_sds_[run_choice_(u[2])] * std::exp(run_step_ * (u[3] - 0.5));
-  }
+  draw_spreads(uniforms.all(), {state.sds.all(), trials}, state.run_sds.all());
   draw_means(state, uniforms.all(), curve_normals.all());
   return state;
 }
@@ -313,7 +318,7 @@ void ReadingPosterior::part_shifts(std::size_t index, std::span<const double> sh
 }
 
 /// Mean and estimator of one cell, after part_shifts().
-void ReadingPosterior::draw_moments_of(std::size_t index, State& state, const CellMoments& moments) const {
+void ReadingPosterior::draw_moments_of(std::size_t index, State& state, const MomentRows& moments) const {
   const Cell& cell = cells_[index];
   state.residuals.clear();
   for (double residual : cell.residuals)
@@ -333,7 +338,7 @@ void ReadingPosterior::draw_moments_of(std::size_t index, State& state, const Ce
                                  .estimators = moments.estimators.row(cell.place, state.trials).data()});
 }
 
-void ReadingPosterior::draw_moments(numeric::RandomKey key, const CellMoments& moments,
+void ReadingPosterior::draw_moments(numeric::RandomKey key, const MomentRows& moments,
                                     const TakeAway& take_away) const {
   const std::size_t trials = moments.means.stride;
   AXIOMETRY_CONTRACT(independent_noise() && trials % numeric::RandomKernel::normal_group == 0);

@@ -22,7 +22,7 @@ void widen(uncertainty::LeastTolerance& tolerance, const uncertainty::OutputSumm
 /// That of every output, from no more trials than tell how large it is, and of a little less: what is found in the end
 /// may be just below a power of ten that these trials were above.
 Result<std::vector<uncertainty::LeastTolerance>> stated_tolerances(std::span<const SettledTrials> models,
-                                                                   uncertainty::MonteCarloOptions options) {
+                                                                   uncertainty::PropagationOptions options) {
   options.trials = 2 * uncertainty::block_size;
   std::vector<uncertainty::LeastTolerance> tolerances(models.front().trials().output_count());
   for (const SettledTrials& model : models) {
@@ -87,7 +87,7 @@ void SettledTrials::operator()(std::uint64_t block, uncertainty::BlockOutputs ou
 }
 
 Result<HypothesesRun> run_hypotheses(std::span<const SettledTrials> models, std::span<const double> measured,
-                                     uncertainty::MonteCarloOptions propagation) {
+                                     uncertainty::PropagationOptions propagation) {
   if (!propagation.trials && models.size() > 1) {
     AXIOMETRY_TRY(propagation.least_tolerances, stated_tolerances(models, propagation));
   }

@@ -42,6 +42,6 @@ struct HypothesesRun {
 /// Trials of every hypothesis, one after the other. Contract: models of the same outputs, at least one. Fails as
 /// uncertainty::propagate() does.
 Result<HypothesesRun> run_hypotheses(std::span<const SettledTrials> models, std::span<const double> measured,
-                                     uncertainty::MonteCarloOptions propagation);
+                                     uncertainty::PropagationOptions propagation);
 
 }  // namespace axiometry::iso230_2

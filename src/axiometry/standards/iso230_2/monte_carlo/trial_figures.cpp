@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "axiometry/standards/iso230_2/monte_carlo/trials.h"
 
@@ -38,7 +39,7 @@ void TrialModel::evaluate_figures(numeric::Rows<const double> means, numeric::Ro
   for (std::size_t c = 0; c < 2 * targets; ++c) {
     const auto measured = series_.cell(c % targets, static_cast<Direction>(c / targets));
     const std::size_t all = series_.count(c % targets, static_cast<Direction>(c / targets));
-    const std::size_t count = std::min(all, runs);  // two of the long run
+    const std::size_t count = std::min(all, runs);  // two readings for the long run
     std::size_t made = 0;
     for (std::size_t j = 0; made < count; ++j) {
       if (count == all && std::isnan(measured[j])) continue;
@@ -60,15 +61,21 @@ void TrialModel::draw_figures(std::uint64_t place, numeric::Rows<double> outputs
   for (std::size_t k = 0; k < figures.size(); ++k) std::ranges::fill(outputs.row(k, chunk), figures[k].value);
   for (const bool of_readings : {false, true}) {
     if (of_readings ? draws_moments_alone() : draws_readings_alone()) continue;
-    const WantedFigures wanted{!of_readings || draws_readings_alone(), of_readings};
-    if (std::ranges::none_of(figures, [&](const TrialFigure& figure) { return wanted.has(figure); })) continue;
-    const DrawnCells drawn = draw_cells(place, of_readings);
-    const numeric::Rows<const double> readings{drawn.readings, chunk}, means{drawn.means.all(), chunk},
-        estimators{drawn.estimators.all(), chunk};
-    if (of_readings)
-      evaluate_figures(readings, series_.run_count(), wanted, outputs);
-    else
-      evaluate_figures(means, estimators, wanted, outputs);
+    WantedFigures wanted{!of_readings || draws_readings_alone(), of_readings};
+    const auto is_wanted = [&](const TrialFigure& figure) { return wanted.has(figure); };
+    std::optional<DrawnCells> drawn;
+    for (const bool from_zero : {false, true}) {
+      wanted.from_zero = from_zero;
+      if (std::ranges::none_of(figures, is_wanted)) continue;
+      if (!drawn) drawn = draw_cells(place, of_readings);
+      if (from_zero) add_levels(place, *drawn);
+      const numeric::Rows<const double> readings{drawn->readings, chunk}, means{drawn->means.all(), chunk},
+          estimators{drawn->estimators.all(), chunk};
+      if (of_readings)
+        evaluate_figures(readings, series_.run_count(), wanted, outputs);
+      else
+        evaluate_figures(means, estimators, wanted, outputs);
+    }
   }
 }
 

@@ -24,14 +24,19 @@ struct TrialFigure {
   /// Whether it is made of single readings and not of means and s of the targets alone: in the long run of a machine,
   /// unless whole runs are resampled, there are none.
   bool of_single_readings = false;
+  /// Whether what all readings have in common is in it (ReadingPosterior::draw_levels()).
+  bool counts_from_zero = false;
 };
 
 /// Figures that are wanted of a trial.
 struct WantedFigures {
   bool of_moments = true;
   bool of_single_readings = true;
+  bool from_zero = false;  ///< those that count from zero, or the others
 
-  bool has(const TrialFigure& figure) const { return figure.of_single_readings ? of_single_readings : of_moments; }
+  bool has(const TrialFigure& figure) const {
+    return figure.counts_from_zero == from_zero && (figure.of_single_readings ? of_single_readings : of_moments);
+  }
 };
 
 struct TrialFigures {

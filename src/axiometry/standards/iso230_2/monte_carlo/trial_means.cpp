@@ -44,7 +44,8 @@ void TrialModel::draw_means(std::uint64_t block, std::span<const std::size_t> ta
                             uncertainty::BlockOutputs outputs) const {
   for (std::size_t begin = 0; begin < outputs.trials; begin += chunk) {
     const std::uint64_t place = block * (uncertainty::block_size / chunk) + begin / chunk;
-    const DrawnCells drawn = draw_cells(place);
+    DrawnCells drawn = draw_cells(place);
+    add_levels(place, drawn);
     const std::vector<double> displaced = displacements(place);
     const std::size_t count = std::min(chunk, outputs.trials - begin);
     for (std::size_t k = 0; k < targets.size(); ++k) {

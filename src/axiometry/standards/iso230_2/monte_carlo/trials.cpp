@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t of_posterior = 0;
 constexpr std::uint64_t of_sampling = of_posterior + ReadingPosterior::streams;
 constexpr std::uint64_t of_drift = of_sampling + 1;
-constexpr std::uint64_t first_of_inputs = of_drift + 1;  // and after them the errors of targets
+constexpr std::uint64_t first_of_inputs = of_drift + 1;  // errors of targets and levels follow the inputs
 
 constexpr double m_per_mm = 1e-3;
 
@@ -33,7 +33,7 @@ Series without(const Series& series, std::span<const double> drift) {
     for (std::size_t i = 0; i < series.target_count(); ++i)
       for (double x : series.cell(i, direction)) readings.push_back(x - drift[readings.size()]);
   auto still = Series::make_dense({series.targets().begin(), series.targets().end()}, series.run_count(), readings);
-  return still ? *std::move(still) : series;  // which it would leave at the edge of what a reading may be
+  return still ? *std::move(still) : series;  // fails only at the limit of what a reading may be
 }
 
 /// f_t(α, ΔT) − f_t(α̂, ΔT̂) in µm/m, α in µm/(m·°C); the difference of (14) without cancellation.
@@ -294,6 +294,17 @@ TrialModel::DrawnCells TrialModel::draw_cells(std::uint64_t place, bool as_readi
   add_length_errors(place, series_.run_count(), rows);
   add_station_errors(place, series_.run_count(), rows);
   return drawn;
+}
+
+/// What all readings have in common, where it counts. Cells that are drawn each for itself, and runs that are drawn
+/// with replacement, have the shifts of their runs in them.
+void TrialModel::add_levels(std::uint64_t place, DrawnCells& drawn) const {
+  if (is_long_run(options_) && options_.type_a != TypeA::pooled) return;
+  const numeric::RandomKey own{options_.seed, first_of_inputs + inputs_.inputs.size() + 1, place};
+  const std::vector<double> levels =
+      posteriors_[place % posteriors_.size()].draw_levels(posterior_key(place), own, chunk, asked_of(options_));
+  for (const std::span<double> rows : {std::span(drawn.readings), drawn.means.all()})
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k] += levels[k % chunk];
 }
 
 void TrialModel::draw_chunk(std::uint64_t place, numeric::Rows<double> outputs) const {

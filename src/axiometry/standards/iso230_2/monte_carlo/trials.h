@@ -92,6 +92,7 @@ class TrialModel {
     numeric::UnsetNumbers<double> means, estimators;  ///< empty where readings are
   };
   DrawnCells draw_cells(std::uint64_t place, bool as_readings = false) const;
+  void add_levels(std::uint64_t place, DrawnCells& drawn) const;
   std::vector<double> mean_of_cell(const DrawnCells& drawn, std::size_t target, Direction direction) const;
   std::vector<double> displacements(std::uint64_t place) const;
   void draw_cell_moments(std::uint64_t place, numeric::Rows<double> means, numeric::Rows<double> estimators) const;

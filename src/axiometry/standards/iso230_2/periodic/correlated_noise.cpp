@@ -29,7 +29,7 @@ double NoiseCorrelation::white_reduction(double reduction, double targets_per_pe
 
 NoiseCorrelation noise_correlation(std::span<const double> residuals, std::size_t degrees_of_freedom) {
   AXIOMETRY_CONTRACT(residuals.size() > degrees_of_freedom);
-  constexpr double rare = 3.0902;  // of a normal distribution one in a thousand lies above
+  constexpr double one_in_twenty = 1.6449;  // lies above, of a normal distribution
   double squares = 0.0, products = 0.0;
   for (std::size_t k = 0; k < residuals.size(); ++k) {
     squares += residuals[k] * residuals[k];
@@ -42,7 +42,7 @@ NoiseCorrelation noise_correlation(std::span<const double> residuals, std::size_
   NoiseCorrelation found;
   found.lag_one = std::clamp(seen + (1.0 + seen) * (fitted - 1.0) / n, -1.0, 1.0);
   found.most = std::clamp(found.lag_one + 2.0 * std::sqrt((1.0 - seen * seen) / n), 0.0, 1.0);
-  found.told = seen > rare / std::sqrt(n);
+  found.told = found.lag_one > one_in_twenty / std::sqrt(n);
   return found;
 }
 

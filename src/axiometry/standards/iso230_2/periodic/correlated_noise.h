@@ -12,7 +12,7 @@ namespace axiometry::iso230_2 {
 struct NoiseCorrelation {
   double lag_one = 0.0;  ///< correlation of the residuals of neighbouring targets, corrected for what the fit took out
   double most = 0.0;     ///< ρ may be so large: two standard errors more; 0 to 1
-  bool told = false;     ///< more than white noise shows in one test of a thousand
+  bool told = false;     ///< more than white noise shows in one test of twenty
 
   /// By how much such noise exceeds white noise of the same size at a period of so many targets, for the ρ up to `most`
   /// that makes the most of it: (1 − ρ²)/(1 − 2ρ cos ω + ρ²) with ω = 2π/targets; 1 or more, at most 1/|sin ω|.

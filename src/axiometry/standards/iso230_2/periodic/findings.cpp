@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/programme.h"
 
 namespace axiometry::iso230_2 {
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double enough_periods = 2.0;
 constexpr double enough_targets = 4.0;
-constexpr double forgiven = 1e-9;  // of a period or target, as targets are rounded
+constexpr double forgiven = 1e-9;  // relative tolerance for a number of periods or targets, as targets are rounded
 
 /// At most so many digits, as a person would write it.
 std::string figure(double x, int digits = 4) { return fmt::format("{:.{}g}", x, digits); }
@@ -55,15 +55,18 @@ class DirectionFindings {
   double spacing() const { return period_ / d_.targets_per_period; }
   std::string shown(double x) const { return place(x) + unit_; }
 
+  /// A peak of chance stands anywhere: targets are judged by a period that is known or found.
+  bool has_period() const { return d_.period_known || d_.significant; }
+
   std::optional<Finding> few_periods() const {
-    if (d_.periods_covered >= enough_periods - forgiven) return std::nullopt;
+    if (!has_period() || d_.periods_covered >= enough_periods - forgiven) return std::nullopt;
     return departure("periodic-few-periods",
                      fmt::format("found {} periods of {} over {}, expected two or more", figure(d_.periods_covered, 3),
                                  shown(period_), shown(d_.periods_covered * period_)));
   }
 
   std::optional<Finding> coarse_targets() const {
-    if (d_.targets_per_period >= enough_targets - forgiven) return std::nullopt;
+    if (!has_period() || d_.targets_per_period >= enough_targets - forgiven) return std::nullopt;
     return departure(
         "periodic-coarse-targets",
         fmt::format("found targets every {} on average for a period of {}, that is {} per period, expected "
@@ -73,7 +76,7 @@ class DirectionFindings {
 
   /// With an interval d the frequencies 1/λ and |1/λ − k/d| give the same readings.
   std::optional<Finding> equal_spacing() const {
-    if (!d_.significant && !d_.period_known) return std::nullopt;
+    if (!has_period()) return std::nullopt;
     const double d = spacing();
     for (std::size_t k = 1; k < d_.points.size(); ++k)
       if (std::abs(d_.points[k].target.in_native() - d_.points[k - 1].target.in_native() - d) > equal_interval * d)
@@ -97,10 +100,18 @@ class DirectionFindings {
                   fmt::format("found no significant error of the period {}: noise alone gives an amplitude of {} {} or "
                               "more in up to {} % of such tests",
                               shown(period_), figure(amplitude, 2), deviation_, chance));
-    return note("periodic-not-significant",
-                fmt::format("found no significant periodic error: noise alone gives a peak as high as that at {} in up "
-                            "to {} % of such tests",
-                            shown(period_), chance));
+    const double longest = d_.spectrum.front().period.in_native(), shortest = d_.spectrum.back().period.in_native();
+    std::string message = fmt::format(
+        "found no significant periodic error with a period from {} to {}: noise alone gives a peak as high as that at "
+        "{} in up to {} % of such tests",
+        shown(shortest), shown(longest), shown(std::clamp(period_, shortest, longest)), chance);
+    const auto& stated = metadata_.axis.expected_period;
+    if (stated && (stated->in_native() < shortest || stated->in_native() > longest))
+      message += fmt::format(
+          "; the expected period, {} after axis.expected_period, was not searched for: state it as "
+          "known",
+          shown(stated->in_native()));
+    return note("periodic-not-significant", std::move(message));
   }
 
   std::optional<Finding> at_end() const {
@@ -119,7 +130,7 @@ class DirectionFindings {
     const double difference = std::abs(period_ - stated->in_native());
     constexpr double clearly = 1.5;  // times U: one good test in 400 or so is beyond
     if (difference <= std::max(clearly * U, 1e-3 * stated->in_native())) return std::nullopt;
-    if (!d_.period_known && !d_.significant) return std::nullopt;
+    if (!has_period()) return std::nullopt;
     return note("periodic-other-than-expected",
                 fmt::format("found a period of {}{}, expected {} after axis.expected_period", shown(period_),
                             d_.period_known ? " given" : fmt::format(" ± {}", figure(U, 2) + unit_),
@@ -153,7 +164,7 @@ class DirectionFindings {
 
   /// What the fit and the chances take for independent of each other is not.
   std::optional<Finding> correlated() const {
-    constexpr double shown = 1.05;  // "1 times" is not enlarged
+    constexpr double shown = 1.05;  // a factor that would print as "1 times" is not told
     if (!d_.residual_correlation.told) return std::nullopt;
     if (d_.curve_times < shown)
       return note("periodic-correlated-residuals",

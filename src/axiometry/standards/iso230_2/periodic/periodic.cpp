@@ -9,7 +9,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/model/plan.h"
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/numeric/harmonic_fit.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/series/period_search.h"
@@ -30,7 +30,6 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double deg = 180.0 / std::numbers::pi;
 // At twice the spacing equal steps show a cosine and no sine.
 constexpr double shortest_spacings = 2.1;
-constexpr double most_lines = 1e7;
 constexpr double most_steps = 1e11;
 
 /// Means over the runs at the targets that have any.
@@ -94,16 +93,16 @@ Result<PeriodBand> band_of(const Means& means, const PeriodicOptions& options, s
                     band.shortest, unit, band.longest, unit, means.spacing(), unit, means.travel(), unit));
   const double lines = numeric::spectral_lines(means.places, band);
   const double steps = lines * static_cast<double>(means.places.size());
-  if (lines > most_lines || steps > most_steps) {
+  if (lines > options.lines_most || steps > most_steps) {
     if (options.period) {  // the spectrum is only shown: what fits around the known period
       band = {options.period->in_native() / 1.5, options.period->in_native() * 1.5};
-      if (numeric::spectral_lines(means.places, band) <= most_lines) return band;
+      if (numeric::spectral_lines(means.places, band) <= options.lines_most) return band;
     }
     return fail(
         fmt::format("found {:.3g} periods to search between {:.6g} {} and {:.6g} {}, expected at most {:g}: "
                     "give a longer shortest period",
                     lines, band.shortest, unit, band.longest, unit,
-                    std::min(most_lines, most_steps / static_cast<double>(means.places.size()))));
+                    std::min(options.lines_most, most_steps / static_cast<double>(means.places.size()))));
   }
   return band;
 }

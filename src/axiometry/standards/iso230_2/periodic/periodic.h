@@ -36,6 +36,8 @@ struct PeriodicOptions {
   std::optional<Position> period{};    ///< λ, when it is known; else it is searched
   std::optional<Position> shortest{};  ///< shortest period searched; 2.1 times the mean spacing when not given
   std::optional<Position> longest{};   ///< half the measured travel when not given, so that two periods are covered
+  /// How many periods may be searched: 10⁷ take half a minute and 600 MB, 3·10⁵ a second.
+  double lines_most = 1e7;
 };
 
 /// One sinusoid of the curve.
@@ -126,9 +128,9 @@ struct PeriodicError {
 /// a quarter period, periods that equal spacing cannot tell apart, both directions measured, no significant error, a
 /// peak at the end of the band, an expected period that is not the one found, a further period, correlated residuals.
 ///
-/// Fails on a period or band that is not positive, finite and in order, a band without room, more than 10⁷ periods to
-/// search or 10¹¹ steps for it, fewer than 7 targets with readings in a direction (6 with a known period), and targets
-/// that cannot show the known period (every half period of it, or a part of one period that looks straight).
+/// Fails on a period or band that is not positive, finite and in order, a band without room, more than lines_most
+/// periods to search or 10¹¹ steps for it, fewer than 7 targets with readings in a direction (6 with a known period),
+/// and targets that cannot show the known period (every half period of it, or a part of one that looks straight).
 Result<PeriodicError> periodic_error(const Test& test, const PeriodicOptions& options = {});
 
 }  // namespace axiometry::iso230_2

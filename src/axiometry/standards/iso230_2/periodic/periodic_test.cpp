@@ -236,6 +236,24 @@ TEST(PeriodicFindings, CompareWithTheExpectedPeriod) {
   EXPECT_THAT(findings_of(test), Contains(Field(&Finding::message, HasSubstr("expected 12 mm"))));
 }
 
+TEST(PeriodicFindings, OfNoiseTellWhereItWasSearchedAndJudgeNoTargetsByAPeakOfChance) {
+  int searched = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    auto test = test_of(
+        uneven(60, 1.0, seed), [](double) { return 0.0; }, 0.5);
+    test.metadata.axis.expected_period = Position::native(0.5);
+    if (only(test).significant) continue;
+    ++searched;
+    const auto findings = findings_of(test);
+    EXPECT_THAT(findings, Not(Contains(Field(&Finding::severity, Severity::departure)))) << seed;
+    EXPECT_THAT(findings, Contains(Field(&Finding::message, AllOf(HasSubstr("with a period from"),
+                                                                  HasSubstr("0.5 mm after axis.expected_period, was "
+                                                                            "not searched for")))))
+        << seed;
+  }
+  EXPECT_GE(searched, 15);
+}
+
 TEST(PeriodicFindings, NameAFurtherPeriodAndWhoseHarmonicItMayBe) {
   const auto test = test_of(
       uneven(120, 1.0, 11),
@@ -331,6 +349,22 @@ TEST(Periodic, HasTheTruthWithinUAmongCorrelatedNoiseToo) {
   }
   EXPECT_GE(slope, trials * 9 / 10);
   EXPECT_GE(amplitude, trials * 17 / 20) << "residuals have lost what the fit took for line and curve";
+}
+
+/// So little of it that one test does not show it beyond all chance, but that 95 % would be 82 to 85 %.
+TEST(Periodic, HasTheTruthWithinUAmongLittleCorrelatedNoiseToo) {
+  constexpr int trials = 400;
+  int slope = 0, amplitude = 0;
+  for (int t = 0; t < trials; ++t) {
+    const auto test = correlated_test(0.4, 60, static_cast<std::uint64_t>(2000 + t),
+                                      [](double p) { return 0.05 * p + 3.0 * std::sin(two_pi * p / 14.0); });
+    const auto d = only(test, known(14.0));
+    slope += std::abs(d.slope_native.value - 0.05) <= d.coverage_factor * d.slope_native.u;
+    amplitude += std::abs(d.harmonics.front().amplitude.value.in_native() - 3.0) <=
+                 d.coverage_factor * d.harmonics.front().amplitude.u.in_native();
+  }
+  EXPECT_GE(slope, trials * 92 / 100);
+  EXPECT_GE(amplitude, trials * 92 / 100);
 }
 
 /// The largest over ρ of (1 − ρ²)/(1 − 2ρ cos ω + ρ²) is 1/sin ω: 2 at twelve targets per period.

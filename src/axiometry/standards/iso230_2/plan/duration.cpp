@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 
 namespace axiometry::iso230_2 {

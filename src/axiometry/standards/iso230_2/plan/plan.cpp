@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/plan/targets.h"
 #include "axiometry/standards/iso230_2/programme.h"
 
@@ -17,8 +17,8 @@ namespace {
 
 constexpr double most = 1e6;            // mm or °: no axis is longer
 constexpr double overrun_least = 1.0;   // mm or °
-constexpr double overrun_usual = 10.0;  // up to which 1 % of the travel is enough
-constexpr double overrun_share = 0.1;   // of the travel, for the sake of the feed
+constexpr double overrun_usual = 10.0;  // mm or °: up to here 1 % of the travel is enough
+constexpr double overrun_share = 0.1;   // largest share of the travel, for the sake of the feed
 constexpr double shift_at_ends = 0.05;  // the farthest shift, as a share of the measurement travel
 constexpr double targets_per_period_usual = 8.0;
 constexpr double periods_usual = 3.0;

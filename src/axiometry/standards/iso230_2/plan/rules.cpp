@@ -82,7 +82,7 @@ std::optional<Finding> beyond_one_turn(const Plan& plan) {
     return std::nullopt;
   return rules::note("plan-beyond-one-turn", plan.clause.empty() ? "5.3" : plan.clause,
                      fmt::format("found a way from {} to {}, beyond one turn from 0°: where the control counts to 360° "
-                                 "only, its program is to be written with rollover (axiometry nc --rollover)",
+                                 "only, its program is to be written with rollover",
                                  position_text(plan, lowest.in_native()), position_text(plan, highest.in_native())));
 }
 

@@ -7,16 +7,16 @@
 #include <cmath>
 #include <optional>
 
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/standards/iso230_2/programme.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr std::size_t attempts = 64;      // at a place that is free by a part f, all miss it with (1 − f)⁶⁴
+constexpr std::size_t attempts = 64;      // a place of which a part f is free is missed with (1 − f)⁶⁴
 constexpr double steps_per_interval = 8;  // 0.4 p between neighbours are three steps then
-constexpr double beside_principal = 0.1;  // of p: a principal position may be 0.2 p from what its neighbour may be
+constexpr double beside_principal = 0.1;  // share of p: a principal position may be 0.2 p from that of its neighbour
 constexpr std::uint64_t segment_draws = std::uint64_t{1} << 32;  // streams of targets added for a segment
 
 struct Window {

@@ -8,13 +8,15 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/says_nothing.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/says_nothing.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/simulated.h"
+#include "axiometry/model/swapped_labels.h"
 #include "axiometry/standards/environment/environment.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
+#include "axiometry/standards/iso230_2/severity_order.h"
 #include "axiometry/standards/iso230_2/verdict/uncertainty_of_record.h"
 #include "axiometry/standards/readings/reading_correction.h"
 #include "axiometry/standards/test_standard.h"
@@ -161,8 +163,11 @@ void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
   ask(rules::part_of_axis_travel(c));
   ask(rules::readings_repeat_exactly(c));
   ask(rules::readings_copied(c));
+  ask(rules::runs_left_out(c));
+  ask(rules::runs_in_blocks(c));
   ask(assessment.progression);
   if (!assessment.temperatures_recorded) ask(rules::temperature_change(c));  // a log has findings of its own
+  ask(rules::air_pressure_unlikely(c));
   ask(rules::impossible_date(c));
 }
 
@@ -170,6 +175,8 @@ void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
 void add_known_errors(Against& against, const Test& test, const Assessment& assessment) {
   if (auto why = simulated_by_purpose(test.metadata.conditions.purpose))
     against.push_back(rules::missing("simulated", "1", *std::move(why)));
+  if (has_swapped_labels(test))
+    against.push_back(rules::missing("source-remark", source_clause, std::string(swapped_labels)));
   if (was_corrected(test, "drift"))
     against.push_back(rules::missing(
         "drift-taken-out", "5.3.1",
@@ -180,6 +187,7 @@ void add_known_errors(Against& against, const Test& test, const Assessment& asse
 
 Against against_tested(const Case& c, const Test& test, const Assessment& assessment) {
   Against against;
+  against.reserve(std::size(items_of_the_test) + 4);  // of a test of which nothing is stated
   if (is_diagonal(c.metadata.axis))
     against.push_back(rules::missing(
         "diagonal-line", "1",
@@ -258,7 +266,7 @@ std::string title_of_claim(ClaimKind kind, const Axis& axis) {
 }
 
 Claim made(ClaimKind kind, const Axis& axis, Against against) {
-  std::ranges::stable_sort(against, {}, &Finding::severity);
+  sort_by_severity(against);
   return {kind, title_of_claim(kind, axis), std::move(against)};
 }
 
@@ -321,11 +329,13 @@ std::string against_text(const Claim& claim) {
   const auto points = [](std::ptrdiff_t n) { return n == 1 ? "1 point" : fmt::format("{} points", n); };
   std::string text;
   if (departures > 0) text = fmt::format("contradicted by {}", points(departures));
-  if (missing > 0) text += fmt::format("{}{} not stated", text.empty() ? "" : ", ", points(missing));
+  if (missing > 0) text += fmt::format("{}{} open", text.empty() ? "" : ", ", points(missing));
   return text;
 }
 
-std::string word_of_the_tester(const TestEnvironment* surroundings, bool both_directions) {
+namespace {
+
+std::string word_on_cycle_and_machine(const TestEnvironment* surroundings, bool both_directions) {
   constexpr std::string_view cycle = "the standard test cycle was run where no other is given, ";
   std::string word(word_on_all(surroundings));
   if (both_directions) return word;
@@ -335,6 +345,15 @@ std::string word_of_the_tester(const TestEnvironment* surroundings, bool both_di
   constexpr std::string_view machine = "the machine ";
   if (word.substr(at).starts_with(machine)) word.insert(at + machine.size(), "was ");
   return word;
+}
+
+}  // namespace
+
+std::string word_of_the_tester(const Test& test, const TestEnvironment* surroundings) {
+  std::string word = word_on_cycle_and_machine(surroundings, test.series.has_both_directions());
+  if (axis_ends(test.metadata.axis).length_native()) return word;
+  return fmt::format(
+      "{}; and, since the axis travel is not stated, that as much of it was measured as was agreed (3.2)", word);
 }
 
 }  // namespace axiometry::iso230_2

@@ -38,13 +38,13 @@ Claims claims_of(const Test& test, const Assessment& assessment);
 
 inline const Claim& claim(const Claims& claims, ClaimKind kind) { return claims[static_cast<std::size_t>(kind)]; }
 
-/// "contradicted by 2 points, 3 not stated"; empty where it holds.
+/// "contradicted by 2 points, 3 points open"; empty where it holds.
 std::string against_text(const Claim& claim);
 
 /// What ClaimKind::tested rests on that no item of a test states: a sentence without full stop. The gradient of the
 /// temperature is among it unless it is known, by a log or stated (nullptr: neither), to lie within the limit that was
 /// agreed; and the soaking unless it is stated for how long; the standard test cycle is not, of one
-/// direction.
-std::string word_of_the_tester(const TestEnvironment* surroundings, bool both_directions);
+/// direction; that as much of the axis travel was measured as was agreed is, where that travel is not stated.
+std::string word_of_the_tester(const Test& test, const TestEnvironment* surroundings);
 
 }  // namespace axiometry::iso230_2

@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "axiometry/language/language.h"
+#include "axiometry/model/swapped_labels.h"
 #include "axiometry/standards/environment/environment.h"
 #include "tests/support/series.h"
 
@@ -63,7 +64,7 @@ TEST(Claims, LeaveBareNumbersTheFirstOnly) {
   EXPECT_FALSE(holds(bare(), ClaimKind::reported));
   const Claim tested = claim(claims(bare()), ClaimKind::tested);
   for (const Finding& f : tested.against) EXPECT_EQ(f.severity, Severity::missing) << f.message;
-  EXPECT_EQ(against_text(tested), "9 points not stated") << points(bare(), ClaimKind::tested);
+  EXPECT_EQ(against_text(tested), "9 points open") << points(bare(), ClaimKind::tested);
 }
 
 TEST(Claims, OfTheTestStandWithoutCompensationWhateverItIsCalled) {
@@ -157,7 +158,23 @@ TEST(Claims, OfTheTestFallWithReadingsAndDaysThatAskForAWord) {
          const std::vector<RunDeviations> coarse = {{0, 0, 1, 1, 2}, {0, 0, 1, 1, 1}, {0, 0, 1, 1, 2}, {0, 0, 1, 1, 2}};
          t.series = make_series({0, 110, 240, 390, 500}, coarse, coarse);
        }},
+      {"runs-left-out",
+       [](axiometry::Test& t) {
+         auto up = table2::up, down = table2::down;
+         for (auto* runs : {&up, &down}) runs->insert(runs->begin() + 3, RunDeviations(table2::targets.size(), none));
+         t.series = make_series(table2::targets, up, down);
+       }},
+      {"runs-in-blocks",
+       [](axiometry::Test& t) {
+         auto up = table2::up, down = table2::down;
+         up.insert(up.end(), 5, RunDeviations(table2::targets.size(), none));
+         down.insert(down.begin(), 5, RunDeviations(table2::targets.size(), none));
+         t.series = make_series(table2::targets, up, down);
+       }},
+      {"source-remark", [](axiometry::Test& t) { t.provenance.remarks.push_back(swapped_labels_remark()); }},
       {"ordered-progression", [&](axiometry::Test& t) { on_runs(t, 30.0); }},
+      {"air-pressure-unlikely",
+       [](axiometry::Test& t) { t.metadata.environment.air_pressure_end = Pressure::kPa(29.92); }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "2099-01-01"; }},
       {"impossible-date", [](axiometry::Test& t) { t.metadata.conditions.date = "0001-01-01"; }},
       {"temperature-change",
@@ -399,6 +416,17 @@ TEST(Claims, NameTheStandardOfADiagonal) {
   EXPECT_EQ(claim(claims(test), ClaimKind::tested).title, "Tested in accordance with ISO 230-6");
 }
 
+std::string word_of(const TestEnvironment* surroundings, bool both_directions, bool travel_stated) {
+  using testing_support::RunDeviations;
+  const std::vector<RunDeviations> runs = {{1.0, 2.0}, {1.5, 2.5}};
+  Test test{{}, testing_support::make_series({0, 10}, runs, both_directions ? runs : std::vector<RunDeviations>()), {}};
+  if (travel_stated) {
+    test.metadata.axis.travel_begin = Position::native(0.0);
+    test.metadata.axis.travel_end = Position::native(10.0);
+  }
+  return word_of_the_tester(test, surroundings);
+}
+
 TEST(Claims, RestOnTheWordOfTheTesterForTheGradientUnlessALogShowsItKept) {
   constexpr std::string_view on_his_word = "soaked and the gradient of the temperature within what was agreed";
   constexpr std::string_view by_the_log = "the log of temperatures shows their gradient";
@@ -411,12 +439,14 @@ TEST(Claims, RestOnTheWordOfTheTesterForTheGradientUnlessALogShowsItKept) {
         EnvironmentStanding::not_agreed, EnvironmentStanding::known_in_part}) {
     gradient.standing = standing;
     logged.items = {highest, gradient};
-    const std::string word = word_of_the_tester(&logged, true);
+    const std::string word = word_of(&logged, true, true);
     const bool kept = standing == EnvironmentStanding::kept;
     EXPECT_EQ(word.find(by_the_log) != word.npos, kept) << standing_key(standing);
     EXPECT_EQ(word.find(on_his_word) != word.npos, !kept) << standing_key(standing);
   }
-  EXPECT_NE(word_of_the_tester(nullptr, true).find(on_his_word), std::string_view::npos);
+  EXPECT_NE(word_of(nullptr, true, true).find(on_his_word), std::string_view::npos);
+  EXPECT_EQ(word_of(nullptr, true, true).find("axis travel"), std::string::npos);
+  EXPECT_NE(word_of(nullptr, true, false).find("since the axis travel is not stated"), std::string::npos);
 }
 
 TEST(Claims, RestOnTheWordOfTheTesterForTheSoakingUnlessItsTimeIsStated) {
@@ -428,18 +458,18 @@ TEST(Claims, RestOnTheWordOfTheTesterForTheSoakingUnlessItsTimeIsStated) {
       gradient.stated = stated;
       TestEnvironment surroundings;
       surroundings.items = {gradient};
-      const std::string without = word_of_the_tester(&surroundings, true);
+      const std::string without = word_of(&surroundings, true, true);
       EXPECT_NE(without.find(on_his_word), without.npos);
       EXPECT_EQ(without.find("is stated"), stated && standing == EnvironmentStanding::kept
                                                ? without.find("is stated, within what was agreed")
                                                : without.npos);
       surroundings.soaked_h = 12.0;
-      const std::string with = word_of_the_tester(&surroundings, true);
+      const std::string with = word_of(&surroundings, true, true);
       EXPECT_NE(with.find("how long machine and instrument were soaked"), with.npos);
       EXPECT_EQ(with.find("other is given, machine and instrument were soaked"), with.npos);
       EXPECT_EQ(with.find(by_the_log) != with.npos, standing == EnvironmentStanding::kept && !stated);
       surroundings.soaked_h = 0.0;
-      EXPECT_EQ(word_of_the_tester(&surroundings, true), without) << "no time at all is no soaking";
+      EXPECT_EQ(word_of(&surroundings, true, true), without) << "no time at all is no soaking";
     }
 }
 
@@ -453,7 +483,7 @@ TEST(Claims, NameNoStandardCycleOfOneDirection) {
         TestEnvironment surroundings;
         surroundings.items = {gradient};
         surroundings.soaked_h = soaked_h;
-        const std::string word = word_of_the_tester(&surroundings, false);
+        const std::string word = word_of(&surroundings, false, true);
         EXPECT_EQ(word.find("cycle"), word.npos) << word;
         EXPECT_THAT(word, testing::ContainsRegex("it: (machine and .* were|the machine was|the gradient .* was) "));
         for (const language::Language language : language::languages())

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string_view>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/common_reversal.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 #include "axiometry/standards/iso230_2/rules/environment_findings.h"
@@ -186,9 +186,10 @@ std::optional<Finding> same_reversal_everywhere(const Case& c) {
   return note("same-reversal-everywhere", "3.17",
               message("found nearly the same reversal error at every target, {} on average, without which "
                       "{} would be {} instead of {}; such a reversal error comes from play or from its "
-                      "compensation, and nothing of it is removed",
+                      "compensation{}, and nothing of it is removed",
                       deviation_message(c, p.B_mean->in_native()), repeated ? "R" : "E", deviation_message(c, without),
-                      deviation_message(c, measured)));
+                      deviation_message(c, measured),
+                      directions_in_blocks(c) ? ", or from a drift between the two directions" : ""));
 }
 
 std::optional<Finding> temperature_without_correction(const Case& c) {
@@ -212,6 +213,22 @@ std::optional<Finding> temperature_without_correction(const Case& c) {
               "about {} over {} at {} µm/(m·°C)",
               found, deviation_message(c, std::round(per_m_K * distance(worst) * c.travel() / 100.0) / 10.0),
               position_text(c, c.travel()), figure(per_m_K)));
+}
+
+/// From 5500 m to the sea in the heaviest weather. Beyond, a pressure is in another unit, and an index of air by it
+/// wrong by 190 µm/m (inches of mercury taken for kPa).
+std::optional<Finding> air_pressure_unlikely(const Case& c) {
+  constexpr double least_kPa = 50.0, most_kPa = 110.0;
+  const Environment& environment = c.metadata.environment;
+  for (const auto& pressure : {environment.air_pressure_start, environment.air_pressure_end}) {
+    if (!pressure) continue;
+    const double kPa = pressure->in_kPa();
+    if (kPa >= least_kPa && kPa <= most_kPa) continue;
+    return note("air-pressure-unlikely", "8.1",
+                fmt::format("found an air pressure of {} kPa, expected 50 to 110 kPa, as where people work{}",
+                            format_exact(kPa), kPa >= 25.0 && kPa <= 33.0 ? ": is it inHg?" : ""));
+  }
+  return std::nullopt;
 }
 
 std::optional<Finding> temperature_change(const Case& c) {

@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 

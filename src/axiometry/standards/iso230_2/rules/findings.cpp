@@ -6,25 +6,15 @@
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
+#include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::iso230_2 {
 namespace rules {
 namespace {
-
-std::size_t runs_in(const Series& series, Direction direction) {
-  if (series.complete()) return series.run_count();
-  std::vector<bool> made(series.run_count(), false);
-  for (std::size_t i = 0; i < series.target_count(); ++i) {
-    const auto cell = series.cell(i, direction);
-    for (std::size_t j = 0; j < cell.size(); ++j)
-      if (!std::isnan(cell[j])) made[j] = true;
-  }
-  return static_cast<std::size_t>(std::ranges::count(made, true));
-}
 
 struct Row {
   Rule* rule;
@@ -44,6 +34,7 @@ constexpr Row every_rule[] = {
     {straight_slope},
     {temperature_without_correction, may_depart},
     {temperature_change},
+    {air_pressure_unlikely},
     {ordered_progression},
     {equally_spaced_targets},
     {gap_between_targets},
@@ -53,6 +44,8 @@ constexpr Row every_rule[] = {
     {directions_of_approach, may_depart},
     {number_of_approaches, may_depart},
     {missing_readings, may_depart},
+    {runs_left_out},
+    {runs_in_blocks},
     {more_than_five_turns},
     {cycle_declared_otherwise, may_depart},
     {additional_test},
@@ -82,7 +75,7 @@ Case make_case(const Metadata& metadata, const Series& series, const Evaluation&
           evaluation,
           uncertainty,
           programme_of(metadata.axis.kind, Position::native(series.travel_native())),
-          {runs_in(series, Direction::up), runs_in(series, Direction::down)}};
+          {runs_made(series, Direction::up), runs_made(series, Direction::down)}};
 }
 
 std::string figure(double x) { return format_shortest(std::round(x * 1000.0) / 1000.0); }
@@ -130,11 +123,11 @@ std::vector<Finding> find_departures(const Metadata& metadata, const Series& ser
   for (const auto& [rule, departs] : rules::every_rule) {
     if (!departs && depth == Depth::departures_only) continue;
     if (rule == rules::straight_slope)
-      for (Finding& finding : rules::scatter_findings(c)) {  // several of one rule
+      for (Finding& finding : rules::scatter_findings(c)) {  // this rule may find several
         drift_told = drift_told || finding.clause == rules::progression_clause;
         findings.push_back(std::move(finding));
       }
-    if (rule == rules::ordered_progression && drift_told) continue;  // the same, with its size
+    if (rule == rules::ordered_progression && drift_told) continue;  // the drift was told already, with its size
     auto finding = rule(c);
     if (!finding) continue;
     AXIOMETRY_CONTRACT(departs || finding->severity != Severity::departure);

@@ -118,6 +118,35 @@ TEST(Findings, NameTheRunsThatAreUneven) {
   EXPECT_EQ(finding(assessed(series), "5.3.2", "no reading"), "") << "a run that was not made is not a missing reading";
 }
 
+TEST(Findings, TellDirectionsThatWereRunOneAfterTheOther) {
+  auto up = runs(5, 5), down = runs(5, 5);
+  for (RunDeviations& run : down)
+    for (double& x : run) x += 6.0;
+  up.insert(up.end(), 5, RunDeviations(5, none));
+  down.insert(down.begin(), 5, RunDeviations(5, none));
+  const auto assessment = assessed(make_series(half_metre, up, down));
+  EXPECT_EQ(finding(assessment, "5.3.2"),
+            "note: found by their numbers runs 1 to 5 all ↑ and runs 6 to 10 all ↓, expected both directions in turn "
+            "(Figure 1): if they were made so, what drifted meanwhile stands in B");
+  EXPECT_THAT(finding(assessment, "3.17"), HasSubstr("or from its compensation, or from a drift between the two"));
+  EXPECT_THAT(finding(assessed(make_series(half_metre, down, up)), "5.3.2"),
+              HasSubstr("runs 1 to 5 all ↓ and runs 6 to 10 all ↑"));
+}
+
+TEST(Findings, TellRunsThatWereLeftOut) {
+  auto six = runs(6, 5);
+  six[3].assign(5, none);
+  EXPECT_EQ(finding(assessed(make_series(half_metre, six, six)), "5.3.2", "left out"),
+            "note: found no reading of run 4, expected one of every run up to the last, run 6: nobody can tell whether "
+            "it was made and left out");
+  six[1].assign(5, none);
+  EXPECT_THAT(finding(assessed(make_series(half_metre, six, six)), "5.3.2", "left out"),
+              HasSubstr("found no reading of 2 runs, the first of them run 2, expected"));
+  auto odd = runs(9, 5), even = runs(10, 5);
+  for (std::size_t j = 0; j < 9; ++j) (j % 2 == 0 ? even : odd)[j].assign(5, none);
+  EXPECT_EQ(finding(assessed(make_series(half_metre, odd, even)), "5.3.2"), "") << "one-way runs, each with its number";
+}
+
 TEST(Findings, NameTheReadingsThatAreMissing) {
   auto up = runs(5, 5);
   up[1][2] = none;
@@ -186,6 +215,8 @@ TEST(Findings, RememberTheTestOverTheWholeTravel) {
   EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.3"), HasSubstr("the axis travels 3010 mm"));
   std::swap(m.axis.travel_begin, m.axis.travel_end);
   EXPECT_THAT(finding(assessed(proper(half_metre), m), "5.3.3"), HasSubstr("the axis travels 3010 mm"));
+  m.axis.travel_begin = Position::native(-10), m.axis.travel_end = Position::native(1990.0000005);
+  EXPECT_EQ(finding(assessed(proper(half_metre), m), "5.3.3"), "") << "2 000 mm in inches are not longer";
 }
 
 TEST(Findings, WantUnequalIntervals) {
@@ -254,6 +285,19 @@ TEST(Findings, TakeTheAirForTheMachineOnlyWithoutSensors) {
   EXPECT_THAT(finding(assessed(proper(half_metre), m), "4.1"), HasSubstr("found 23 °C at the air"));
   m.environment.sensors = {{"machine", "", Temperature::celsius(20), Temperature::celsius(20)}};
   EXPECT_EQ(finding(assessed(proper(half_metre), m), "4.1"), "");
+}
+
+TEST(Findings, DoubtAPressureThatIsNowhereWhereMachinesStand) {
+  Metadata m;
+  const auto told = [&](double kPa) {
+    m.environment.air_pressure_start = Pressure::kPa(kPa);
+    return finding(assessed(proper(half_metre), m), "8.1", "air pressure of");
+  };
+  EXPECT_EQ(told(29.92),
+            "note: found an air pressure of 29.92 kPa, expected 50 to 110 kPa, as where people work: is it inHg?");
+  EXPECT_THAT(told(120.0), HasSubstr("as where people work"));
+  EXPECT_EQ(told(62.0), "") << "4000 m above the sea";
+  EXPECT_EQ(told(105.0), "");
 }
 
 TEST(Findings, SeeAnOrderedProgressionFromRunToRun) {

@@ -15,12 +15,16 @@ Message formatted_message(std::string_view format, fmt::format_args arguments,
     const std::string_view spelling = format.substr(open + 1, close - open - 1);
     AXIOMETRY_CONTRACT(close != std::string_view::npos && (spelling.empty() || spelling.front() == ':'));
     result.text += format.substr(0, open);
-    if (messages[number] != nullptr)
-      for (MessageDeviation deviation : messages[number]->deviations) {
+    const Message* const inner = messages[number];
+    if (inner != nullptr)
+      for (MessageDeviation deviation : inner->deviations) {
         deviation.at += result.text.size();
         result.deviations.push_back(deviation);
       }
-    result.text += fmt::vformat(fmt::format("{{{}{}}}", number, spelling), arguments);
+    if (inner != nullptr && spelling.empty())
+      result.text += inner->text;
+    else
+      result.text += fmt::vformat(fmt::format("{{{}{}}}", number, spelling), arguments);
     format.remove_prefix(close + 1);
   }
   AXIOMETRY_CONTRACT(!format.contains('{'));

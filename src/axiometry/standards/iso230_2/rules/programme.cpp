@@ -8,15 +8,15 @@
 #include <string_view>
 
 #include "axiometry/base/counted.h"
-#include "axiometry/base/says_nothing.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/says_nothing.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
 namespace axiometry::iso230_2::rules {
 namespace {
 
-constexpr std::size_t named_at_most = 5;  // of a list in a message
+constexpr std::size_t named_at_most = 5;  // most names in the list of a message
 
 bool many_approaches(Programme p) { return required_approaches(p) > 1; }
 
@@ -170,6 +170,59 @@ std::optional<Finding> missing_readings(const Case& c) {
                    fmt::format("found no reading at {}, expected one from every approach", listed(absent)));
 }
 
+/// Five runs are five, but who made six and kept five of them chose: numbers without a reading show it.
+std::optional<Finding> runs_left_out(const Case& c) {
+  if (c.series.complete()) return std::nullopt;
+  std::vector<std::size_t> absent;
+  for (std::size_t j = 0; j < c.series.run_count(); ++j) {
+    bool read = false;
+    for (std::size_t i = 0; !read && i < c.series.target_count(); ++i)
+      read = !std::isnan(c.series.cell(i, Direction::up)[j]) || !std::isnan(c.series.cell(i, Direction::down)[j]);
+    if (!read) absent.push_back(j + 1);
+  }
+  if (absent.empty()) return std::nullopt;
+  const std::size_t last = c.series.run_count();
+  return note("runs-left-out", programme_clause(c.programme),
+              absent.size() == 1
+                  ? fmt::format("found no reading of run {}, expected one of every run up to the last, run {}: nobody "
+                                "can tell whether it was made and left out",
+                                absent.front(), last)
+                  : fmt::format("found no reading of {} runs, the first of them run {}, expected one of every run up "
+                                "to the last, run {}: nobody can tell whether they were made and left out",
+                                absent.size(), absent.front(), last));
+}
+
+std::optional<DirectionBlocks> directions_in_blocks(const Case& c) {
+  if (c.runs.up < 2 || c.runs.down < 2 || c.series.complete()) return std::nullopt;
+  std::size_t first[2] = {c.series.run_count(), c.series.run_count()}, last[2] = {0, 0};
+  for (const Direction direction : {Direction::up, Direction::down}) {
+    const auto d = static_cast<std::size_t>(direction);
+    for (std::size_t i = 0; i < c.series.target_count(); ++i) {
+      const auto cell = c.series.cell(i, direction);
+      for (std::size_t j = 0; j < cell.size(); ++j)
+        if (!std::isnan(cell[j])) first[d] = std::min(first[d], j + 1), last[d] = std::max(last[d], j + 1);
+    }
+  }
+  for (const Direction earlier : {Direction::up, Direction::down}) {
+    const auto e = static_cast<std::size_t>(earlier);
+    if (last[e] < first[1 - e]) return DirectionBlocks{earlier, first[e], last[e], first[1 - e], last[1 - e]};
+  }
+  return std::nullopt;
+}
+
+/// In the standard test cycle every run goes there and back; what drifts while one direction is run after the other
+/// makes a reversal error.
+std::optional<Finding> runs_in_blocks(const Case& c) {
+  const auto blocks = directions_in_blocks(c);
+  if (!blocks) return std::nullopt;
+  const Direction later = blocks->earlier == Direction::up ? Direction::down : Direction::up;
+  return note("runs-in-blocks", programme_clause(c.programme),
+              fmt::format("found by their numbers runs {} to {} all {} and runs {} to {} all {}, expected both "
+                          "directions in turn (Figure 1): if they were made so, what drifted meanwhile stands in B",
+                          blocks->first, blocks->last, arrow(blocks->earlier), blocks->later_first, blocks->later_last,
+                          arrow(later)));
+}
+
 std::optional<Finding> more_than_five_turns(const Case& c) {
   if (c.programme != Programme::many_turns || c.travel() <= 1800.0 + 1e-6) return std::nullopt;
   return note("more-than-five-turns", "5.3.5",
@@ -208,7 +261,7 @@ std::optional<Finding> additional_test(const Case& c) {
     return note("additional-test", "5.3.5",
                 "the test with five approaches over 360° of the normal working area is also needed (6.2)");
   const auto whole = axis_ends(c.metadata.axis).length_native();
-  if (!whole || (c.linear() ? *whole <= 2000.0 : *whole <= 360.0)) return std::nullopt;
+  if (!whole || required_approaches(programme_of(c.kind(), Position::native(*whole))) > 1) return std::nullopt;
   return note(
       "additional-test", c.linear() ? "5.3.3" : "5.3.5",
       fmt::format(
@@ -221,7 +274,7 @@ std::vector<Finding> unexplained(const Case& c) {
   for (Rule* rule : {targets_within_axis_travel, equally_spaced_targets, gap_between_targets, additional_test}) {
     if (rule == gap_between_targets && random_part_may_be_large(c)) continue;
     auto finding = rule(c);
-    if (!finding || finding->severity == Severity::departure) continue;  // those stand among the departures
+    if (!finding || finding->severity == Severity::departure) continue;  // departures are told by the rule itself
     finding->severity = Severity::missing;
     all.push_back(*std::move(finding));
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "axiometry/standards/iso230_2/rules/message.h"
@@ -106,6 +107,17 @@ std::optional<Finding> directions_copied(const Series& series) {
               "between them; copied or coarsely rounded readings make every reversal error zero");
 }
 
+/// Whether a scatter is surely more than half of any step that the readings may have: a step divides each of them, so
+/// it is no larger than the smallest. Of less than 1e-6 µm or ″ a reading is a 0 with what computed it.
+bool surely_beyond_steps(const Series& series, double scatter) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Direction direction : {Direction::up, Direction::down})
+    for (std::size_t i = 0; i < series.target_count(); ++i)
+      for (const double x : series.cell(i, direction))
+        if (std::abs(x) > 1e-6) smallest = std::min(smallest, std::abs(x));
+  return scatter > 0.51 * smallest;
+}
+
 }  // namespace
 
 std::optional<Finding> readings_repeat_exactly(const Case& c) {
@@ -173,6 +185,7 @@ std::optional<Finding> readings_coarsely_rounded(const Case& c) {
   if (degrees < degrees_needed || squares == 0.0 || readings_repeat_exactly(c)) return std::nullopt;
   const double scatter = std::sqrt(squares / degrees);
   const auto& resolution = c.metadata.gum.instrument_resolution;
+  if (!resolution && surely_beyond_steps(c.series, scatter)) return std::nullopt;
   if (const double step = step_of(c.series); step > 0.0) {
     if (scatter > 0.5 * step) return std::nullopt;
     return note(

@@ -4,15 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <span>
 #include <string_view>
 #include <utility>
 
-#include "axiometry/base/iso_date.h"
-#include "axiometry/base/says_nothing.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/says_nothing.h"
+#include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/model/fields.h"
+#include "axiometry/model/test_day.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
@@ -33,25 +33,32 @@ std::vector<std::string> stretches(const std::vector<std::size_t>& indices) {
   return all;
 }
 
+/// Whether a title begins with a word that is written small within a sentence.
+bool begins_small(std::string_view title) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  return title.size() > 1 && title[0] >= 'A' && title[0] <= 'Z' && is_small(title[1]);
+}
+
 /// What is missing of one group of the metadata, as it reads within a sentence.
 struct MissingItems {
   std::string_view group;
   std::string text{};
-  std::size_t last = 0;  ///< where its last item begins
+  std::string_view last{};  ///< title of its last item
 
   /// "air temperature at the start" and "… at the end" become one item.
   void add(std::string_view title) {
     constexpr std::string_view start = " at the start", end = " at the end";
-    const std::string item = within_sentence(title);
-    const std::string_view before = std::string_view(text).substr(last);
-    if (item.ends_with(end) && before.ends_with(start) &&
-        before.substr(0, before.size() - start.size()) == item.substr(0, item.size() - end.size())) {
+    const bool both = title.ends_with(end) && last.ends_with(start) &&
+                      last.substr(0, last.size() - start.size()) == title.substr(0, title.size() - end.size());
+    last = both ? std::string_view() : title;
+    if (both) {
       text += " and the end";
       return;
     }
     if (!text.empty()) text += ", ";
-    last = text.size();
-    text += item;
+    const std::size_t begin = text.size();
+    text += title;
+    if (begins_small(title)) text[begin] += 'a' - 'A';
   }
 };
 
@@ -113,14 +120,6 @@ bool may_be_initials(const Field& field, std::string_view words) {
 
 bool names_nothing(std::string_view words) { return text::says_nothing(words) || text::says_none(words); }
 
-constexpr std::string_view no_test_before = "1950-01-01";  // and no numerical control
-
-/// The last day that it can be anywhere: east of Greenwich it may be the next one.
-std::string tomorrow() {
-  using namespace std::chrono;
-  return iso_day(floor<days>(system_clock::now()) + days(1));
-}
-
 /// A component by its role, else by what identifies it.
 std::string name_of(const Equipment& e) {
   for (const std::string* name : {&e.role, &e.type, &e.manufacturer, &e.serial_number})
@@ -142,9 +141,8 @@ bool identifies_anything(const std::vector<Cell>& record) {
 }  // namespace
 
 std::string within_sentence(std::string_view title) {
-  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
   std::string text(title);
-  if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && is_small(text[1])) text[0] += 'a' - 'A';
+  if (begins_small(title)) text[0] += 'a' - 'A';
   return text;
 }
 
@@ -166,21 +164,29 @@ bool is_stated(const Field& field, const Metadata& metadata) {
 }
 
 std::optional<Finding> items_of_identification(const Case& c) {
+  constexpr std::size_t groups = 8, of_group_at_most = 256, of_all_at_most = 1024;  // usually, so that nothing moves
   std::vector<MissingItems> absent;
+  absent.reserve(groups);
   for (const Field& field : metadata_fields()) {
     if (!is_wanted(field, c.metadata) || is_stated(field, c.metadata)) continue;
-    auto of_group = std::ranges::find(absent, group_of(field.key), &MissingItems::group);
-    if (of_group == absent.end()) of_group = absent.insert(of_group, {group_of(field.key)});
+    const std::string_view group = group_of(field.key);
+    auto of_group = std::ranges::find(absent, group, &MissingItems::group);
+    if (of_group == absent.end()) {
+      of_group = absent.insert(of_group, {group});
+      of_group->text.reserve(of_group_at_most);
+    }
     of_group->add(field.title);
   }
   if (absent.empty()) return std::nullopt;
-  std::string message = "not given, but expected in the report – ";
+  std::string message;
+  message.reserve(of_all_at_most);
+  message = "not given, but expected in the report – ";
   for (const MissingItems& of_group : absent)
     message.append(&of_group == &absent.front() ? "" : "; ")
         .append(group_title(of_group.group))
         .append(": ")
         .append(of_group.text);
-  return missing("items-of-identification", "8.1", message);
+  return missing("items-of-identification", "8.1", std::move(message));
 }
 
 std::optional<Finding> equipment_identified(const Case& c) {
@@ -210,8 +216,9 @@ std::optional<Finding> equipment_identified(const Case& c) {
 
 std::optional<Finding> impossible_date(const Case& c) {
   const std::string& date = c.metadata.conditions.date;
+  if (date.empty()) return std::nullopt;
   const std::string day = iso_date(date);
-  if (!day.empty() && (day < no_test_before || day > tomorrow()))
+  if (!day.empty() && !can_be_day_of_test(day))
     return missing("impossible-date", "8.1",
                    fmt::format("the date of the test is given as {}, expected a day from 1950 to now", date));
   if (!is_no_day(date)) return std::nullopt;

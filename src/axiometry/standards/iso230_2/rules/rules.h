@@ -39,8 +39,19 @@ struct Case {
 Case make_case(const Metadata& metadata, const Series& series, const Evaluation& evaluation,
                const std::optional<AnnexA>& uncertainty);
 
-/// Whether an item is given and says something (base/says_nothing.h): "-" and "n/a" do not, nor "none" of what must be.
+/// Whether an item is given and says something (base/text/says_nothing.h): "-" and "n/a" do not, nor "none" of what
+/// must be.
 bool is_stated(const Field& field, const Metadata& metadata);
+
+/// Runs of one direction whose numbers all come before those of the other, counted from 1.
+struct DirectionBlocks {
+  Direction earlier = Direction::up;
+  std::size_t first = 0, last = 0;              ///< runs of the earlier direction
+  std::size_t later_first = 0, later_last = 0;  ///< runs of the other
+};
+
+/// Nothing where a direction has fewer than two runs, and where their numbers alternate or are the same.
+std::optional<DirectionBlocks> directions_in_blocks(const Case& c);
 
 using Rule = std::optional<Finding>(const Case&);
 
@@ -55,6 +66,7 @@ Rule readings_coarsely_rounded;       // 3.18
 Rule straight_slope;                  // 3.24
 Rule temperature_without_correction;  // 4.1
 Rule temperature_change;              // 4.1
+Rule air_pressure_unlikely;           // 8.1
 Rule ordered_progression;             // 4.3
 
 inline constexpr const char* progression_clause = "4.3";  ///< clause of an ordered progression of deviations
@@ -75,6 +87,8 @@ Rule principal_positions;       // 5.3.4
 Rule directions_of_approach;    // 5.3.2 to 5.3.5
 Rule number_of_approaches;      // 5.3.2 to 5.3.5
 Rule missing_readings;          // 5.3.2 to 5.3.5
+Rule runs_left_out;             // 5.3.2 to 5.3.5
+Rule runs_in_blocks;            // 5.3.2 to 5.3.5
 Rule more_than_five_turns;      // 5.3.5
 Rule cycle_declared_otherwise;  // 5.3.2
 Rule additional_test;           // 5.3.3, 5.3.5

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "axiometry/base/rounded_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
@@ -19,7 +19,7 @@
 namespace axiometry::iso230_2::rules {
 namespace {
 
-constexpr double least_change = 0.01;  // of a parameter, relative, that is worth a word
+constexpr double least_change = 0.01;  // smallest relative change of a parameter that is told
 constexpr double of_rounding = 1e-9;   // µm or ″: no reading tells it, but sums of equal ones may be off by as much
 
 /// "R↑ would be 2.1 µm instead of 9.7 µm", of the parameter that changes most; "" where none does.
@@ -30,7 +30,7 @@ Message without_text(const Case& c, const AxisParameters& without) {
     const auto& before = c.evaluation.parameters.*parameter.member;
     const auto& after = without.*parameter.member;
     if (!before || !after || !(std::abs(before->in_native()) > 0.0)) continue;
-    if (size_text(after->in_native()) == size_text(before->in_native())) continue;  // of rounding
+    if (size_text(after->in_native()) == size_text(before->in_native())) continue;  // the change is rounding
     const double change = std::abs(after->in_native() / before->in_native() - 1.0);
     if (change > largest && parameter.member != &AxisParameters::B_mean) largest = change, most = &parameter;
   }

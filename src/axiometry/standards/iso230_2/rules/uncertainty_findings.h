@@ -11,6 +11,8 @@ namespace axiometry::iso230_2 {
 /// What must be known of the uncertainty once its methods have run:
 /// - E_VE against the readings: as noise from reading to reading it would scatter them more than they do (WithinRuns,
 ///   p < 0.001). Where that kind was stated the statement counts no more, and is told as missing; else it is a note.
+/// - E_VE as noise that is not small against the scatter, of which Annex A and the GUM see less than it does to A and
+/// R;
 /// - a Monte Carlo run that states no interval, and why;
 /// - a measurand that the method of record does not know: Annex A is for the value of this test.
 ///

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry::iso230_2::scatter {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 using numeric::AdditiveFit;
 using numeric::fit_additive;
 
-constexpr std::size_t least_readings = 3;    // of a cell, of which one can be told from the others
-constexpr std::size_t outliers_at_most = 5;  // of a direction: more are a matter of the scatter
+constexpr std::size_t least_readings = 3;    // readings of a cell by which one can be told from the others
+constexpr std::size_t outliers_at_most = 5;  // most in one direction; more are a matter of the scatter
 constexpr double worth_a_look = 3.0;         // robust standard deviations, before anything is computed
 
 /// Both tails of Student's t for a residual among others: `square` of it, freed of how much of the scatter its level
@@ -31,7 +31,10 @@ double two_tails(double square, double rest, double degrees) {
 bool surely_above(double level, double looks, double square, double rest, double degrees) {
   if (degrees < 2.0 || square <= 0.0) return looks > level;
   if (rest <= 0.0) return false;
-  return looks * std::erfc(std::sqrt(0.5 * square * (degrees - 1.0) / rest)) > 1.000001 * level;
+  // Within three standard deviations erfc() need not be asked: it is 0.0026998 there, and more before.
+  const double t_squared_rest = square * (degrees - 1.0);
+  if (t_squared_rest <= 9.0 * rest && looks * 0.002699 > level) return true;
+  return looks * std::erfc(std::sqrt(0.5 * t_squared_rest / rest)) > 1.000001 * level;
 }
 
 /// |e| less what rounding may have done to the reading, by how much of its own scatter a residual keeps.
@@ -47,14 +50,14 @@ bool worth_looking(const AdditiveFit& fit) {
   for (double e : fit.residuals)
     if (std::abs(e) > largest) largest = std::abs(e);
   std::size_t small = 0;
-  for (double e : fit.residuals) small += largest > worth_a_look * (1.4826 * std::abs(e)) ? 1 : 0;  // never of NaN
+  for (double e : fit.residuals) small += largest > worth_a_look * (1.4826 * std::abs(e)) ? 1 : 0;  // false for NaN
   return small > fit.count / 2;
 }
 
 /// The residual that stands out most, and what tells how probable it is.
 struct Outlying {
   Place at;
-  double square = 0.0;  ///< of two_tails(), like the next two
+  double square = 0.0;  ///< arguments of two_tails(): this and the next two
   double rest = 0.0;
   double degrees = 0.0;
   double looks = 0.0;
@@ -66,10 +69,16 @@ struct Outlying {
 std::optional<Outlying> most_outlying(const AdditiveFit& fit, const Rounding& rounding) {
   std::optional<Place> worst;
   double largest = 0.0;
+  std::size_t shortest = fit.count;  // column that is looked at
+  for (std::size_t n : fit.column_counts)
+    if (n >= least_readings) shortest = std::min(shortest, n);
+  const double column_share = 1.0 - 1.0 / static_cast<double>(shortest);
   for (std::size_t i = 0; i < fit.levels.size(); ++i) {
     if (fit.row_counts[i] < least_readings) continue;
+    const double least_share = (1.0 - 1.0 / static_cast<double>(fit.row_counts[i])) * column_share;
     for (std::size_t j = 0; j < fit.columns; ++j) {
       const double e = fit.row(i)[j];
+      if (worst && e * e < 0.999999 * least_share * largest) continue;  // surely smaller, and no division
       if (std::isnan(e) || fit.column_counts[j] < least_readings) continue;
       const double size = e * e / fit.share(i, j);
       if (worst && size <= largest) continue;

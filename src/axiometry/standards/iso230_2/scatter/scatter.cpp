@@ -33,10 +33,10 @@ using scatter::rows_of;
 
 constexpr std::array<Direction, 2> each_direction = {Direction::up, Direction::down};
 constexpr double gone = std::numeric_limits<double>::quiet_NaN();
-constexpr double pooled_share = 3.0 / 4;     // of the level for outliers; the rest is for cells alone
-constexpr double much_wider = 1.5;           // s of a part of the test by that of the rest
-constexpr double shifts_worth_a_word = 0.5;  // variance between runs by that within
-constexpr double ordered_by_chance = 0.02;   // of runs that only rise or only fall
+constexpr double pooled_share = 3.0 / 4;     // share of the significance level for outliers; single cells have the rest
+constexpr double much_wider = 1.5;           // s of a part of the test divided by s of the rest
+constexpr double shifts_worth_a_word = 0.5;  // variance between runs divided by that within runs
+constexpr double ordered_by_chance = 0.02;   // probability of runs that only rise or only fall
 
 std::size_t index(Direction d) { return static_cast<std::size_t>(d); }
 
@@ -336,16 +336,15 @@ ScatterStudy scatter_study(const Series& series, double step) {
       study.outliers.push_back(reading_of(series, d, {c.at, 2.0 * c.p}, fits[index(d)]));
 
   std::array<AdditiveFit, 2> others;  // the last one that was asked for
-  const auto fits_without_outliers = [&](const Tables& cleaned_tables) -> const std::array<AdditiveFit, 2>& {
-    return study.outliers.empty() ? fits : others = fits_of(cleaned_tables, runs);
+  const auto fits_without_outliers = [&]() -> const std::array<AdditiveFit, 2>& {
+    return study.outliers.empty() ? fits : others = fits_of(cleaned(tables, study.outliers, runs), runs);
   };
-  const Tables without = cleaned(tables, study.outliers, runs);
-  const CellVariances variances = cell_variances(without, series.target_count(), runs);
+  const CellVariances variances = cell_variances(cleaned(tables, study.outliers, runs), series.target_count(), runs);
   UnevenSearch search(variances, rounding);
   search.look_at_directions();
   search.look_at_stretches();
   // One gross error shifts what its run lets expect everywhere: cells are looked at without it.
-  const std::array<AdditiveFit, 2>& fits_without = fits_without_outliers(without);
+  const std::array<AdditiveFit, 2>& fits_without = fits_without_outliers();
   search.look_at_cells(fits_without);
   study.uneven = search.found();
 
@@ -366,7 +365,7 @@ ScatterStudy scatter_study(const Series& series, double step) {
   std::ranges::sort(study.outliers, {}, [](const OutlyingReading& o) {
     return std::array{index(o.direction), o.target, o.run};
   });
-  study.shifts = shifts_between(fits_without_outliers(cleaned(tables, study.outliers, runs)), rounding);
+  study.shifts = shifts_between(fits_without_outliers(), rounding);
   return study;
 }
 

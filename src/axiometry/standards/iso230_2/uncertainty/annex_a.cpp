@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_inputs.h"
 #include "axiometry/standards/iso230_2/uncertainty/annex_a_positions.h"
+#include "axiometry/standards/iso230_2/uncertainty/annex_a_repeatability.h"
 #include "axiometry/standards/readings/artefact.h"
 #include "axiometry/standards/readings/reading_change.h"
 #include "axiometry/standards/readings/station_offset.h"
@@ -19,9 +19,7 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-// 0.6 stands for 1/√3: half the range, rectangular (divided by √3), expanded by k = 2.
-constexpr double expanded_per_range = 0.6;
-// Half of the above: the cosine error of a misalignment R over L is R²/2L.
+// Half of expanded_per_range: the cosine error of a misalignment R over L is R²/2L.
 constexpr double expanded_per_squared_misalignment = 0.3;
 constexpr double length_limit_m = 2.0;        // A.2.6 holds up to here
 constexpr double absurd_uncertainty = 1e100;  // µm or ″
@@ -271,7 +269,7 @@ class AnnexABudget {
   std::span<const Position> targets_;
   std::optional<StationOffset> station_;
   bool linear_ = true;
-  bool artefact_ = false;  // in place of the device (Annex D)
+  bool artefact_ = false;  // an artefact in place of the device (Annex D)
   Input length_;
   std::vector<std::string> notes_;
 };
@@ -279,19 +277,6 @@ class AnnexABudget {
 std::optional<Deviation> find_U(const std::vector<Contributor>& budget, std::string_view key) {
   const auto row = std::ranges::find(budget, key, &Contributor::key);
   return row == budget.end() ? std::nullopt : row->U;
-}
-
-struct RepeatabilityFactors {  // of U_EVE in (A.11) and (A.14)
-  double unidirectional = 2.0, bidirectional = 2.2;
-};
-
-/// As printed; of an environment that is stated to vary slowly, one swing of E_VE over the test
-/// (docs/theory/annex-a.md).
-RepeatabilityFactors repeatability_factors(std::size_t runs, bool slow) {
-  if (!slow || runs < 2) return {};
-  const auto n = double(runs);
-  const double swing = std::numbers::sqrt2 / expanded_per_range * std::sqrt(n / (n - 1.0));
-  return {swing, swing + 1.0 / (expanded_per_range * n)};
 }
 
 /// (A.11) to (A.19) for the parameters that exist. A parameter of whose contributors none is known has no U.
@@ -345,7 +330,12 @@ std::vector<std::string> general_notes(const AnnexA& annex, const Metadata& meta
     notes.push_back(
         "U_M,DEVICE and U_E,DEVICE count as zero: right if the statement about the device includes its temperature, or "
         "if the device takes the temperature of the machine (A.6, A.8)");
-  if (annex.runs != 5 && annex.runs != 1)
+  if (annex.runs > 1 && annex.runs < 5 && !annex.slow_environment)
+    notes.push_back(
+        fmt::format("For n = {} the factors printed for n = 5 and n = 1 are generalised: U_EVE²/n in A.15, U_EVE²/2n "
+                    "in A.16, 2 U_EVE/√n in A.12, 4 U_EVE/√(n − 1) in A.11, and both of these in A.14",
+                    annex.runs));
+  else if (annex.runs != 5 && annex.runs != 1)
     notes.push_back(
         fmt::format("For n = {} the factors printed for n = 5 and n = 1 are generalised: U_EVE²/n in A.15, U_EVE²/2n "
                     "in A.16, 2 U_EVE/√n in A.12; those of A.11 and A.14 are kept",

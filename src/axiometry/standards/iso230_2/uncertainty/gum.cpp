@@ -253,7 +253,7 @@ GumParameter propagate_parameter(const GumModel& model, const ParameterBudget& b
 /// Of the targets that share an extreme, those whose budget has the largest u; the first of equal ones.
 GumParameter widest(const GumModel& model, const Series& series, const Evaluation& evaluation,
                     const std::vector<Gradient>& tied) {
-  constexpr double larger = 1.0 + 1e-9;  // more than what another order of summing makes of one budget
+  constexpr double larger = 1.0 + 1e-9;  // more than another order of summing changes a budget
   GumParameter result;
   for (const Gradient& gradient : tied) {
     GumParameter parameter = propagate_parameter(model, ParameterBudget(model, series, evaluation, gradient));
@@ -299,7 +299,7 @@ void add_notes(GumUncertainty& result, const GumModel& model, const Evaluation& 
         "The length difference of the station grows with the square of its offset: to first order the squares are "
         "inputs with a mean and a standard deviation; the readings are not corrected for the mean, which counts as a "
         "source of its own");
-  result.position_notes = result.notes.size();  // of what follows nothing is of positions
+  result.position_notes = result.notes.size();  // the notes up to here concern the positions
   const bool single = std::ranges::any_of(evaluation.positions,
                                           [](const PositionResult& p) { return p.count_up == 1 || p.count_down == 1; });
   if (model.measurand == Measurand::this_machine && single)

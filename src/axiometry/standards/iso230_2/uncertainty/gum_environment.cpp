@@ -11,7 +11,7 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr double range_per_sd = 3.4641016151377544;  // √12, of a uniform distribution
+constexpr double range_per_sd = 3.4641016151377544;  // range over standard deviation of a uniform distribution: √12
 
 double squared_norm(const EnvironmentModes& modes, const WeightedReadings& sum) {
   double squares = 0.0;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axiometry/numeric/distributions/special_functions.h"
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/standards/readings/alignment.h"
 #include "axiometry/standards/readings/thermal_expansion.h"
 

@@ -91,7 +91,7 @@ PositionComponents components(const GumModel& model, const Series& series, const
   ComponentSum sum;
   if (model.takes_scatter(cell.n)) {
     const double n = static_cast<double>(cell.n);
-    const double f_t_of_s = model.expansion_in_readings ? f_t : 1.0;  // else s has it already
+    const double f_t_of_s = model.expansion_in_readings ? f_t : 1.0;  // otherwise s contains it already
     const double u = f_t_of_s * f_a * cell.s / std::sqrt(n);
     squares.approaches = u * u;
     sum.add({u, n - 1.0});

@@ -162,7 +162,7 @@ TEST(Judge, FindsTheWorstOfAllVerdicts) {
 /// 5 µm on lengths, nothing on what repeats.
 UncorrectedEffect expansion(double um) {
   return {"expansion", "thermal expansion, about 5 µm over the travel,", Deviation::native(um), Deviation::native(0),
-          "--correct nde"};
+          "the correction for thermal expansion"};
 }
 
 TEST(Judge, WithholdsEveryVerdictOnAValueThatHoldsAnUncorrectedEffect) {
@@ -178,10 +178,9 @@ TEST(Judge, WithholdsEveryVerdictOnAValueThatHoldsAnUncorrectedEffect) {
       EXPECT_FALSE(judgement.decision.probability_range);
       EXPECT_FALSE(judgement.acceptance_limit());
       EXPECT_FALSE(judgement.rejection_limit());
-      EXPECT_EQ(
-          judgement.withheld,
-          "thermal expansion, about 5 µm over the travel, is neither corrected nor in the uncertainty; --correct nde "
-          "mends that");
+      EXPECT_EQ(judgement.withheld,
+                "thermal expansion, about 5 µm over the travel, is neither corrected nor in the uncertainty; the "
+                "correction for thermal expansion mends that");
     }
   }
   EXPECT_EQ(verdict("B_mean", 3.5, {Kind::iso_14253_1}, with), Verdict::conforms);  // does not act on it

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axiometry/base/go_on_unless.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/volumetric/identify/curvature_penalty.h"
 
@@ -20,7 +21,7 @@ constexpr std::size_t steps_most = 60;
 constexpr std::size_t small_steps_most = 200;
 constexpr double small_step = 1.0, near_enough = 1e-2;
 constexpr double moved_far_mm = 1.0;
-constexpr double slow = 0.2;  // of one step to the next; 1e-4 is usual
+constexpr double slow = 0.2;  // ratio of one step to the one before; 1e-4 is usual
 constexpr int halvings_most = 10;
 constexpr double huber_limit = 2.0;
 
@@ -64,12 +65,14 @@ Look look(const Problem& problem, const State& state) {
 }  // namespace
 
 Result<Fit> least_squares(const Problem& problem, State state) {
+  AXIOMETRY_TRY_VOID(go_on_unless(problem.stop));
   Look now = look(problem, state);
   std::vector<Vector3> linearised_at = state.stations_mm;
   LinearSolution solution = linear_solution(problem, state, normal_equations(problem, now.seen));
   double before = 0.0;
   std::size_t step_number = 1;
   for (; step_number <= small_steps_most; ++step_number) {
+    AXIOMETRY_TRY_VOID(go_on_unless(problem.stop));
     std::vector<double> step = solution.step(now.seen.gradient);
     double decrease = 0.0;
     for (std::size_t k = 0; k < step.size(); ++k) decrease += step[k] * now.seen.gradient[k];

@@ -96,7 +96,7 @@ double largest_eigenvalue(Index n, const Apply& apply) {
   constexpr Index looks_every = 8;
   MatrixXd basis(n, n);
   VectorXd diagonal(n), beside(n), v(n);
-  for (Index i = 0; i < n; ++i) v[i] = 1.0 + std::sin(1.0 + 2.0 * static_cast<double>(i));  // nothing's eigenvector
+  for (Index i = 0; i < n; ++i) v[i] = 1.0 + std::sin(1.0 + 2.0 * static_cast<double>(i));  // near no eigenvector
   v.normalize();
   for (Index k = 0;; ++k) {
     basis.col(k) = v;
@@ -137,7 +137,7 @@ struct LinearSolution::Factors {
   Coefficients coefficients;
   std::size_t raw_columns = 0;
   Scaled scaled;
-  MatrixXd nulls;       ///< orthonormal, of scaled columns; may have no column
+  MatrixXd nulls;       ///< orthonormal null directions of the scaled columns; may have no column
   MatrixXd directions;  ///< the null directions as they were given
   Eigen::LLT<MatrixXd> cholesky;
 
@@ -209,7 +209,7 @@ std::size_t LinearSolution::null_directions() const { return static_cast<std::si
 
 double LinearSolution::condition() const {
   const Factors& f = *factors_;
-  const Index n = f.scaled.matrix.rows();  // null directions have 1, which is between the others
+  const Index n = f.scaled.matrix.rows();  // the eigenvalue 1 of null directions lies between the extremes
   const double most = largest_eigenvalue(
       n, [&](const VectorXd& v) -> VectorXd { return f.cholesky.matrixL() * (f.cholesky.matrixU() * v); });
   const double least_inverse =
@@ -235,7 +235,7 @@ std::vector<double> LinearSolution::coefficient_covariance() const {
   std::vector<double> raw = f.coefficients.raw_covariance(covariance);
   for (std::size_t i = 0; i < f.coefficients.raw(); ++i) {
     double& variance = raw[i * f.coefficients.raw() + i];
-    variance = std::max(0.0, variance);  // of null directions rounding leaves 1e-16 of either sign
+    variance = std::max(0.0, variance);  // rounding leaves ±1e-16 along null directions
   }
   return raw;
 }
@@ -259,7 +259,7 @@ std::vector<Matrix3> LinearSolution::blocks(std::span<const std::size_t> columns
     for (std::size_t b = 0; b < some.size(); ++b) {
       const auto own = y.middleCols<width>(width * static_cast<Index>(b));
       Eigen::Matrix3d inverse = own.transpose() * own;
-      if (f.nulls.cols() > 0) {  // rows of no columns begin nowhere
+      if (f.nulls.cols() > 0) {  // a matrix without columns has no first entry
         const auto nulls = f.nulls.middleRows<width>(first[b]);
         inverse -= nulls * nulls.transpose();
       }
@@ -310,7 +310,7 @@ std::vector<std::size_t> LinearSolution::unseen_errors() const {
 NullDirections null_directions(const Coefficients& coefficients, NormalEquations equations) {
   const Scaled s = scaled(coefficients, std::move(equations));
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(s.matrix);
-  const VectorXd& values = solver.eigenvalues();  // rising
+  const VectorXd& values = solver.eigenvalues();  // ascending
   NullDirections nulls;
   for (Index k = 0; k < values.size() && values[k] < null_most; ++k) {
     const double deviation = 1.0 / std::sqrt(std::max(values[k], rounded_zero));

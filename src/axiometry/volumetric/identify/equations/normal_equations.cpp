@@ -31,7 +31,7 @@ void for_chunks(const Problem& problem, const Work& work) {
 void add_times(const Problem& problem, const BeamRow& beam, std::size_t i, Vector3 u, double factor,
                std::vector<double>& sum) {
   beam.add_times(u, factor, sum);
-  const Stretch& stretch = problem.unknowns.stretches[problem.unknowns.stretch_of[i]];
+  const BeamStretch& stretch = problem.unknowns.stretches[problem.unknowns.stretch_of[i]];
   const std::size_t station = problem.unknowns.stations[stretch.virtual_station].column;
   for (std::size_t k = 0; k < 3; ++k) sum[station + k] -= factor * u[k];
   sum[stretch.column] -= factor;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "axiometry/volumetric/curves/beam_row.h"
@@ -25,6 +26,7 @@ struct Problem {
   std::span<const double> weights;            ///< weight per reading: 1/σ², 1/µm²; 0 leaves it out
   std::size_t threads = 1;                    ///< does not change the result
   const CurvaturePenalty* penalty = nullptr;  ///< penalty of curves that are to be smooth
+  std::stop_token stop{};                     ///< no step begins any more
 
   Vector3 tool_mm(std::size_t i) const { return tools_mm[readings[i].tool]; }
 };

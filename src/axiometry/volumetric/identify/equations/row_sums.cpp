@@ -18,10 +18,10 @@ constexpr std::size_t border = squares + 5;  // squareness, −u, −1, place al
 constexpr std::size_t vector_entries = 8;    // doubles that the widest vectors hold
 
 struct Placed {
-  std::uint32_t place = 0;  ///< alike: rows have the coefficients of their curves at the same columns
-  std::uint32_t at = 0;     ///< reading, from the first of its sum on
+  std::uint32_t place = 0;  ///< equal for rows whose curves have their coefficients in the same columns
+  std::uint32_t at = 0;     ///< index of the reading, counted from the first of its sum
 };
-constexpr unsigned place_bits = 10;  // of each axis: span (below 400), and whether it has a direction
+constexpr unsigned place_bits = 10;  // bits for each axis: its span (below 400), and whether it has a direction
 
 /// Readings that count, those of the same spans of all axes together, else as they come. By digits: its time grows with
 /// the readings alone.
@@ -74,7 +74,7 @@ class RowBlock {
   struct Curve {
     std::size_t column = 0;
     std::size_t count = 0;
-    std::size_t offset = 0;  ///< in a row of the block
+    std::size_t offset = 0;  ///< offset in a row of the block
   };
 
   void fill(std::size_t first_reading, std::span<const Placed> alike) {
@@ -118,7 +118,7 @@ class RowBlock {
   }
 
   /// Rows `begin` to before `end` of the block, which are of one stretch.
-  void add_border(std::size_t begin, std::size_t end, const Stretch& stretch) {
+  void add_border(std::size_t begin, std::size_t end, const BeamStretch& stretch) {
     std::fill_n(border_.begin(), border * stride_, 0.0);
     const double* first = values_.data() + begin * stride_;
     numeric::add_outer_sums({first + curves_width_, border, first, curves_width_ + border, end - begin, stride_},

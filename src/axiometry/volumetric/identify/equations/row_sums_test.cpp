@@ -23,7 +23,7 @@ std::vector<double> dense_row(const Problem& problem, Vector3 u, std::size_t i) 
   beam.along(u);
   for (const BeamRow::Piece& piece : beam.pieces())
     for (std::size_t k = 0; k < piece.count; ++k) row[piece.first + k] = piece.values[k];
-  const Stretch& stretch = problem.unknowns.stretches[problem.unknowns.stretch_of[i]];
+  const BeamStretch& stretch = problem.unknowns.stretches[problem.unknowns.stretch_of[i]];
   const std::size_t station = problem.unknowns.stations[stretch.virtual_station].column;
   for (std::size_t k = 0; k < 3; ++k) row[station + k] = -u[k];
   row[stretch.column] = -1.0;

@@ -31,7 +31,7 @@ CurveBasis judging_basis(const Problem& problem, std::size_t axis) {
 Unknowns with_coefficients(Unknowns unknowns, std::size_t coefficients) {
   const auto moved = [&](std::size_t column) { return column - unknowns.coefficients + coefficients; };
   for (VirtualStation& station : unknowns.stations) station.column = moved(station.column);
-  for (Stretch& stretch : unknowns.stretches) stretch.column = moved(stretch.column);
+  for (BeamStretch& stretch : unknowns.stretches) stretch.column = moved(stretch.column);
   unknowns.columns = moved(unknowns.columns);
   unknowns.coefficients = coefficients;
   return unknowns;

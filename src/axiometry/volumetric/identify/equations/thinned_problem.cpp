@@ -32,15 +32,15 @@ ThinnedProblem::ThinnedProblem(const Problem& whole, std::span<const std::size_t
 }
 
 Problem ThinnedProblem::problem() const {
-  return {whole_.machine,  whole_.coefficients, unknowns_, readings_,
-          whole_.tools_mm, approaches_,         weights_,  whole_.threads};
+  return {whole_.machine, whole_.coefficients, unknowns_, readings_,  whole_.tools_mm, approaches_,
+          weights_,       whole_.threads,      nullptr,   whole_.stop};
 }
 
 std::vector<std::size_t> some_of_each_stretch(const Unknowns& unknowns, std::size_t wanted) {
   constexpr double few = 50.0;
   const double share = static_cast<double>(wanted) / static_cast<double>(unknowns.stretch_of.size());
   std::vector<double> rates;
-  for (const Stretch& stretch : unknowns.stretches) {
+  for (const BeamStretch& stretch : unknowns.stretches) {
     const double least = few / std::max(1.0, static_cast<double>(stretch.readings));
     const double rate = std::max(share, least);
     rates.push_back(rate < 1.0 ? 1.0 / (std::floor(1.0 / rate) + 1.0 / std::numbers::phi) : 1.0);

@@ -13,7 +13,7 @@ Unknowns unknowns_of(const Coefficients& coefficients, std::span<const Volumetri
   unknowns.coefficients = coefficients.raw();
   unknowns.drift = drift;
   std::map<std::tuple<std::size_t, std::size_t>, std::size_t> stations;
-  std::map<std::tuple<std::size_t, std::size_t>, std::size_t> stretches;  // of virtual station and segment, the newest
+  std::map<std::tuple<std::size_t, std::size_t>, std::size_t> stretches;  // newest of each station and segment
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const VolumetricReading& reading = readings[i];
     const auto [station, is_new_station] = stations.try_emplace({reading.station, reading.tool}, stations.size());
@@ -21,7 +21,7 @@ Unknowns unknowns_of(const Coefficients& coefficients, std::span<const Volumetri
     const auto [stretch, is_new] = stretches.try_emplace({station->second, reading.segment}, unknowns.stretches.size());
     if (!is_new && std::ranges::binary_search(breaks, i)) stretch->second = unknowns.stretches.size();
     if (stretch->second == unknowns.stretches.size()) unknowns.stretches.push_back({station->second, reading.segment});
-    Stretch& own = unknowns.stretches[stretch->second];
+    BeamStretch& own = unknowns.stretches[stretch->second];
     unknowns.along_stretch.push_back(static_cast<double>(own.readings++));
     unknowns.stretch_of.push_back(stretch->second);
   }
@@ -34,7 +34,7 @@ Unknowns unknowns_of(const Coefficients& coefficients, std::span<const Volumetri
     station.column = column;
     column += 3;
   }
-  for (Stretch& stretch : unknowns.stretches) {
+  for (BeamStretch& stretch : unknowns.stretches) {
     stretch.column = column;
     column += drift ? 2 : 1;
   }

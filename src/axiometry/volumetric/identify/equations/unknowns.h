@@ -22,7 +22,7 @@ struct VirtualStation {
 };
 
 /// Readings with one dead path: from one break of the beam to the next.
-struct Stretch {
+struct BeamStretch {
   std::size_t virtual_station = 0;
   std::size_t segment = 0;  ///< as the file has it
   std::size_t readings = 0;
@@ -33,7 +33,7 @@ struct Stretch {
 struct Unknowns {
   std::size_t coefficients = 0;
   std::vector<VirtualStation> stations;
-  std::vector<Stretch> stretches;
+  std::vector<BeamStretch> stretches;
   std::vector<std::size_t> stretch_of;  ///< stretch per reading
   std::vector<double> along_stretch;    ///< place per reading from −1/2 to 1/2, what a drift is multiplied by
   bool drift = false;

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 #include "axiometry/volumetric/identify/findings/mixed_days.h"
@@ -24,7 +24,7 @@ namespace {
 constexpr double aside_share_most = 0.02;
 constexpr double chance_least = 1e-3;
 constexpr double ratio_serious = 4.0;
-constexpr double decided_u_ratio = 1.4142135623730951;  // √2: half of what is known of a curve
+constexpr double decided_u_ratio = 1.4142135623730951;  // √2: smoothness then gives half of the information on a curve
 
 std::string place_text(const VolumetricLengths& lengths, std::size_t i) {
   const std::size_t line = lengths.readings[i].line;
@@ -291,7 +291,7 @@ void add_smoothness(const Identifier& done, const Identification& result, std::v
                         fmt::format("more is told of {} by the smoothness than by the lengths: by the lengths alone "
                                     "uncertainties would be up to {:.1f} times as large",
                                     error_list(decided), ratio)});
-  if (contradicted.empty()) {  // of curves that were flattened too far, what they bend tells less than was taken away
+  if (contradicted.empty()) {  // the bend of a curve that was flattened too far understates the bias
     add_bias(smoothed, false, findings);
     add_bias(smoothed, true, findings);
   } else {

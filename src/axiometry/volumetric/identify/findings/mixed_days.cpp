@@ -10,12 +10,11 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr std::size_t part_readings_least = 10;  // four of which its place and dead path take
-constexpr double days_chance_most = 1e-4;        // it is looked for unasked, in all lengths
-constexpr std::size_t strain_kinds = 6;
+constexpr std::size_t part_readings_least = 10;  // readings; the place and the dead path of the part take four unknowns
+constexpr double days_chance_most = 1e-4;        // low, since every set of lengths is searched unasked
+constexpr int kinds = 6;                         // components of strain: three scales, three squarenesses
 
-using Strains = Eigen::Matrix<double, static_cast<int>(strain_kinds), 1>;
-using PlaceRow = Eigen::Vector4d;  ///< and dead path
+using Strains = Eigen::Matrix<double, kinds, 1>;
 
 /// Readings of one station, tool and segment, earlier or later ones; where breaks of the beam were found does not
 /// matter.
@@ -37,10 +36,10 @@ std::size_t parted_at(std::span<const std::size_t> readings, std::span<const std
 }
 
 std::vector<SegmentPart> parts_of(const Problem& problem, std::span<const std::size_t> kept) {
-  const std::vector<Stretch>& stretches = problem.unknowns.stretches;
-  std::vector<std::size_t> segment_of_stretch;  // the first stretch of the same
+  const std::vector<BeamStretch>& stretches = problem.unknowns.stretches;
+  std::vector<std::size_t> segment_of_stretch;  // first stretch of the same segment
   for (std::size_t j = 0; j < stretches.size(); ++j) {
-    const auto is_same = [&](const Stretch& other) {
+    const auto is_same = [&](const BeamStretch& other) {
       return other.virtual_station == stretches[j].virtual_station && other.segment == stretches[j].segment;
     };
     segment_of_stretch.push_back(
@@ -72,32 +71,32 @@ Strains strain_row(const Problem& problem, std::size_t i, Vector3 u, Vector3 mid
 
 /// Sums over the parts, of strains of which nothing is left that a place or a dead path of a part could do.
 struct StrainSums {
-  Eigen::Matrix<double, static_cast<int>(strain_kinds), static_cast<int>(strain_kinds)> matrix =
-      decltype(matrix)::Zero();
+  Eigen::Matrix<double, kinds, kinds> matrix = decltype(matrix)::Zero();
   Strains right = Strains::Zero();
-  double of_places = 0.0;  ///< by which χ² falls by these
+  double of_places = 0.0;  ///< fall of χ² by places and dead paths of the parts alone
 };
 
 void add_part(const Problem& problem, const Fit& fit, const SegmentPart& part, Vector3 middle_mm, StrainSums& sums) {
   Eigen::Matrix4d places = Eigen::Matrix4d::Zero();
-  PlaceRow of_residuals = PlaceRow::Zero();
-  Eigen::Matrix<double, 4, static_cast<int>(strain_kinds)> of_strains = decltype(of_strains)::Zero();
+  // Of the strains, then of the residuals.
+  Eigen::MatrixXd rights = Eigen::MatrixXd::Zero(4, kinds + 1);
   for (const std::size_t i : part.readings) {
     const Vector3 u = fit.beams[i];
-    const PlaceRow place(u.x, u.y, u.z, 1.0);
+    const Eigen::Vector4d place(u.x, u.y, u.z, 1.0);  // three coordinates of the station and its dead path
     const double w = problem.weights[i];
     const Strains strain = part.sign * strain_row(problem, i, u, middle_mm);
     places += w * place * place.transpose();
-    of_residuals += w * fit.residuals_um[i] * place;
-    of_strains += w * place * strain.transpose();
+    rights.leftCols<kinds>() += w * place * strain.transpose();
+    rights.col(kinds) += w * fit.residuals_um[i] * place;
     sums.matrix += w * strain * strain.transpose();
     sums.right += w * fit.residuals_um[i] * strain;
   }
   // Where readings do not tell all of a place, neither sum holds anything of what they do not tell.
-  const Eigen::LDLT<Eigen::Matrix4d> solved(places);
-  sums.matrix -= of_strains.transpose() * solved.solve(of_strains);
-  sums.right -= of_strains.transpose() * solved.solve(of_residuals);
-  sums.of_places += std::max(0.0, of_residuals.dot(solved.solve(of_residuals)));
+  const Eigen::LDLT<Eigen::MatrixXd> solved(places);
+  const Eigen::MatrixXd held = rights.transpose() * Eigen::MatrixXd(solved.solve(rights));
+  sums.matrix -= held.topLeftCorner<kinds, kinds>();
+  sums.right -= held.col(kinds).head<kinds>();
+  sums.of_places += std::max(0.0, held(kinds, kinds));
 }
 
 }  // namespace
@@ -114,12 +113,12 @@ void add_mixed_days(const Identifier& done, std::vector<VolumetricFinding>& find
   for (const SegmentPart& part : parts) add_part(problem, done.fit(), part, middle_mm, sums);
   const double largest = sums.matrix.diagonal().maxCoeff();
   if (!(largest > 0.0)) return;
-  constexpr double none_of_largest = 1e-12;  // of an axis that stood still rounding alone is left
+  constexpr double none_of_largest = 1e-12;  // below this share an axis stood still and only rounding is left
   const Strains scale = sums.matrix.diagonal().unaryExpr(
       [&](double squares) { return squares > none_of_largest * largest ? 1.0 / std::sqrt(squares) : 0.0; });
   const Eigen::MatrixXd scaled = scale.asDiagonal() * sums.matrix * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(scaled);
-  constexpr double told_least = 1e-3;  // eigenvalue of the scaled matrix
+  constexpr double told_least = 1e-3;  // smallest eigenvalue of the scaled matrix that counts as told
   const Eigen::VectorXd right = scale.cwiseProduct(sums.right);
   const Eigen::VectorXd along = solved.eigenvectors().transpose() * right;
   Gained gained;

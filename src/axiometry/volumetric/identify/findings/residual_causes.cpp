@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
 #include "axiometry/volumetric/identify/findings/reversal_causes.h"
@@ -20,7 +20,7 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr double strain_serious_ratio = 4.0;  // χ²/ν, as of all scatter
+constexpr double strain_serious_ratio = 4.0;  // χ²/ν, the limit that holds for all scatter
 constexpr std::size_t strain_readings_least = 20;
 constexpr std::size_t strained_stretches_most = 60;
 
@@ -74,7 +74,7 @@ struct StrainGain {
 /// g (SᵀWS − SᵀWJ N⁻¹ JᵀWS)⁻¹ gᵀ, g = SᵀWv, with S the strains of every stretch and J what was fitted. What all have
 /// in common is in the curves, and is no gain.
 StrainGain strain_gain(const Problem& some, const Fit& fit, Vector3 middle_mm, std::span<const std::size_t> stretches) {
-  constexpr double told_least = 1e-6;  // eigenvalue of the scaled matrix
+  constexpr double told_least = 1e-6;  // smallest eigenvalue of the scaled matrix that counts as told
   const auto columns = static_cast<Eigen::Index>(strain_count * stretches.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(columns, columns);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(columns);
@@ -144,7 +144,7 @@ std::optional<VolumetricFinding> changed_axes(const Identifier& done, const Volu
   const StrainGain gain = strain_gain(some, tried.fit, middle_mm, stretches);
   const double left = own.degrees_of_freedom - static_cast<double>(gain.unknowns);
   if (left < 1.0 || !explains({own.chi_squared - gain.chi_squared, left}, own)) return std::nullopt;
-  const Stretch& stretch = some.unknowns.stretches[gain.worst_stretch];
+  const BeamStretch& stretch = some.unknowns.stretches[gain.worst_stretch];
   const VirtualStation& station = some.unknowns.stations[stretch.virtual_station];
   return VolumetricFinding{
       "volumetric-axes-changed", own.ratio() > strain_serious_ratio,

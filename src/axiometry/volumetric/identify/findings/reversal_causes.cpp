@@ -16,9 +16,9 @@
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr double usual_lever_m = 0.3;  // by which rotations are held against displacements
+constexpr double usual_lever_m = 0.3;  // lever by which rotations are compared with displacements
 constexpr double varies_chance_most = 1e-3;
-constexpr double reversal_chance_most = 1e-4;  // it is looked for unasked, in all lengths
+constexpr double reversal_chance_most = 1e-4;  // low, since every set of lengths is searched unasked
 constexpr double worth_a_fit = 1e-2;
 constexpr std::size_t half_count = axis_count * motion_count;
 
@@ -90,7 +90,7 @@ HalfRow half_row(const Problem& problem, std::size_t i, const Approaches& approa
 /// stations hold of them makes S less. So a chance by this is too large, at the price of no fit.
 double least_gain(const Problem& problem, const Fit& fit, std::span<const Approaches> approaches,
                   std::span<const std::size_t> kept) {
-  constexpr double told_least = 1e-6;  // eigenvalue of the scaled matrix
+  constexpr double told_least = 1e-6;  // smallest eigenvalue of the scaled matrix that counts as told
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(half_count, half_count);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(half_count);
   for (const std::size_t i : kept) {
@@ -159,7 +159,7 @@ std::optional<VolumetricFinding> reversal_beyond_chance(const Identifier& done, 
 class Variations {
  public:
   Variations(const Coefficients& curves, const Fit& fit) : curves_(curves) {
-    std::vector<std::vector<double>> rows;  // raw coefficients that make each, one behind the other
+    std::vector<std::vector<double>> rows;  // each row: the raw coefficients of one variation
     for (std::size_t e = 0; e < half_count; ++e) {
       first_.push_back(static_cast<Eigen::Index>(rows.size()));
       for (const std::vector<double>& contrast : contrasts_of(curves.basis(axis_of(e)))) rows.push_back(contrast);

@@ -6,16 +6,16 @@
 #include <cmath>
 #include <optional>
 
-#include "axiometry/base/number_text.h"
-#include "axiometry/base/text.h"
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/text.h"
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/identify/findings/findings.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
 
-constexpr double offset_told_mm = 0.5;          // reflectors are set up to this
-constexpr double offset_serious_mm = 5.0;       // times 50 µrad: a quarter of a micrometre
+constexpr double offset_told_mm = 0.5;          // reflectors are mounted to within this
+constexpr double offset_serious_mm = 5.0;       // with a rotation of 50 µrad a quarter of a micrometre
 constexpr double place_told_mm = 50.0;          // where a station is said to stand is often read off a tape
 constexpr double looks_like_inches_mm = 120.0;  // 3 m are 118 inches, and nobody calibrates a volume so small
 constexpr double moved_statistic = 45.0;        // χ² of four unknowns: by chance once in 10⁸

@@ -15,7 +15,7 @@ namespace axiometry::volumetric::detail {
 namespace {
 
 constexpr std::size_t tried_readings_most = 20'000;
-constexpr double share_least = 0.8;  // of what χ² has too much
+constexpr double share_least = 0.8;  // share of the excess of χ² that a cause must explain
 
 FitQuality quality_of(const Fit& fit, std::span<const double> weights) {
   const std::size_t told = fit.solution.told();

@@ -1,0 +1,1 @@
+import{y as o}from"./app.js";const m=o([]);export{m as h};
