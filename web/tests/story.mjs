@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { edit_field, save_version, shows_version, uncertainties } from './steps.mjs';
-import { downloaded, example, shows } from './world.mjs';
+import { downloaded, example, is_gone, shows } from './world.mjs';
 
 export const story = {
   async 'from an empty store to an issued report'(world) {
@@ -54,7 +54,7 @@ export const story = {
     await page.goto('/');
     await page.getByRole('button', { name: 'Load the examples' }).click();
     await shows(page.locator('.test-list'), /iso230-2-table2/);
-    assert.equal(await page.getByRole('button', { name: 'Load the examples' }).count(), 0);
+    await is_gone(page.getByRole('button', { name: 'Load the examples' }));
     const { total } = await world.api('GET', '/api/tests');
     await shows(page.locator('footer'), `${total} tests`);
   },

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { downloaded, shows } from './world.mjs';
+import { downloaded, is_gone, shows } from './world.mjs';
 
 const bytes = readFileSync(fileURLToPath(new URL('../../tests/transcripts/temperatures.files/hall.csv', import.meta.url)));
 const panel_of = (page) => page.locator('.surroundings-panel');
@@ -72,7 +72,7 @@ export const surroundings = {
     const air = panel_of(page).getByLabel(/^Sensor Luft.* is of$/);
     await air.selectOption('none');
     await shows(panel_of(page), /Highest temperature of the air\s*(?!22)\S/);
-    assert.equal(await panel_of(page).getByText('22.93 °C').count(), 0);
+    await is_gone(panel_of(page).getByText('22.93 °C'));
     await air.selectOption('air');
     await shows(panel_of(page), /Highest temperature of the air\s*22\.93 °C/);
   },
@@ -96,7 +96,7 @@ export const surroundings = {
     await shows(page.locator('main'), /expected a temperature log/);
     await panel_of(page).getByRole('button', { name: 'Without the log' }).click();
     await shows(panel_of(page), 'Add a temperature log');
-    assert.equal(await page.locator('main').getByText(/expected a temperature log/).count(), 0);
+    await is_gone(page.locator('main').getByText(/expected a temperature log/));
     assert.equal((await world.api('GET', `/api/tests/${id}`)).versions.length, 1);
   },
 };

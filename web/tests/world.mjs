@@ -157,6 +157,27 @@ export async function shows(locator, wanted, patience = patience_ms) {
   throw new Error(`found the text ${JSON.stringify(found.slice(0, 1500))}, expected ${wanted}`);
 }
 
+/** Waits until an attribute says so: what a page draws before its answers came may have it too, with less in it. */
+export async function attribute_shows(locator, name, wanted, patience = patience_ms) {
+  const end = Date.now() + patience;
+  let found = null;
+  do {
+    found = await locator.getAttribute(name);
+    if (wanted.test(found ?? '')) return;
+    await new Promise((later) => setTimeout(later, 40));
+  } while (Date.now() < end);
+  throw new Error(`found ${name}=${JSON.stringify(found)}, expected ${wanted}`);
+}
+
+/** Waits until nothing of it is there: what a page was told before stands until the next answer has come. */
+export async function is_gone(locator, patience = patience_ms) {
+  const end = Date.now() + patience;
+  while ((await locator.count()) > 0) {
+    if (Date.now() > end) throw new Error(`found ${JSON.stringify(await locator.first().innerText())}, expected it to be gone`);
+    await new Promise((later) => setTimeout(later, 40));
+  }
+}
+
 /** The bytes that a click downloads, and their suggested name. */
 export async function downloaded(page, click) {
   const [download] = await Promise.all([page.waitForEvent('download'), click()]);
