@@ -134,7 +134,7 @@ Response download(std::string body, std::string_view content_type, std::string_v
       '_');
   std::string plain = safe;
   std::ranges::replace_if(
-      plain, [](char c) { return c < ' '; }, '_');
+      plain, [](char c) { return static_cast<unsigned char>(c) > 0x7E; }, '_');
   return {.content_type = std::string(content_type),
           .body = std::move(body),
           .headers = {{"Content-Disposition",

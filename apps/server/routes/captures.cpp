@@ -229,7 +229,7 @@ Result<Response> joined_lengths(CaptureService& captures, const Request& request
     } else if (!state.lengths || state.lengths->order.plan_id != plan_id) {
       return fail(fmt::format("found capture {} of another plan, expected captures of one plan", id), item.at());
     }
-    AXIOMETRY_TRY(std::string table, captures.file_of(id, "lengths"));
+    AXIOMETRY_TRY(std::string table, captures.file_of(state, "lengths"));
     tables.push_back({fmt::format("capture {}", id), std::move(table)});
   }
   AXIOMETRY_TRY(std::string joined, app::joined_tables(*plan, tables));

@@ -4,9 +4,11 @@
 #include <cstddef>
 
 /// What a file may cost who reads it, for every reader in one place. Within these bounds a file that is refused, or
-/// read, takes at most 64 MiB and 50 times its bytes of memory, in time that grows as the file does; tests/growth.py
-/// tries it with every reader. What lies beyond a bound is refused with the place, never cut.
+/// read, takes at most memory_bytes and memory_per_byte times its bytes of memory, in time that grows as the file does;
+/// tests/growth.py tries it with every reader. What lies beyond a bound is refused with the place, never cut.
 namespace axiometry::read_budget {
+
+inline constexpr std::size_t memory_bytes = std::size_t{64} << 20, memory_per_byte = 50;
 
 /// Of a file that is read as a whole: a table of another layout, a document of JSON, a profile, a plan. Files of tests
 /// in CSV are read piece by piece and may be larger.

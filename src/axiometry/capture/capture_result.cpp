@@ -163,7 +163,7 @@ std::string_view event_name(EventKind kind) {
     case EventKind::unexpected: return "unexpected";
     case EventKind::unseen: return "not seen";
     case EventKind::restarted: return "restarted";
-    case EventKind::off_zero: return "zero";
+    case EventKind::off_zero: return "off zero";
     case EventKind::incomplete: return "incomplete";
     case EventKind::unsteady: return "unsteady";
     case EventKind::doubtful: return "doubtful";

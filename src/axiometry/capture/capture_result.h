@@ -18,9 +18,10 @@ namespace axiometry::capture {
 /// One approach of the plan with its standstill.
 struct CapturedReading {
   Approach approach;
-  Standstill standstill;             ///< standstill in the frame of the plan: sign and zero of the instrument applied
-  Deviation deviation;               ///< x_ij (3.6): mean position at rest minus target
-  std::vector<std::string> remarks;  ///< "2 outliers left out", "drifts by 1.2 µm"; empty when nothing is to be said
+  Standstill standstill;  ///< standstill in the frame of the plan: sign and zero of the instrument applied
+  Deviation deviation;    ///< x_ij (3.6): mean position at rest minus target
+  std::vector<std::string>
+      remarks;  ///< "2 of 40 samples left out as outliers", "drifts by 1.2 µm"; empty when nothing is to be said
 };
 
 enum class EventKind {

@@ -57,27 +57,27 @@ Result<TargetMatcher> TargetMatcher::make(Plan plan, const MatcherOptions& optio
         fmt::format("found a window of ±{} around the targets, expected one above 0 and below {}, half way to the "
                     "next target and to the overrun",
                     format_exact(window), format_exact(limit)));
-  return TargetMatcher(std::move(plan), options);
+  return TargetMatcher(std::make_shared<const Walk>(std::move(plan)), options);
 }
 
-TargetMatcher::TargetMatcher(Plan plan, const MatcherOptions& options)
-    : plan_(std::move(plan)),
-      options_(options),
-      window_(options.window.value_or(default_window(plan_))),
-      approaches_(approaches(plan_)) {
-  for (const PlannedMove& move : moves(plan_))
-    if (!move.approach) turning_points_.insert(move.to);
-  while (first_pass_ < approaches_.size() && approaches_[first_pass_].direction == approaches_[0].direction &&
-         (first_pass_ == 0 || approaches_[first_pass_].target != approaches_[first_pass_ - 1].target))
-    ++first_pass_;
-  result_.approaches = approaches_.size();
+TargetMatcher::Walk::Walk(Plan walked) : plan(std::move(walked)), approaches(axiometry::approaches(plan)) {
+  for (const PlannedMove& move : moves(plan))
+    if (!move.approach) turning_points.insert(move.to);
+  while (first_pass < approaches.size() && approaches[first_pass].direction == approaches[0].direction &&
+         (first_pass == 0 || approaches[first_pass].target != approaches[first_pass - 1].target))
+    ++first_pass;
+}
+
+TargetMatcher::TargetMatcher(std::shared_ptr<const Walk> walk, const MatcherOptions& options)
+    : walk_(std::move(walk)), options_(options), window_(options.window.value_or(default_window(walk_->plan))) {
+  result_.approaches = walk_->approaches.size();
   result_.datum = options.datum;
   result_.window = window_;
 }
 
 std::optional<Approach> TargetMatcher::due() const {
   if (complete()) return std::nullopt;
-  return approaches_[due_];
+  return walk_->approaches[due_];
 }
 
 /// The standstill as the plan counts: sign first, then the place of zero.
@@ -143,7 +143,7 @@ std::optional<CapturedReading> TargetMatcher::match(const Standstill& shown_ther
   if (const auto approach = approach_for(*target, s)) return read(*approach, s);
   if (begins_again(*target, s)) {
     event(EventKind::restarted, s.begin_s,
-          fmt::format("{} came again after {} readings, which were dropped", approach_name(approaches_[0]),
+          fmt::format("{} came again after {} readings, which were dropped", approach_name(walk_->approaches[0]),
                       result_.readings.size()));
     result_.readings.clear();
     due_ = 0;
@@ -160,11 +160,11 @@ bool TargetMatcher::rolls(const Standstill& s) const { return rolls_from_s_ && s
 /// that was not seen to roll over what it shows is believed, unless nothing but whole turns are between that and what
 /// is due.
 void TargetMatcher::find_turn(const Standstill& s) {
-  if (plan_.axis.kind == AxisKind::linear || !s.arrival || s.frozen_from_s) return;
+  if (walk_->plan.axis.kind == AxisKind::linear || !s.arrival || s.frozen_from_s) return;
   if (rolls(s)) tell_rollover(s);
   const bool fits = target_at(turned(s, turns_deg_).position).has_value();
   if (turn_found_ && (fits || !rolls(s) || !last_)) return;
-  const Approach& due = approaches_[due_];
+  const Approach& due = walk_->approaches[due_];
   const auto is_due = [&](double turns_deg) {
     return due.direction == *s.arrival && target_at(turned(s, turns_deg).position) == due.target;
   };
@@ -181,18 +181,19 @@ void TargetMatcher::find_turn(const Standstill& s) {
 /// The whole turns that put the standstill at a target: at the one of the earliest approach that it can be, or next to
 /// the one that is due.
 std::optional<double> TargetMatcher::turns_to_target(const Standstill& s) const {
-  const double due = plan_.targets[approaches_[due_].target].in_native();
+  const double due = walk_->plan.targets[walk_->approaches[due_].target].in_native();
   const double x = s.position.in_native(), window = window_.in_native();
   constexpr double most_deg = 1e9;  // farther a whole turn more is no other number before long
   if (!(std::abs(x) <= most_deg)) return std::nullopt;
-  const double last = std::floor((plan_.targets.back().in_native() + window - x) / full_turn_deg);
+  const double last = std::floor((walk_->plan.targets.back().in_native() + window - x) / full_turn_deg);
   std::optional<double> best;
   std::pair<std::size_t, double> best_rank;
-  for (double n = std::ceil((plan_.targets.front().in_native() - window - x) / full_turn_deg); n <= last; n += 1.0) {
+  for (double n = std::ceil((walk_->plan.targets.front().in_native() - window - x) / full_turn_deg); n <= last;
+       n += 1.0) {
     const double there = x + full_turn_deg * n;
     const auto target = target_at(Position::native(there));
     if (!target) continue;
-    const std::pair rank{approach_for(*target, s).value_or(approaches_.size()), std::abs(there - due)};
+    const std::pair rank{approach_for(*target, s).value_or(walk_->approaches.size()), std::abs(there - due)};
     if (best && rank >= best_rank) continue;
     best = full_turn_deg * n;
     best_rank = rank;
@@ -203,7 +204,7 @@ std::optional<double> TargetMatcher::turns_to_target(const Standstill& s) const 
 /// Before the turn is known.
 bool TargetMatcher::at_overrun_of_a_turn(const Standstill& s) const {
   if (turn_found_ || !rolls(s)) return false;
-  return std::ranges::any_of(turning_points_, [&](Position point) {
+  return std::ranges::any_of(walk_->turning_points, [&](Position point) {
     return std::abs(std::remainder(s.position.in_native() - point.in_native(), full_turn_deg)) <= window_.in_native();
   });
 }
@@ -215,25 +216,25 @@ void TargetMatcher::tell_rollover(const Standstill& s) {
 }
 
 std::optional<std::size_t> TargetMatcher::target_at(Position position) const {
-  const auto above = std::ranges::lower_bound(plan_.targets, position);
-  for (auto it : {above, above == plan_.targets.begin() ? above : above - 1})
-    if (it != plan_.targets.end() && std::abs(it->in_native() - position.in_native()) <= window_.in_native())
-      return static_cast<std::size_t>(it - plan_.targets.begin());
+  const auto above = std::ranges::lower_bound(walk_->plan.targets, position);
+  for (auto it : {above, above == walk_->plan.targets.begin() ? above : above - 1})
+    if (it != walk_->plan.targets.end() && std::abs(it->in_native() - position.in_native()) <= window_.in_native())
+      return static_cast<std::size_t>(it - walk_->plan.targets.begin());
   return std::nullopt;
 }
 
 bool TargetMatcher::at_turning_point(Position position) const {
-  const auto above = turning_points_.lower_bound(Position::native(position.in_native() - window_.in_native()));
-  return above != turning_points_.end() && above->in_native() <= position.in_native() + window_.in_native();
+  const auto above = walk_->turning_points.lower_bound(Position::native(position.in_native() - window_.in_native()));
+  return above != walk_->turning_points.end() && above->in_native() <= position.in_native() + window_.in_native();
 }
 
 /// The first approach from the due one on that this standstill can be.
 std::optional<std::size_t> TargetMatcher::approach_for(std::size_t target, const Standstill& s) const {
-  const bool same_again = last_ && approaches_[*last_].target == target && !was_away() && !unseen_;
+  const bool same_again = last_ && walk_->approaches[*last_].target == target && !was_away() && !unseen_;
   if (!s.arrival || same_again) return std::nullopt;
-  for (std::size_t k = due_; k < approaches_.size(); ++k) {
-    if (approaches_[k].target != target || approaches_[k].direction != *s.arrival) continue;
-    const bool late_begin = !last_ && k < first_pass_;
+  for (std::size_t k = due_; k < walk_->approaches.size(); ++k) {
+    if (walk_->approaches[k].target != target || walk_->approaches[k].direction != *s.arrival) continue;
+    const bool late_begin = !last_ && k < walk_->first_pass;
     const bool gap_behind = last_ && unseen_;
     if (late_begin || gap_behind || passed(due_, k)) return k;
     return std::nullopt;
@@ -243,28 +244,28 @@ std::optional<std::size_t> TargetMatcher::approach_for(std::size_t target, const
 
 /// Whether the axis has been at the targets of all these approaches since the last reading.
 bool TargetMatcher::passed(std::size_t first, std::size_t last) const {
-  return std::all_of(approaches_.begin() + static_cast<std::ptrdiff_t>(first),
-                     approaches_.begin() + static_cast<std::ptrdiff_t>(last), [&](const Approach& a) {
-                       const double target = plan_.targets[a.target].in_native();
+  return std::all_of(walk_->approaches.begin() + static_cast<std::ptrdiff_t>(first),
+                     walk_->approaches.begin() + static_cast<std::ptrdiff_t>(last), [&](const Approach& a) {
+                       const double target = walk_->plan.targets[a.target].in_native();
                        return target >= lowest_ - window_.in_native() && target <= highest_ + window_.in_native();
                      });
 }
 
-bool TargetMatcher::was_away() const { return highest_ - lowest_ > plan_.overrun.in_native() / 2; }
+bool TargetMatcher::was_away() const { return highest_ - lowest_ > walk_->plan.overrun.in_native() / 2; }
 
 CapturedReading TargetMatcher::read(std::size_t approach, const Standstill& s) {
   if (approach > due_) {
     std::string names;
     constexpr std::size_t most_named = 6;
     for (std::size_t k = due_; k < std::min(approach, due_ + most_named); ++k)
-      names += fmt::format("{}{}", names.empty() ? "" : ", ", approach_name(approaches_[k]));
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", approach_name(walk_->approaches[k]));
     event(EventKind::missed, s.begin_s,
           fmt::format("no standstill for {}{}", names, approach > due_ + most_named ? " and others" : ""));
   }
-  const Approach& a = approaches_[approach];
-  const double distance = s.position.in_native() - plan_.targets[a.target].in_native();
-  CapturedReading reading{a, s, Deviation::native(distance * deviation_per_position(plan_.axis.kind)),
-                          remarks_on(s, plan_.axis.kind)};
+  const Approach& a = walk_->approaches[approach];
+  const double distance = s.position.in_native() - walk_->plan.targets[a.target].in_native();
+  CapturedReading reading{a, s, Deviation::native(distance * deviation_per_position(walk_->plan.axis.kind)),
+                          remarks_on(s, walk_->plan.axis.kind)};
   result_.readings.push_back(reading);
   last_ = approach;
   due_ = approach + 1;
@@ -274,16 +275,17 @@ CapturedReading TargetMatcher::read(std::size_t approach, const Standstill& s) {
 }
 
 void TargetMatcher::explain(std::size_t target, const Standstill& s) {
-  const Approach& due = approaches_[due_];
+  const Approach& due = walk_->approaches[due_];
   if (!s.arrival)
     return event(EventKind::unseen, s.begin_s,
                  fmt::format("at rest at {} (target {}), but the way there was not recorded; not used",
                              shown(s.position), target + 1));
   const std::string_view from = arrow(*s.arrival);
-  if (last_ && approaches_[*last_].target == target && (!was_away() || approaches_[*last_].direction == *s.arrival))
+  if (last_ && walk_->approaches[*last_].target == target &&
+      (!was_away() || walk_->approaches[*last_].direction == *s.arrival))
     return event(EventKind::repeated, s.begin_s,
                  fmt::format("at rest again, at {}; {} keeps its first reading", shown(s.position),
-                             approach_name(approaches_[*last_])));
+                             approach_name(walk_->approaches[*last_])));
   if (due.target == target)
     return event(EventKind::wrong_direction, s.begin_s,
                  fmt::format("arrived {} at {}, expected {}; not used", from, shown(s.position), approach_name(due)));
@@ -294,28 +296,30 @@ void TargetMatcher::explain(std::size_t target, const Standstill& s) {
 
 /// A test that was broken off in its first pass and begun anew.
 bool TargetMatcher::begins_again(std::size_t target, const Standstill& s) const {
-  return last_ && due_ >= 2 && due_ < first_pass_ && target == approaches_[0].target &&
-         s.arrival == approaches_[0].direction;
+  return last_ && due_ >= 2 && due_ < walk_->first_pass && target == walk_->approaches[0].target &&
+         s.arrival == walk_->approaches[0].direction;
 }
 
 std::vector<CapturedReading> TargetMatcher::try_zero(const Standstill& standstill) {
   waiting_.push_back(standstill);
-  const std::size_t proof = std::min(zero_proof, approaches_.size());
+  const std::size_t proof = std::min(zero_proof, walk_->approaches.size());
   for (std::size_t first = 0; first < waiting_.size(); ++first) {
     MatcherOptions options = options_;
     options.zero_at_first_target = false;
     const double shown_there = (options_.reversed ? -1.0 : 1.0) * waiting_[first].position.in_native();
-    options.datum = Position::native(plan_.targets[approaches_[0].target].in_native() - shown_there);
-    TargetMatcher trial(plan_, options);
+    options.datum = Position::native(walk_->plan.targets[walk_->approaches[0].target].in_native() - shown_there);
+    TargetMatcher trial(walk_, options);
     trial.rolls_from_s_ = rolls_from_s_;
     std::vector<CapturedReading> readings;
-    for (std::size_t k = first; k < waiting_.size(); ++k)
+    bool fits = true;  // begins with the first approach, and misses none
+    for (std::size_t k = first; fits && k < waiting_.size(); ++k) {
       for (CapturedReading& reading : trial.take(waiting_[k])) readings.push_back(std::move(reading));
-    const bool begins = !readings.empty() && readings.front().standstill.begin_s == waiting_[first].begin_s;
-    if (!begins || readings.size() < proof || trial.due_ != readings.size()) continue;
+      fits = !readings.empty() && trial.due_ == readings.size();
+    }
+    if (!fits || readings.size() < proof) continue;
     trial.event(EventKind::zero, waiting_[first].begin_s,
-                fmt::format("the first standstill at target {} showed {}: zero lies at {}", approaches_[0].target + 1,
-                            shown(waiting_[first].position), shown(options.datum)));
+                fmt::format("the first standstill at target {} showed {}: zero lies at {}",
+                            walk_->approaches[0].target + 1, shown(waiting_[first].position), shown(options.datum)));
     *this = std::move(trial);
     return readings;
   }
@@ -328,19 +332,19 @@ Result<void> TargetMatcher::finish() {
     return fail(
         fmt::format("found no {} standstills in {} that fit the first approaches of the plan, expected them to set "
                     "the zero",
-                    std::min(zero_proof, approaches_.size()), waiting_.size()));
-  const std::size_t missing = approaches_.size() - due_;
-  if (missing > 0) event(EventKind::incomplete, last_time_s_, ended_before(approaches_[due_], missing - 1));
+                    std::min(zero_proof, walk_->approaches.size()), waiting_.size()));
+  const std::size_t missing = walk_->approaches.size() - due_;
+  if (missing > 0) event(EventKind::incomplete, last_time_s_, ended_before(walk_->approaches[due_], missing - 1));
   std::vector<double> deviations;
   for (const CapturedReading& reading : result_.readings) deviations.push_back(reading.deviation.in_native());
   if (deviations.empty()) return {};
   std::ranges::nth_element(deviations, deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2));
   const double middle = deviations[deviations.size() / 2];
-  if (std::abs(middle) > window_.in_native() * deviation_per_position(plan_.axis.kind) / 10)
+  if (std::abs(middle) > window_.in_native() * deviation_per_position(walk_->plan.axis.kind) / 10)
     event(
         EventKind::off_zero, last_time_s_,
         fmt::format("half of all readings lie beyond {} {}: the zero of the instrument may be another than the plan's",
-                    format_fixed(middle, 1), deviation_unit(plan_.axis.kind)));
+                    format_fixed(middle, 1), deviation_unit(walk_->plan.axis.kind)));
   return {};
 }
 
@@ -349,7 +353,7 @@ void TargetMatcher::event(EventKind kind, double time_s, std::string message) {
 }
 
 std::string TargetMatcher::shown(Position position) const {
-  const bool linear = plan_.axis.kind == AxisKind::linear;
+  const bool linear = walk_->plan.axis.kind == AxisKind::linear;
   return format_fixed(position.in_native(), position_decimals) + (linear ? " mm" : "°");
 }
 

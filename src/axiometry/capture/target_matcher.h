@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <vector>
@@ -53,14 +54,24 @@ class TargetMatcher {
   /// target 1 and no standstills fitted.
   Result<void> finish();
 
-  bool complete() const { return due_ == approaches_.size(); }
+  bool complete() const { return due_ == walk_->approaches.size(); }
   const CaptureResult& result() const { return result_; }
-  const Plan& plan() const { return plan_; }
+  const Plan& plan() const { return walk_->plan; }
   /// The approach that is due; nothing when all are done.
   std::optional<Approach> due() const;
 
  private:
-  TargetMatcher(Plan plan, const MatcherOptions& options);
+  /// What follows from the plan alone: shared by all that are tried while the zero is sought.
+  struct Walk {
+    explicit Walk(Plan walked);
+
+    Plan plan;
+    std::vector<Approach> approaches;
+    std::set<Position> turning_points;
+    std::size_t first_pass = 0;  ///< approaches before the first change of direction
+  };
+
+  TargetMatcher(std::shared_ptr<const Walk> walk, const MatcherOptions& options);
 
   Standstill in_plan(const Standstill& shown) const;
   std::optional<CapturedReading> match(const Standstill& shown);
@@ -81,12 +92,9 @@ class TargetMatcher {
   void event(EventKind kind, double time_s, std::string message);
   std::string shown(Position position) const;
 
-  Plan plan_;
+  std::shared_ptr<const Walk> walk_;
   MatcherOptions options_;
   Position window_;
-  std::vector<Approach> approaches_;
-  std::set<Position> turning_points_;
-  std::size_t first_pass_ = 0;           // approaches before the first change of direction
   std::size_t due_ = 0;                  // index of the next approach
   std::optional<std::size_t> last_;      // the approach read last
   double lowest_ = 0.0, highest_ = 0.0;  // range of the positions on the way since then

@@ -29,7 +29,7 @@ struct Reading {
 /// each from either direction, any of which may be missing. Immutable.
 ///
 /// Invariants: m ≥ 2; targets strictly ascending, |P| ≤ 1e9; every target has a reading; every reading
-/// is finite and |x| ≤ 1e9 (a kilometre or 277°, beyond which a file is wrong, not a machine).
+/// is finite and |x| ≤ 1e9 (a kilometre or 277 778°, beyond which a file is wrong, not a machine).
 class Series {
  public:
   /// Fails, naming the offending target or reading, when an invariant above is broken, when a reading

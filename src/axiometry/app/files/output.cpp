@@ -113,13 +113,7 @@ OutputFile::~OutputFile() {
 }
 
 Result<void> OutputFile::flush() {
-  std::string_view rest = buffer_;
-  while (!rest.empty()) {
-    const ssize_t put = ::write(descriptor_, rest.data(), rest.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return fail_system(name_, "write");
-    rest.remove_prefix(static_cast<std::size_t>(put));
-  }
+  if (!written_all(descriptor_, buffer_)) return fail_system(name_, "write");
   buffer_.clear();
   return {};
 }

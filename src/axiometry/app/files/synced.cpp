@@ -9,6 +9,16 @@
 
 namespace axiometry::app {
 
+bool written_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
 bool synced(int descriptor) {
   while (::fsync(descriptor) != 0) {
     if (errno == EINTR) continue;

@@ -22,7 +22,9 @@ constexpr Bounds not_negative{0.0, 1e12};
 
 Result<double> number_within(const std::string& word, Bounds bounds) {
   const auto number = parse_number(word);
-  if (!number || *number < bounds.lowest || *number > bounds.highest)
+  if (number && *number > bounds.highest)
+    return fail(fmt::format("found {}, expected a number up to {}", text::quoted(word), format_exact(bounds.highest)));
+  if (!number || *number < bounds.lowest)
     return fail(fmt::format("found {}, expected a number{}", text::quoted(word),
                             bounds.lowest >= 0.0 ? (bounds.lowest > 0.0 ? " above 0" : " of 0 or more") : ""));
   return *number;

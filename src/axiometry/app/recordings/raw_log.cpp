@@ -26,12 +26,7 @@ constexpr std::size_t most_old_times = 1000;
 constexpr std::string_view old_suffix = ".old", new_suffix = ".new";
 
 Result<void> put_all(int descriptor, std::string_view bytes, const std::string& name) {
-  while (!bytes.empty()) {
-    const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return fail_system(name, "write");
-    bytes.remove_prefix(static_cast<std::size_t>(put));
-  }
+  if (!written_all(descriptor, bytes)) return fail_system(name, "write");
   return {};
 }
 

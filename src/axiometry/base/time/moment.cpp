@@ -146,12 +146,12 @@ std::optional<long> day_of(std::string_view cell) {
   return static_cast<long>(std::chrono::sys_days(date).time_since_epoch().count());
 }
 
-double Moment::seconds_since(const Moment& other) const {
+double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   // Two int64 may lie up to 2^64 − 1 apart, which only the unsigned type holds.
-  const auto later = static_cast<std::uint64_t>(std::max(ns, other.ns));
-  const auto earlier = static_cast<std::uint64_t>(std::min(ns, other.ns));
+  const auto later = static_cast<std::uint64_t>(std::max(from_ns, to_ns));
+  const auto earlier = static_cast<std::uint64_t>(std::min(from_ns, to_ns));
   const double apart_s = static_cast<double>(later - earlier) / 1e9;
-  return ns >= other.ns ? apart_s : -apart_s;
+  return to_ns >= from_ns ? apart_s : -apart_s;
 }
 
 std::optional<Moment> moment_of(std::string_view text) {

@@ -18,12 +18,15 @@ std::optional<std::int64_t> parse_time_stamp(std::string_view text);
 /// any year of four digits. Blanks around it do not count.
 std::optional<double> time_stamp_s(std::string_view text);
 
+/// Seconds from one stamp to another in nanoseconds, however far apart.
+double seconds_between(std::int64_t from_ns, std::int64_t to_ns);
+
 /// A moment as somebody wrote it. Two of them can be compared when both tell their zone or neither does.
 struct Moment {
   std::int64_t ns = 0;  ///< nanoseconds since 1970-01-01 00:00, UTC where the zone is told, else local
   bool zoned = false;
 
-  double seconds_since(const Moment& other) const;  ///< seconds between any two moments, however far apart
+  double seconds_since(const Moment& other) const { return seconds_between(other.ns, ns); }
 };
 
 /// "2026-03-02T09:00", with seconds or a zone where told, or "02.03.2026 09:00". Nothing for other text.

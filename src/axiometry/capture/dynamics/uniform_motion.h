@@ -39,7 +39,7 @@ std::vector<UniformStretch> uniform_stretches(const MotionRecord& record, const 
 /// What is left of the straight line of a stretch at each of its samples, native.
 std::vector<double> residuals_of(const MotionRecord& record, const UniformStretch& stretch);
 
-/// The straight line through samples first … last, whatever they do: velocity, intercept and residuals alone are set.
+/// The straight line through all samples, whatever they do: velocity and intercept alone are set.
 UniformStretch whole_stretch(const MotionRecord& record);
 
 }  // namespace axiometry::capture

@@ -114,7 +114,9 @@ class Reader {
     return fail(fmt::format("found {} = {}, expected a finite number", d.key, text::quoted(d.value)), d.at);
   }
 
+  /// Of variables the last word counts, and is looked up alone.
   Result<void> take_directives() {
+    const LogDirective *reference = nullptr, *set_point = nullptr;
     for (const LogDirective& d : log_.directives) {
       if (text::equal_ignoring_case(d.key, "UNIT")) {
         directives_.unit = find_unit(d.value);
@@ -122,14 +124,20 @@ class Reader {
           return fail(fmt::format("found the unknown unit {}, expected one of {}", text::quoted(d.value), unit_names()),
                       d.at);
       } else if (text::equal_ignoring_case(d.key, "REF_PV")) {
-        AXIOMETRY_TRY(directives_.reference, variable(d));
+        reference = &d;
       } else if (text::equal_ignoring_case(d.key, "TGT_SET_PV")) {
-        AXIOMETRY_TRY(directives_.set_point, variable(d));
+        set_point = &d;
       } else if (text::equal_ignoring_case(d.key, "REF_GAIN")) {
         AXIOMETRY_TRY(directives_.gain, number(d));
       } else if (text::equal_ignoring_case(d.key, "REF_OFFSET")) {
         AXIOMETRY_TRY(directives_.offset, number(d));
       }
+    }
+    if (reference != nullptr) {
+      AXIOMETRY_TRY(directives_.reference, variable(*reference));
+    }
+    if (set_point != nullptr) {
+      AXIOMETRY_TRY(directives_.set_point, variable(*set_point));
     }
     return {};
   }

@@ -8,18 +8,25 @@
 #include <unordered_map>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text/text.h"
 
 namespace axiometry::formats {
 namespace {
 
-constexpr std::size_t most_states = 4'000'000;  // 220 MB; 500 events of a test among 8 000 variables
+/// States that the events of a log of so many bytes may keep: half of what it may cost, and never more than 500 events
+/// of a test among 8 000 variables (220 MB).
+std::size_t most_states_of(std::size_t bytes) {
+  constexpr std::size_t most = 4'000'000;
+  return std::min(most, (read_budget::memory_bytes + read_budget::memory_per_byte * bytes) / 2 / sizeof(LogState));
+}
 
 bool is_test_number(std::string_view name) { return text::to_lower(name).contains("testnumber"); }
 
 class Pass {
  public:
   Result<Log> read(std::string_view text) {
+    states_most_ = most_states_of(text.size());
     const char* begin = text.data();
     const char* const end = begin + text.size();
     while (begin < end) {
@@ -89,7 +96,7 @@ class Pass {
     const bool changed = first || state.value != line.value;
     if (number == log_.test_number && changed && !(first && is_initial(line))) {
       states_kept_ += states_.size();
-      if (states_kept_ > most_states)
+      if (states_kept_ > states_most_)
         return fail(fmt::format("found {} changes of {} among {} variables, expected the log of one test; record fewer "
                                 "variables",
                                 log_.events.size() + 1, text::quoted(line.name), states_.size()),
@@ -124,6 +131,7 @@ class Pass {
   std::unordered_map<std::string_view, std::size_t> numbers_;
   std::vector<LogState> states_;
   std::size_t states_kept_ = 0;          // states that all events together keep
+  std::size_t states_most_ = 0;          // states that they may keep
   std::vector<std::size_t> successors_;  // for each variable the one that came after it
   std::size_t last_ = 0;
   bool connecting_ = true;   // no variable has spoken twice

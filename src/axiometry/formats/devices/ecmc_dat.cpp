@@ -72,7 +72,7 @@ bool is_data_key(std::string_view key) {
   return key == target_key || std::ranges::find(reading_keys, key) != std::end(reading_keys);
 }
 
-/// Nothing for a comment, a blank line and a line without an equals sign.
+/// Nothing for a comment and a blank line. Fails on a line without an equals sign.
 Result<std::optional<Assignment>> assignment_from(std::string_view line, std::size_t number) {
   const auto column = [&](std::string_view part) { return static_cast<std::size_t>(part.data() - line.data()) + 1; };
   const std::string_view content = text::trim(line);

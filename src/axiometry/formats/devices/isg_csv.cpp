@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
+#include <string_view>
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
@@ -96,6 +98,11 @@ class CurveReader {
       return fail(
           fmt::format("found {}, expected a header of arguments and errors such as X EXX EYX", text::quoted(content)),
           {line.number, line.column});
+    std::set<std::string_view> columns;
+    for (const std::string_view word : words)
+      if (!columns.insert(word).second)
+        return fail(fmt::format("found {} twice in the header, expected each column once", text::quoted(word)),
+                    {line.number, line.column});
     header_.assign(words.begin(), words.end());
     header_line_ = line.number;
     AXIOMETRY_TRY(columns_, curves_in(words, line.number));

@@ -243,9 +243,10 @@ Result<Test> read(std::string_view bytes) {
         {false,
          "found an angular file; it was taken as the test of a rotary axis, targets in degrees "
          "and deviations in mrad, and not as pitch or yaw of a linear axis"});
-  std::ranges::move(add_conditions(metadata, {lines_of(sections, "user text"), lines_of(sections, "equipment"),
-                                              lines_of(sections, "environment")}),
-                    std::back_inserter(provenance.remarks));
+  const RtlConditions conditions{lines_of(sections, "user text"), lines_of(sections, "equipment"),
+                                 lines_of(sections, "environment")};
+  AXIOMETRY_TRY(std::vector<SourceRemark> remarks, add_conditions(metadata, conditions));
+  std::ranges::move(remarks, std::back_inserter(provenance.remarks));
   return Test{std::move(metadata), std::move(gathered_series.series), std::move(provenance)};
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
@@ -99,19 +100,25 @@ std::string key_at(std::string_view key, bool at_end) {
   return result;
 }
 
+std::unexpected<Error> too_many(std::string_view what, const TextLine& line) {
+  return fail(fmt::format("found more than {} records of {}, expected fewer", read_budget::records, what),
+              {line.number, line.column});
+}
+
 /// Values behind "Final Data" are those at the end of the test.
 class Environments {
  public:
   Environments(Metadata& metadata, std::vector<SourceRemark>& remarks) : metadata_(metadata), remarks_(remarks) {}
 
-  void take(const TextLine& line) {
+  Result<void> take(const TextLine& line) {
     const auto item = tagged_value(line.text);
     if (plain_name(line.text).starts_with("final data")) at_end_ = true;
-    if (!item || item->value.empty()) return;
+    if (!item || item->value.empty()) return {};
     if (item->tag == "date time" && metadata_.conditions.date.empty()) metadata_.conditions.date = item->value;
-    if (item->tag.starts_with("mat temp")) take_material(*item, line);
+    if (item->tag.starts_with("mat temp")) AXIOMETRY_TRY_VOID(take_material(*item, line));
     for (const AirItem& air : air_items)
       if (item->tag.starts_with(air.tag)) take_air(air, *item, line);
+    return {};
   }
 
  private:
@@ -139,16 +146,24 @@ class Environments {
                                              format_exact(value))});
   }
 
-  void take_material(const TaggedValue& item, const TextLine& line) {
+  Result<void> take_material(const TaggedValue& item, const TextLine& line) {
     const auto measure = measure_from(item.value);
     const auto value = measure ? temperature_C(*measure) : std::nullopt;
-    if (!value || !(*value >= -60.0 && *value <= 100.0)) return not_understood(line);
-    if (measure->value == 0.0) return not_connected(line);
+    if (!value || !(*value >= -60.0 && *value <= 100.0)) {
+      not_understood(line);
+      return {};
+    }
+    if (measure->value == 0.0) {
+      not_connected(line);
+      return {};
+    }
     auto& sensors = metadata_.environment.sensors;
     auto sensor = std::ranges::find(sensors, item.tag, &TemperatureSensor::location);
+    if (sensor == sensors.end() && sensors.size() == read_budget::records) return too_many("sensors", line);
     if (sensor == sensors.end())
       sensor = sensors.insert(sensors.end(), TemperatureSensor{"machine", item.tag, std::nullopt, std::nullopt});
     (at_end_ ? sensor->end : sensor->start) = Temperature::celsius(*value);
+    return {};
   }
 
   Metadata& metadata_;
@@ -156,21 +171,23 @@ class Environments {
   bool at_end_ = false;
 };
 
-void add_equipment(Metadata& metadata, std::span<const TextLine> lines) {
+Result<void> add_equipment(Metadata& metadata, std::span<const TextLine> lines) {
   for (const TextLine& line : lines) {
     const auto item = tagged_value(line.text);
     const std::string_view value = item ? item->value : line.text;
     if (value.empty()) continue;
+    if (metadata.equipment.size() == read_budget::records) return too_many("equipment", line);
     const bool serial = item && item->tag.contains("serial");
     Equipment part{.role = item ? item->tag : "equipment", .manufacturer = "", .type = "", .serial_number = ""};
     (serial ? part.serial_number : part.type) = value;
     metadata.equipment.push_back(std::move(part));
   }
+  return {};
 }
 
 }  // namespace
 
-std::vector<SourceRemark> add_conditions(Metadata& metadata, const RtlConditions& conditions) {
+Result<std::vector<SourceRemark>> add_conditions(Metadata& metadata, const RtlConditions& conditions) {
   std::vector<SourceRemark> remarks;
   for (const TextLine& line : conditions.user_text) {
     const auto item = tagged_value(line.text);
@@ -179,9 +196,9 @@ std::vector<SourceRemark> add_conditions(Metadata& metadata, const RtlConditions
       if (text.tag == item->tag)
         AXIOMETRY_CONTRACT(set_field(metadata, *find_field(text.key), std::string(item->value)).has_value());
   }
-  add_equipment(metadata, conditions.equipment);
+  AXIOMETRY_TRY_VOID(add_equipment(metadata, conditions.equipment));
   Environments environments(metadata, remarks);
-  for (const TextLine& line : conditions.environment) environments.take(line);
+  for (const TextLine& line : conditions.environment) AXIOMETRY_TRY_VOID(environments.take(line));
   return remarks;
 }
 

@@ -17,7 +17,8 @@ struct RtlConditions {
 };
 
 /// Puts machine, date, inspector, axis, equipment, air, material temperatures and expansion coefficient into the
-/// metadata. Returns a remark for every value that has a place but could not be understood.
-std::vector<SourceRemark> add_conditions(Metadata& metadata, const RtlConditions& conditions);
+/// metadata. Returns a remark for every value that has a place but could not be understood. Fails on more sensors or
+/// components than read_budget::records.
+Result<std::vector<SourceRemark>> add_conditions(Metadata& metadata, const RtlConditions& conditions);
 
 }  // namespace axiometry::formats

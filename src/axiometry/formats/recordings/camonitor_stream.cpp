@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "axiometry/base/text/number_text.h"
@@ -48,13 +49,13 @@ class CamonitorStreamReader final : public LineReader {
     const auto value = parse_number(change->value);
     if (!value) return fail(fmt::format("found the value {}, expected a finite number", text::quoted(change->value)));
     if (!first_ns_) first_ns_ = change->stamp_ns;
-    return emit({static_cast<double>(change->stamp_ns - *first_ns_) * 1e-9, *value});
+    return emit({seconds_between(*first_ns_, change->stamp_ns), *value});
   }
 
   /// Process variables are numbered as they appear.
   bool is_chosen(std::string_view name) {
     if (names_.size() > axis_) return names_[axis_] == name;
-    if (std::ranges::find(names_, name) == names_.end()) names_.emplace_back(name);
+    if (seen_.emplace(name).second) names_.emplace_back(name);
     return names_.size() > axis_ && names_[axis_] == name;
   }
 
@@ -65,7 +66,8 @@ class CamonitorStreamReader final : public LineReader {
   }
 
   std::size_t axis_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_;  // as they appear
+  std::unordered_set<std::string> seen_;
   std::optional<std::int64_t> first_ns_;
 };
 

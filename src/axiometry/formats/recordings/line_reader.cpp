@@ -111,8 +111,7 @@ Result<void> LineReader::settle_all(std::span<const StampedLine> lines) {
 }
 
 Result<void> LineReader::put(Sample sample) {
-  if (!std::isfinite(sample.time_s) || !std::isfinite(sample.position))
-    return fail("found a number that is not finite, expected time and position");
+  if (!is_sound(sample)) return fail("found a number beyond 1e15, or none, expected time and position");
   if (sample.time_s < last_time_s_)
     return fail(fmt::format("found time running backwards from {} s to {} s, expected samples in order of time",
                             format_exact(last_time_s_), format_exact(sample.time_s)));

@@ -191,8 +191,9 @@ class NpyReader final : public RecordingReader {
     if (good == samples_.size()) return {};
     if (good == room)
       return fail(fmt::format("found more than the {} samples that the header says, expected no more", shape_->rows));
-    if (!std::isfinite(bad->time_s) || !std::isfinite(bad->position))
-      return fail(fmt::format("found a number that is not finite in sample {}, expected time and position", rows_ + 1));
+    if (!is_sound(*bad))
+      return fail(
+          fmt::format("found a number beyond 1e15, or none, in sample {}, expected time and position", rows_ + 1));
     return fail(
         fmt::format("found time running backwards from {} s to {} s in sample {}, expected samples in order of "
                     "time",
@@ -202,7 +203,7 @@ class NpyReader final : public RecordingReader {
   /// How many from the first one on are finite and in order of time: all at once, then, if not all, one by one.
   std::size_t good_ones() const {
     const auto is_good = [](double before, const Sample& s) {
-      return (s.time_s >= before) & (s.time_s - s.time_s == 0.0) & (s.position - s.position == 0.0);
+      return (s.time_s >= before) & (std::abs(s.time_s) <= farthest_sample) & (std::abs(s.position) <= farthest_sample);
     };
     bool all = true;
     double before = last_time_s_;
@@ -242,7 +243,7 @@ numpy.save("run.npy", numpy.column_stack([time_s, position_mm]))
 
 - `float64`, little-endian, of the shape (N, 2) in C order: time in s and position in mm (° on a rotary axis); or
   records with the fields `time` and `position`, both `float64`, in either order.
-- Refused: other types and shapes, Fortran order, numbers that are not finite, time that runs backwards, a file whose
+- Refused: other types and shapes, Fortran order, numbers that are none or beyond 1e15, time that runs backwards, a file whose
   length is not what its header says.
 )";
 

@@ -118,11 +118,14 @@ class RtxReader final : public RecordingReader {
       std::uint64_t bits = 0;
       std::memcpy(&bits, bytes.data() + k, rtx_number);
       if constexpr (std::endian::native == std::endian::big) bits = std::byteswap(bits);
-      const auto position = std::bit_cast<double>(bits) * scale_;
-      if (std::isfinite(position))
-        samples.push_back({static_cast<double>(taken_++) / header_->rate_hz, position});
-      else
-        done = fail(fmt::format("found a number that is not finite in sample {}, expected a position", taken_ + 1));
+      const Sample sample{static_cast<double>(taken_) / header_->rate_hz, std::bit_cast<double>(bits) * scale_};
+      if (is_sound(sample)) {
+        samples.push_back(sample);
+        ++taken_;
+      } else {
+        done = fail(
+            fmt::format("found a number beyond 1e15, or none, in sample {}, expected time and position", taken_ + 1));
+      }
     }
     last_number_ = bytes.substr(bytes.size() - rtx_number);
     if (!samples.empty()) AXIOMETRY_TRY_VOID(sink(samples));
@@ -179,7 +182,7 @@ EOF::
 - Machine, axis, location and date are told as remarks; of a date such as 10/02/2025 it is not known whether the day
   or the month stands first.
 - A trigger interval that is not one over the rate is told: the samples may have been triggered by position.
-- Refused: fewer or more numbers than the header says, numbers that are not finite, a header without a number of
+- Refused: fewer or more numbers than the header says, numbers that are none or beyond 1e15, a header without a number of
   samples or a rate, or of more than 64 KiB.
 - `axiometry dynamic` tells velocity, acceleration, vibrations and how evenly the axis moved; with stops in it
   `axiometry evaluate --plan` takes the readings out of it.

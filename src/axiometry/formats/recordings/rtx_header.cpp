@@ -17,7 +17,7 @@ namespace axiometry::formats {
 namespace {
 
 constexpr std::size_t longest_rtx_header = std::size_t{64} << 10;
-constexpr double fastest_hz = 1e9;
+constexpr double slowest_hz = 1e-6, fastest_hz = 1e9;
 constexpr double interval_tolerance = 0.01;
 constexpr std::size_t longest_value = 200;
 
@@ -75,8 +75,9 @@ Result<void> settle(RtxHeader& header, const RtxNumbers& numbers) {
   header.rate_is_actual = !numbers.actual_rate.empty();
   const std::string_view stated = header.rate_is_actual ? numbers.actual_rate : numbers.rate;
   const auto rate = parse_number(stated);
-  if (!rate || !(*rate > 0.0 && *rate <= fastest_hz))
-    return fail(fmt::format("found {} as sample rate of an .rtx recording, expected Hz above 0", text::quoted(stated)));
+  if (!rate || !(*rate >= slowest_hz && *rate <= fastest_hz))
+    return fail(
+        fmt::format("found {} as sample rate of an .rtx recording, expected 1e-6 to 1e9 Hz", text::quoted(stated)));
   header.rate_hz = *rate;
   header.trigger_interval = parse_number(numbers.interval);
   return {};

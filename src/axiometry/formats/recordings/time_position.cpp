@@ -70,7 +70,7 @@ class TimePositionReader final : public LineReader {
     if (!stamp_ns)
       return fail(fmt::format("found {}, expected a time such as 2026-11-21T12:34:56.789", text::quoted(cell)));
     if (!first_stamp_ns_) first_stamp_ns_ = stamp_ns;
-    return static_cast<double>(*stamp_ns - *first_stamp_ns_) * 1e-9;
+    return seconds_between(*first_stamp_ns_, *stamp_ns);
   }
 
   Result<void> end() override {
@@ -141,7 +141,7 @@ time_s,position_mm
   `--unit` names, of several columns from that of `--stream-axis`.
 - The time may be a point in time: `2026-11-21T12:34:56.789Z`, `2026-11-21 12:34:56,789`; it counts from the first.
 - Lines that begin with `#` or `%` and empty lines are passed over.
-- Refused: lines with other columns than those before, numbers that are not finite, time that runs backwards, positions
+- Refused: lines with other columns than those before, numbers that are none or beyond 1e15, time that runs backwards, positions
   in a unit of the other kind of axis. Of a live stream and with `--skip-damaged` such lines are counted and left out,
   also a line whose time ran ahead; five in order behind the time before are a clock that was set, and are taken.
 )";

@@ -71,7 +71,7 @@ export function use_live(id: string, turn: number): Live {
         (failure: unknown) => {
           asking = false;
           if (abort.signal.aborted) return;
-          if (failure instanceof ApiError && failure.kind !== 'offline' && failure.kind !== 'unavailable') return set_error(failure);
+          if (failure instanceof ApiError && failure.kind !== 'offline' && failure.status < 500) return set_error(failure);
           failures += 1;
           set_lost(true);
           later(Math.min(longest_wait_ms, often_ms * 2 ** failures));

@@ -42,13 +42,8 @@ std::unexpected<Error> fail_of_folder(std::string_view doing) {
 }
 
 Result<void> put(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return fail_of_folder("keep the order of the capture");
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return synced(descriptor) ? Result<void>{} : fail_of_folder("keep the order of the capture");
+  const bool kept = written_all(descriptor, bytes) && synced(descriptor);
+  return kept ? Result<void>{} : fail_of_folder("keep the order of the capture");
 }
 
 /// Lines behind the order in its file, so that all of it goes together.
@@ -275,9 +270,14 @@ Result<HeldCapture> CaptureFolder::take(store::Id id) {
 std::vector<CaptureFolder::Ended> CaptureFolder::ended() const {
   std::vector<Ended> ended;
   for (const store::Id id : ids())
-    if (auto held = hold(id); held && held->ended_ && !held->kept_)
-      ended.push_back({id, {held->order_, *held->ended_}});
+    if (auto one = this->ended(id)) ended.push_back(*std::move(one));
   return ended;
+}
+
+std::optional<CaptureFolder::Ended> CaptureFolder::ended(store::Id id) const {
+  const auto held = hold(id);
+  if (!held || !held->ended_ || held->kept_) return std::nullopt;
+  return Ended{id, {held->order_, *held->ended_}};
 }
 
 Result<void> CaptureFolder::adopt(std::span<const EndedCapture> captures) {

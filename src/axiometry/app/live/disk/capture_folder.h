@@ -78,6 +78,8 @@ class CaptureFolder {
   };
   /// Captures that became tables, the oldest first.
   std::vector<Ended> ended() const;
+  /// One of those; nothing where it is none.
+  std::optional<Ended> ended(store::Id id) const;
   /// Takes those whose order is not here, ended or not, which an archive brought along from elsewhere. Fails as add()
   /// does, after all that can be taken.
   Result<void> adopt(std::span<const EndedCapture> captures);

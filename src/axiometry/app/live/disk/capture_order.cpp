@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/live/disk/capture_order.h"
 
+#include "axiometry/app/live/disk/noted.h"
 #include "axiometry/formats/plan/plan_json.h"
 
 namespace axiometry::app {
@@ -29,30 +30,22 @@ Value to_json(const CaptureOrder& order) {
 
 std::optional<CaptureOrder> capture_order_from(const Value& value) {
   if (!value.is(Kind::object)) return {};
-  const auto text = [&](std::string_view name) {
-    const Value* member = value.find(name);
-    return member != nullptr && member->is(Kind::text) ? member->text() : std::string();
-  };
-  const auto number = [&](std::string_view name) {
-    const Value* member = value.find(name);
-    return member != nullptr && member->is(Kind::number) ? member->number() : 0.0;
-  };
   const Value* walked = value.find("walked");
   const Value *noted_lengths = value.find("lengths"), *noted_motion = value.find("motion");
   auto plan = walked == nullptr ? Result<Plan>(Plan()) : formats::plan_from_value(*walked);
   auto lengths = noted_lengths == nullptr ? std::nullopt : length_order_from(*noted_lengths);
   auto motion = noted_motion == nullptr ? std::nullopt : motion_order_from(*noted_motion);
   if (!plan || (walked == nullptr && !lengths) || (noted_motion != nullptr && !motion)) return {};
-  CaptureOrder order{.plan = static_cast<store::Id>(number("plan")),
-                     .part = static_cast<std::size_t>(number("part")),
+  CaptureOrder order{.plan = static_cast<store::Id>(noted_count(value, "plan")),
+                     .part = noted_count(value, "part"),
                      .walked = *std::move(plan),
                      .lengths = std::move(lengths),
                      .motion = motion,
-                     .source = text("source"),
-                     .layout = text("layout"),
+                     .source = noted_text(value, "source"),
+                     .layout = noted_text(value, "layout"),
                      .options = {},
-                     .actor = text("actor"),
-                     .started = text("started")};
+                     .actor = noted_text(value, "actor"),
+                     .started = noted_text(value, "started")};
   if (const Value* options = value.find("options"); options != nullptr && options->is(Kind::object))
     for (const auto& [name, option] : options->members())
       if (option.is(Kind::text)) order.options.emplace_back(name, option.text());

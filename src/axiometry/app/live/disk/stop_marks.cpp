@@ -12,6 +12,7 @@
 #include <limits>
 #include <system_error>
 
+#include "axiometry/app/files/synced.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
@@ -100,8 +101,7 @@ Result<void> append_mark(const std::string& raw, const StopMark& mark) {
   }
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor < 0) return fail_by_system(file);
-  const bool written =
-      ::write(descriptor, line.data(), line.size()) == static_cast<ssize_t>(line.size()) && ::fsync(descriptor) == 0;
+  const bool written = written_all(descriptor, line) && synced(descriptor) && folder_synced(file);
   const auto failed = written ? Result<void>{} : Result<void>(fail_by_system(file));
   ::close(descriptor);
   return failed;

@@ -3,27 +3,13 @@
 
 #include <string_view>
 
+#include "axiometry/app/live/disk/noted.h"
 #include "axiometry/app/recordings/stop_options.h"
 
 namespace axiometry::app {
-namespace {
 
 using json::Kind;
 using json::Value;
-
-std::string noted_text(const Value& value, std::string_view name) {
-  const Value* member = value.find(name);
-  return member != nullptr && member->is(Kind::text) ? member->text() : std::string();
-}
-
-std::size_t noted_count(const Value& value, std::string_view name) {
-  constexpr double most = 1e9;
-  const Value* member = value.find(name);
-  const bool counts = member != nullptr && member->is(Kind::number) && member->number() >= 0.0;
-  return counts && member->number() <= most ? static_cast<std::size_t>(member->number()) : 0;
-}
-
-}  // namespace
 
 Value to_json(const LengthOrder& order) {
   Value value = Value::object();
@@ -79,13 +65,13 @@ std::optional<MotionOrder> motion_order_from(const Value& value) {
 std::optional<TableEnd> table_end_from(const Value& value) {
   if (!value.is(Kind::object)) return {};
   TableEnd end{.stage = noted_text(value, "stage"),
-                .raw = noted_text(value, "raw"),
-                .times = noted_text(value, "times"),
-                .keys = noted_text(value, "keys"),
-                .table = noted_text(value, "table"),
-                .found = noted_count(value, "found"),
-                .notes = {},
-                .error = noted_text(value, "error")};
+               .raw = noted_text(value, "raw"),
+               .times = noted_text(value, "times"),
+               .keys = noted_text(value, "keys"),
+               .table = noted_text(value, "table"),
+               .found = noted_count(value, "found"),
+               .notes = {},
+               .error = noted_text(value, "error")};
   if (end.stage.empty()) return {};
   if (const Value* notes = value.find("notes"); notes != nullptr && notes->is(Kind::array))
     for (const Value& note : notes->items())

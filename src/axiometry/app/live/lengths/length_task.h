@@ -29,7 +29,7 @@ std::optional<LengthPlanKind> length_plan_kind(std::string_view name);
 
 /// Where the reflector is to come to rest.
 struct TaskStop {
-  std::string group;  ///< "line xy", "part 3"
+  std::string group;  ///< "measuring line xy", "part 3"
   std::string name;   ///< name within it: "target 1↑ run 1", "point 17"
   Vector3 reflector_mm;
   bool begins_segment = false;  ///< the plan expects that the beam is lost on the way there
@@ -50,7 +50,7 @@ class LengthTask {
 
   LengthPlanKind kind() const;
   std::size_t part() const { return part_; }
-  std::string title() const;            ///< "line xy", "all 7 lines", "part 3 (station A, tool short)"
+  std::string title() const;            ///< "measuring line xy", "all 7 lines", "part 3 (station A, tool short)"
   std::vector<TaskStop> stops() const;  ///< stops in the order in which they come
   std::size_t stop_count() const;
   const std::vector<TaskPart>& parts() const { return parts_; }  ///< all of the plan, this one too

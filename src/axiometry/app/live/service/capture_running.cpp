@@ -150,8 +150,7 @@ void CaptureService::Running::tell_notice(const std::string& text) {
 }
 
 /// Readings that are not among those we know; all of them where the capture has begun again.
-void CaptureService::Running::take_readings(const CaptureSession& session) {
-  const auto& all = session.matcher().result().readings;
+void CaptureService::Running::take_readings(const std::vector<capture::CapturedReading>& all) {
   const bool again = all.size() < state_.readings.size() ||
                      (!state_.readings.empty() && !(all[state_.readings.size() - 1].standstill.begin_s ==
                                                     state_.readings.back().reading.standstill.begin_s));
@@ -205,7 +204,7 @@ void CaptureService::Running::now(const CaptureSession& session) {
     if (state_.lengths) return take_lengths(session);
     if (state_.motion) return take_values(*session.motion());
     state_.due = session.matcher().due();
-    take_readings(session);
+    take_readings(session.matcher().result().readings);
   }
   if (evaluated_) return;
   evaluated_ = true;
@@ -256,9 +255,7 @@ CaptureService::Running::End CaptureService::Running::conclude(const Result<Capt
     {
       const std::scoped_lock lock(mutex_);
       ++state_.revision;
-      for (std::size_t k = state_.readings.size(); k < outcome->result.readings.size(); ++k)
-        state_.readings.push_back({state_.revision, outcome->result.readings[k]});
-      state_.taken = state_.readings.size();
+      take_readings(outcome->result.readings);
       state_.due.reset();
     }
     evaluate(outcome->test);

@@ -53,7 +53,7 @@ class CaptureService::Running {
   CaptureObserver observer();
   void tell_notice(const std::string& text);
   void now(const CaptureSession& session);
-  void take_readings(const CaptureSession& session);
+  void take_readings(const std::vector<capture::CapturedReading>& all);
   void take_lengths(const CaptureSession& session);
   void take_values(const MotionListener& motion);
   std::vector<capture::StopKey> take_keys();

@@ -17,6 +17,7 @@
 #include "axiometry/app/live/sources/simulated_motion.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/recordings/stop_options.h"
+#include "axiometry/base/at_scope_end.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/store/database/clock.h"
@@ -217,22 +218,19 @@ Result<CaptureState> CaptureService::start(const CaptureWish& wish) {
 Result<CaptureState> CaptureService::start(CaptureOrder order, const CaptureSource& source,
                                            std::optional<LengthTask> task) {
   AXIOMETRY_TRY_VOID(reserve(source));
-  auto state = [&]() -> Result<CaptureState> {
-    AXIOMETRY_TRY(Begun begun, begin(order, Way::listen, {}, std::move(task)));
-    if (const MotionListener* motion = begun.session.motion())
-      order.motion = {.error = motion->error(), .sign = motion->stated().sign};
-    if (order.lengths) {
-      AXIOMETRY_TRY(order.lengths->plan, keeping_.keep_plan(order, json::dump(begun.task->plan_value()) + "\n"));
-    }
-    auto held = [&] {
-      const std::scoped_lock lock(mutex_);
-      return folder_.add(order);
-    }();
-    if (!held) return std::unexpected(std::move(held).error());
-    return launch(*std::move(held), std::move(begun), Way::listen);
+  const AtScopeEnd released([&] { release(source.id); });
+  AXIOMETRY_TRY(Begun begun, begin(order, Way::listen, {}, std::move(task)));
+  if (const MotionListener* motion = begun.session.motion())
+    order.motion = {.error = motion->error(), .sign = motion->stated().sign};
+  if (order.lengths) {
+    AXIOMETRY_TRY(order.lengths->plan, keeping_.keep_plan(order, json::dump(begun.task->plan_value()) + "\n"));
+  }
+  auto held = [&] {
+    const std::scoped_lock lock(mutex_);
+    return folder_.add(order);
   }();
-  release(source.id);
-  return state;
+  if (!held) return std::unexpected(std::move(held).error());
+  return launch(*std::move(held), std::move(begun), Way::listen);
 }
 
 /// Needs the lock. Each reads a whole recording in a thread of its own.
@@ -255,16 +253,18 @@ Result<CaptureState> CaptureService::restart(store::Id id, Way way) {
                   fmt::format("found {} interrupted captures being ended, expected fewer than {}: try again when one "
                               "of them is kept",
                               settings_.most_concluding, settings_.most_concluding));
-    restarting_[id] = state_of(taken.order(), id, Stage::waiting);
+    CaptureState waiting = state_of(taken.order(), id, Stage::waiting);
     if (way == Way::conclude) about_to_conclude_.insert(id);
+    restarting_.emplace(id, std::move(waiting));
     return taken;
   }();
   if (!held) return std::unexpected(std::move(held).error());
-  auto state = way == Way::go_on ? go_on(*std::move(held)) : play(*std::move(held), way);
-  const std::scoped_lock lock(mutex_);
-  restarting_.erase(id);
-  about_to_conclude_.erase(id);
-  return state;
+  const AtScopeEnd restarted([&] {
+    const std::scoped_lock lock(mutex_);
+    restarting_.erase(id);
+    about_to_conclude_.erase(id);
+  });
+  return way == Way::go_on ? go_on(*std::move(held)) : play(*std::move(held), way);
 }
 
 /// Lets go of it before it comes back with a failure.
@@ -281,9 +281,8 @@ Result<CaptureState> CaptureService::go_on(HeldCapture held) {
   }
   AXIOMETRY_TRY(const CaptureSource* const source, source_named(held.order().source));
   AXIOMETRY_TRY_VOID(reserve(*source));
-  auto state = play(std::move(held), Way::go_on);
-  release(source->id);
-  return state;
+  const AtScopeEnd released([&] { release(source->id); });
+  return play(std::move(held), Way::go_on);
 }
 
 /// Where it is concluded it needs no place among those that listen.
@@ -360,10 +359,9 @@ Result<CaptureState> CaptureService::state(store::Id id, CaptureRevision after) 
   const std::scoped_lock lock(mutex_);
   if (const auto running = captures_.find(id); running != captures_.end()) return running->second->state(after);
   if (const auto restarting = restarting_.find(id); restarting != restarting_.end()) return restarting->second;
+  if (const auto ended = folder_.ended(id)) return state_of(*ended);
   for (const CaptureFolder::Left& left : folder_.left_behind())
     if (left.id == id) return state_of(left.order, left.id, Stage::interrupted);
-  for (const CaptureFolder::Ended& ended : folder_.ended())
-    if (ended.id == id) return state_of(ended);
   return fail(ErrorKind::not_found, fmt::format("found no capture {} that runs or has run lately", id));
 }
 

@@ -133,6 +133,7 @@ class CaptureService {
   Result<LengthTask> task_of(const CaptureState& state) const;
   /// A file of a capture that became a table: "raw", "times", "keys", or table_role(). Fails with not_found.
   Result<std::string> file_of(store::Id id, std::string_view role);
+  Result<std::string> file_of(const CaptureState& state, std::string_view role) const;
   /// Forgets a capture that became a table; its files stay in the archive. Fails with not_found, and with conflict on
   /// one that goes on or was interrupted.
   Result<void> discard(store::Id id, const std::string& actor);

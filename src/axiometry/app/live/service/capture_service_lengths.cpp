@@ -67,6 +67,10 @@ Result<LengthTask> CaptureService::task_of(const CaptureState& state) const {
 
 Result<std::string> CaptureService::file_of(store::Id id, std::string_view role) {
   AXIOMETRY_TRY(const CaptureState found, state(id));
+  return file_of(found, role);
+}
+
+Result<std::string> CaptureService::file_of(const CaptureState& found, std::string_view role) const {
   std::string sha256;
   if (const auto& end = found.came_to)
     sha256 = role == "raw"               ? end->raw
@@ -75,7 +79,7 @@ Result<std::string> CaptureService::file_of(store::Id id, std::string_view role)
              : role == table_role(found) ? end->table
                                          : "";
   if (!sha256.empty()) return keeping_.bytes(sha256);
-  return fail(ErrorKind::not_found, fmt::format("found no file {} of capture {}", text::quoted(role), id));
+  return fail(ErrorKind::not_found, fmt::format("found no file {} of capture {}", text::quoted(role), found.id));
 }
 
 /// An archive that cannot be read or written now is asked again when the program begins the next time: what the folder

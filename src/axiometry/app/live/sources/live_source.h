@@ -18,7 +18,7 @@ namespace axiometry::app {
 struct LiveAddress {
   enum class Kind { tcp, serial, simulator } kind = Kind::tcp;
   std::string host;  ///< host, or the device of a serial port, or what stands behind "simulator://?"
-  std::string port;  ///< a number or a name
+  std::string port;  ///< port of TCP, a number
   unsigned baud = 115'200;
   std::string request{};  ///< bytes that make an instrument at a serial port begin; empty: nothing is sent to it
 };
@@ -56,7 +56,7 @@ class LiveStream {
 using Connect = std::function<Result<std::unique_ptr<LiveStream>>()>;
 
 /// To a TCP server or a serial port, where the request is sent, and again after five seconds without a byte. Fails with
-/// the system's reason, for TCP after at most five seconds.
+/// the system's reason, for TCP after at most five seconds for each address that the host's name stands for.
 Result<std::unique_ptr<LiveStream>> connect_to(const LiveAddress& address);
 
 /// Opens a serial port: raw bytes, 8 data bits, no parity, one stop bit, no flow control, any baud rate that the driver
