@@ -97,11 +97,13 @@ void add_api_routes(Router& router, const Context& context) {
   add_rule_routes(router, context);
   add_periodic_routes(router, context);
   add_equipment_routes(router, context);
+  add_audit_routes(router, context);
   add_plan_routes(router, context);
   add_capture_routes(router, context);
   add_tracking_routes(router);
   add_coordinates_routes(router);
   add_dynamic_routes(router);
+  add_motion_routes(router);
   add_calibration_routes(router, context);
   add_compensation_routes(router, context);
   add_volumetric_routes(router);
@@ -191,6 +193,7 @@ Result<ServeEnd> serve(const ServeOptions& options, const ServeObserver& observe
                     recording, recording));
   Router router;
   add_service_routes(router, {.store = *store, .token = doors.token, .upload_bytes = options.limits.upload_bytes});
+  add_session_routes(router, doors.token);
   add_api_routes(router, {.store = *store, .workbench = workbench, .captures = *captures});
   add_page_routes(router, page_files());
   router.expect(QueryNames(openapi_files().front().bytes));

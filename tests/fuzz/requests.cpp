@@ -27,6 +27,7 @@ class Api {
     const server::Context context{archive_.store(), workbench_, captures};
     add_test_routes(router_, context);
     add_equipment_routes(router_, context);
+    add_audit_routes(router_, context);
     add_plan_routes(router_, context);
     server::Request first{.method = "POST", .path = "/api/tests", .body = std::string(app::example_table2)};
     AXIOMETRY_CONTRACT(answer(std::move(first)).value().status == 201);

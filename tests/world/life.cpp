@@ -23,6 +23,7 @@ Life::Life(const std::string& file) {
   const server::Context context{*store_, *workbench_, *captures_};
   add_test_routes(router_, context);
   add_equipment_routes(router_, context);
+  add_audit_routes(router_, context);
   add_plan_routes(router_, context);
 }
 

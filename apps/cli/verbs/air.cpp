@@ -11,6 +11,7 @@
 #include "axiometry/app/periodic/air_answer.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/standards/readings/test_air.h"
 #include "cli/failure.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/terminal.h"
@@ -24,7 +25,7 @@ struct AirArguments {
   double kPa = 101.325;
   double percent = 50.0;
   double co2_ppm = 450.0;
-  double vacuum_nm = 632.9909;
+  double vacuum_nm = helium_neon_nm;
   std::vector<AirEquation> equations = {AirEquation::ciddor, AirEquation::edlen};
   std::string json;
 };

@@ -15,8 +15,8 @@
 #include "axiometry/app/workbench/workbench_json.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/calibration_kinds.h"
-#include "server/forms/sent_form.h"
 #include "server/http/request_values.h"
+#include "server/routes/calibration_form.h"
 #include "server/routes/made_documents.h"
 #include "server/routes/routes.h"
 #include "server/routing/adder.h"
@@ -27,8 +27,6 @@ namespace {
 using json::Value;
 using store::Store;
 using CalibrationOrder = store::CalibrationFilter::Order;
-
-constexpr std::size_t calibration_bytes_max = std::size_t{16} << 20;  // as of lengths that are only looked at
 
 Result<CalibrationOrder> calibration_order(std::string_view name) {
   constexpr std::array orders = {std::pair{std::string_view("received"), CalibrationOrder::received},
@@ -63,51 +61,6 @@ Result<store::CalibrationFilter> calibration_filter(const Request& request) {
   filter.offset = offset.value_or(0);
   filter.limit = limit.value_or(filter.limit);
   return filter;
-}
-
-constexpr std::array calibration_parts = {KnownPart{"kind", PartContent::text}, KnownPart{"about", PartContent::json},
-                                          KnownPart{"options", PartContent::json}, KnownPart{"", PartContent::files}};
-constexpr KnownForm calibration_form{"one with kind and files", "kind, about, options and files", calibration_parts};
-
-/// The parts kind, about and options, and the files by what they are for.
-struct CalibrationForm {
-  std::string kind;
-  Value about, options;
-  std::vector<app::CalibrationSource> files;
-};
-
-Result<CalibrationForm> calibration_form_of(const Request& request) {
-  AXIOMETRY_TRY(const SentForm sent, sent_form(request, calibration_form));
-  CalibrationForm form{std::string(sent.text("kind")),
-                       sent.value("about").value_or(Value::object()),
-                       sent.value("options").value_or(Value::object()),
-                       {}};
-  for (const SentForm::File& file : sent.files) form.files.push_back({file.part, file.given.name, file.given.bytes});
-  return form;
-}
-
-/// Straightness, angles or squareness that is only looked at. Without a kind, as the readings are.
-Result<app::EvaluatedCalibration> motions_of(const Request& request) {
-  AXIOMETRY_TRY(CalibrationForm form, calibration_form_of(request));
-  if (!form.about.is(json::Kind::object) || !form.about.members().empty())
-    return fail("found the part about in the form, expected it where it is kept");
-  if (form.kind.empty() && !form.files.empty()) form.kind = app::motion_kind_of_files(form.files);
-  if (!app::is_motion_kind(form.kind))
-    return fail(fmt::format("found the kind {}, expected straightness, angles or squareness", text::quoted(form.kind)));
-  return app::evaluate_calibration(form.kind, form.files, form.options);
-}
-
-Result<Response> motions(const Store&, const Request& request) {
-  AXIOMETRY_TRY(const app::Reader reader, reader_of(request));
-  AXIOMETRY_TRY(const app::EvaluatedCalibration evaluated, motions_of(request));
-  return json_response(app::localised_result(app::result_of(evaluated), app::ResultKind::motions, reader));
-}
-
-Result<Response> motions_report(const Store&, const Request& request) {
-  AXIOMETRY_TRY(const report::Options options, document_options_of(request));
-  AXIOMETRY_TRY(const app::EvaluatedCalibration evaluated, motions_of(request));
-  if (wants_json(request)) return json_file(app::result_of(evaluated), "motions");
-  return document_response(app::document_of(evaluated, options), request, options, "motions");
 }
 
 Result<app::NewCalibration> new_calibration_of(const Request& request) {
@@ -193,9 +146,6 @@ Result<Response> compare_calibrations(const Store& store, const Request& request
 
 void add_calibration_routes(Router& router, const Context& context) {
   const auto add = adder(router, context.store);
-  const Terms looked_at{.sent = Sent::files, .only_looks = true, .body_max = calibration_bytes_max};
-  add("POST", "/api/motions", motions, Weight::heavy, looked_at);
-  add("POST", "/api/motions/report.{extension}", motions_report, Weight::heavy, looked_at);
   add("GET", "/api/calibrations", list_calibrations);
   add("POST", "/api/calibrations", keep_calibration, Weight::heavy,
       {.sent = Sent::files, .body_max = calibration_bytes_max});

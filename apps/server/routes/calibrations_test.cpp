@@ -31,6 +31,7 @@ class CalibrationRoutes : public RouteTest {
  protected:
   CalibrationRoutes() : RouteTest("/api/calibrations") {
     auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
+    add_motion_routes(router);
     add_calibration_routes(router, {archive.store(), workbench, captures});
   }
 
@@ -394,6 +395,7 @@ class MotionRoutes : public RouteTest {
  protected:
   MotionRoutes() : RouteTest("/api/motions") {
     auto& captures = *reinterpret_cast<app::CaptureService*>(&workbench);  // these have nothing to do with captures
+    add_motion_routes(router);
     add_calibration_routes(router, {archive.store(), workbench, captures});
   }
   Response look(const Pairs& files, const Pairs& texts = {}, std::string_view path = "") const {

@@ -31,16 +31,19 @@ struct ServiceContext {
   std::size_t upload_bytes = 0;
 };
 
-void add_service_routes(Router& router, const ServiceContext& context);  ///< health, openapi.json, vocabulary, login
+void add_service_routes(Router& router, const ServiceContext& context);  ///< health, openapi.json, vocabulary
+void add_session_routes(Router& router, TokenGate& token);               ///< signing in and out
 void add_test_routes(Router& router, const Context& context);       ///< previews, tests, versions, reports, figures
 void add_rule_routes(Router& router, const Context& context);       ///< kept tests by other rules; keep nothing
 void add_periodic_routes(Router& router, const Context& context);   ///< periodic errors of kept tests; keep nothing
-void add_equipment_routes(Router& router, const Context& context);  ///< machines, axes, instruments, trends, audit
+void add_equipment_routes(Router& router, const Context& context);  ///< machines, axes, instruments, trends
+void add_audit_routes(Router& router, const Context& context);      ///< the audit trail
 void add_plan_routes(Router& router, const Context& context);       ///< plans, their sheets and NC programs
 void add_capture_routes(Router& router, const Context& context);    ///< live sources and captures
 void add_tracking_routes(Router& router);  ///< station, lines and evaluation of a tracking interferometer; keep nothing
 void add_coordinates_routes(Router& router);  ///< points from lengths, with angles or without; keep nothing
 void add_dynamic_routes(Router& router);      ///< recordings without standstills; keep nothing
+void add_motion_routes(Router& router);       ///< straightness, angles, squareness; keep nothing
 void add_calibration_routes(Router& router, const Context& context);   ///< lines and the 21 errors that are kept
 void add_compensation_routes(Router& router, const Context& context);  ///< tables by which controls correct an axis
 void add_volumetric_routes(Router& router);  ///< plan, errors and field of a volumetric calibration; keep nothing

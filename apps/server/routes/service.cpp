@@ -9,8 +9,6 @@
 namespace axiometry::server {
 namespace {
 
-constexpr std::size_t login_bytes_max = 4096;  // of JSON with a token of 512, each byte of which may be spelt \u00XX
-
 json::Value text_or_null(const std::string& text) { return text.empty() ? json::Value() : json::Value(text); }
 
 json::Value count_value(std::int64_t count) { return static_cast<double>(count); }
@@ -67,10 +65,6 @@ void add_service_routes(Router& router, const ServiceContext& context) {
   router.add("GET", "/api/openapi.json", [](const Request&) -> Result<Response> { return description(); });
   router.add("GET", "/api/vocabulary",
              [](const Request& request) -> Result<Response> { return json_response(vocabulary(request.language)); });
-  router.add("POST", "/api/login", [context](const Request& request) { return context.token.login(request); },
-             Weight::light, {.body_max = login_bytes_max});
-  router.add("POST", "/api/logout",
-             [context](const Request& request) -> Result<Response> { return context.token.logout(request); });
 }
 
 }  // namespace axiometry::server

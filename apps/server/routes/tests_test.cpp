@@ -27,6 +27,7 @@ class Routes : public testing::Test {
     const Context context{archive.store(), workbench, captures};
     add_test_routes(router, context);
     add_equipment_routes(router, context);
+    add_audit_routes(router, context);
     add_compensation_routes(router, context);
   }
 

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "axiometry/base/text/number_text.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/capture/station_refining.h"
 
 namespace axiometry::capture {
 namespace {
 
-constexpr double um_per_mm = 1000.0;
 constexpr double same_place_mm = 1e-6;
 constexpr double resting_share = 0.5;    // of the standstills that must belong to stops
 constexpr double displaced_share = 0.3;  // of the stops heard: rests that are none, and as many stops without one

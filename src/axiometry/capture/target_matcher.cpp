@@ -10,6 +10,7 @@
 
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/capture/full_turns.h"
+#include "axiometry/numeric/median.h"
 
 namespace axiometry::capture {
 namespace {
@@ -338,8 +339,7 @@ Result<void> TargetMatcher::finish() {
   std::vector<double> deviations;
   for (const CapturedReading& reading : result_.readings) deviations.push_back(reading.deviation.in_native());
   if (deviations.empty()) return {};
-  std::ranges::nth_element(deviations, deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2));
-  const double middle = deviations[deviations.size() / 2];
+  const double middle = numeric::upper_median(std::move(deviations));
   if (std::abs(middle) > window_.in_native() * deviation_per_position(walk_->plan.axis.kind) / 10)
     event(
         EventKind::off_zero, last_time_s_,

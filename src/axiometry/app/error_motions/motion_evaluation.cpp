@@ -11,14 +11,13 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/standards/error_motions/abbe_offset.h"
 
 namespace axiometry::app {
 namespace {
-
-constexpr double urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
 
 Result<void> put_name(MeasuredMotion& measured, const MotionRequest& request, bool angle) {
   const std::optional<MotionName>& stated = request.error;

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "axiometry/app/files/source.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/recording.h"
+#include "axiometry/numeric/median.h"
 #include "axiometry/standards/iso230_2/inputs/resolved_keys.h"
 #include "axiometry/standards/iso230_2/monte_carlo/environment_recording.h"
 #include "axiometry/standards/readings/test_course.h"
@@ -52,8 +54,7 @@ Result<DriftRecording> DriftPicker::picked() const {
   for (std::size_t k = 1; k < kept_.size(); ++k) intervals.push_back(kept_[k].time_s - kept_[k - 1].time_s);
   const auto gap = std::ranges::max_element(intervals);
   const double longest = *gap, begin_of_gap = kept_[static_cast<std::size_t>(gap - intervals.begin())].time_s;
-  std::ranges::nth_element(intervals, intervals.begin() + std::ssize(intervals) / 2);
-  const double median = intervals[intervals.size() / 2];
+  const double median = numeric::upper_median(std::move(intervals));
   if (!(median > 0.0)) return fail("found values without a time between them, expected a recording at standstill");
   if (longest > most_steps_of_gap * median)
     return fail(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "axiometry/base/text/number_text.h"
@@ -14,6 +15,7 @@
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/table_heads.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
+#include "axiometry/numeric/median.h"
 
 namespace axiometry::formats {
 namespace {
@@ -72,9 +74,7 @@ double usual_step_s(const std::vector<double>& times_s) {
   std::vector<double> steps;
   for (std::size_t k = 1; k < times_s.size(); ++k) steps.push_back(times_s[k] - times_s[k - 1]);
   if (steps.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  return *middle;
+  return numeric::upper_median(std::move(steps));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/nc/table_text.h"
 
 namespace axiometry::nc {
@@ -24,7 +25,6 @@ namespace marlin_skew {
 namespace {
 
 constexpr std::string_view range_mark = "; range ";
-constexpr double um_per_mm = 1000.0;
 constexpr double factor_most = 1.0;
 constexpr int factor_decimals = 8;  // 0.01 µm over a metre
 

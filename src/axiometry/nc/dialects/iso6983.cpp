@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/nc/dialect.h"
+#include "axiometry/nc/dialects/fanuc_like.h"
 #include "axiometry/nc/word_program.h"
 
 namespace axiometry::nc {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/report/figures/drift_recording.h"
 #include "axiometry/report/figures/mean_deviations.h"
 #include "axiometry/report/method_values.h"
@@ -226,10 +227,9 @@ class ComposedMeanTable {
       return text_cell(format_fixed(targets[i].in_native(), decimals, options_.numbers));
     });
     if (!linear) return;
-    constexpr double mm_of_metre = 1000.0;
     add_column(joined({symbol("l_i"), plain(", mm")}), false, [&](std::size_t i) {
       return text_cell(
-          format_fixed(mm_of_metre * annex_a_.positions[i].length_m.value_or(0.0), decimals, options_.numbers));
+          format_fixed(mm_per_m * annex_a_.positions[i].length_m.value_or(0.0), decimals, options_.numbers));
     });
   }
 

@@ -13,6 +13,7 @@
 #include "axiometry/base/decimal_tie.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/standards/iso230_2/programme.h"
 #include "axiometry/standards/readings/reading_change.h"
 #include "axiometry/standards/readings/usual_expansion.h"
@@ -20,7 +21,6 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr double um_per_mm = 1000.0;
 constexpr double nearest_share = 0.1;  // share of the interval by which a calibrated position may be off its target
 
 /// Four decimals at most.

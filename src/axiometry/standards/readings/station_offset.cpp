@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/numeric/distributions/normal_and_student_t.h"
 
 namespace axiometry {
@@ -18,7 +19,6 @@ namespace {
 
 using uncertainty::Distribution;
 
-constexpr double um_per_mm = 1000.0;
 constexpr double largest_mm = 1e6;  // largest uncertainty; beyond it somebody mixed up units
 
 constexpr std::size_t quarter_turn_nodes = 64;

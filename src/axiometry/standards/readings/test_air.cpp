@@ -11,7 +11,6 @@
 namespace axiometry {
 namespace {
 
-constexpr double helium_neon_nm = 632.9909;  // vacuum wavelength of a stabilised red laser, as instruments assume it
 constexpr double co2_default_ppm = 450.0;
 
 /// What was read of one quantity, as plain numbers in its unit.

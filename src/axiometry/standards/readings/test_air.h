@@ -10,6 +10,9 @@
 
 namespace axiometry {
 
+/// Vacuum wavelength of a stabilised red laser, as instruments assume it, nm.
+inline constexpr double helium_neon_nm = 632.9909;
+
 /// Keys of the items that say nothing of the air: one of start and end is enough of each.
 std::vector<std::string> missing_for_air(const Metadata& metadata);
 

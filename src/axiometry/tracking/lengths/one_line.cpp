@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "axiometry/base/text/number_text.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/standards/iso230_2/parameters.h"
@@ -24,7 +25,6 @@ namespace axiometry::tracking {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-constexpr double um_per_mm = 1000.0;
 constexpr double beyond_machines_mm = 1.0;  // no machine stands that far from where its scale puts it
 constexpr double oblique_deg = 1.0;         // a straightness error of 10 µm then counts with 0.2 µm
 

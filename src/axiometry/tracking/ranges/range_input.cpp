@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/numeric/median.h"
 #include "axiometry/tracking/ranges/multilateration_findings.h"
 #include "axiometry/tracking/station/residual_findings.h"
 
@@ -241,9 +243,7 @@ std::optional<RangeBreak> find_residual_step(const RangeInput& in, std::span<con
     // From neighbours, whose differences a step leaves alone.
     for (std::size_t k = 1; k < own.size(); ++k)
       sizes.push_back(std::abs(residuals[own[k]] - residuals[own[k - 1]]) / std::sqrt(2.0));
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    const double scatter = std::max(*middle / 0.6745, in.options.ranging.standard_mm(0.0));
+    const double scatter = std::max(numeric::upper_median(sizes) / 0.6745, in.options.ranging.standard_mm(0.0));
     const double unit = scatter * std::sqrt(2.0 / static_cast<double>(window));
     double before = 0.0, after = 0.0;
     for (std::size_t k = 0; k < window; ++k) {

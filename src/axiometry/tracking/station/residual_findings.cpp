@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "axiometry/numeric/distributions/normal_and_student_t.h"
+#include "axiometry/numeric/median.h"
 
 namespace axiometry::tracking {
 
@@ -54,9 +56,8 @@ double outlier_limit(std::span<const double> normalised) {
     if (x != 0.0) sizes.push_back(std::abs(x));
   if (sizes.size() < 3) return std::numeric_limits<double>::infinity();
   const auto n = static_cast<double>(sizes.size());
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  const double scale = std::max(1.0, *middle / 0.6745);  // the median of |x| of a normal x is 0.6745 σ
+  // The median of |x| of a normal x is 0.6745 σ.
+  const double scale = std::max(1.0, numeric::upper_median(std::move(sizes)) / 0.6745);
   return -numeric::normal_quantile(0.025 / n) * scale;
 }
 

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/volumetric/simulate/random_streams.h"
 
@@ -151,7 +152,6 @@ TrueErrors with_drawn_reversal(TrueErrors errors, const TravelBox& travel, Rever
 }
 
 TrueErrors in_gauge(const TrueErrors& errors, const MachineModel& machine) {
-  constexpr double mm_per_m = 1000.0;
   TrueErrors gauged = errors;
   Matrix3 a_matrix{};  // µm/m
   std::array<Vector3, axis_count> turned{};

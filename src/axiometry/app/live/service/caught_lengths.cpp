@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/live/service/caught_lengths.h"
+#include "axiometry/base/unit_sizes.h"
 
 namespace axiometry::app {
 
 CaughtLengths caught_lengths(const capture::StopMatcher& matcher) {
-  constexpr double um_per_mm = 1e3;
   CaughtLengths caught;
   bool begins = false;
   for (const capture::StopMatch& match : matcher.matches()) {

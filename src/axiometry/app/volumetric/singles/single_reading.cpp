@@ -16,6 +16,7 @@
 #include "axiometry/app/volumetric/singles/single_means.h"
 #include "axiometry/base/go_on_unless.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/motions/motion_result.h"
 #include "axiometry/standards/error_motions/reference_line.h"
@@ -28,7 +29,6 @@ using volumetric::ErrorMotion;
 using volumetric::Reversal;
 
 constexpr double reversal_told = 0.005;  // µm or µrad: what is printed
-constexpr double single_urad_per_arcsec = std::numbers::pi / 180.0 / 3600.0 * 1e6;
 
 /// What means of both directions differ by the most, and of which error.
 struct LostReversal {
@@ -153,7 +153,7 @@ Result<std::optional<error_motions::InstrumentUncertainty>> instrument_of(const 
 
 Result<ReadSingle> read_motion(const SingleItem& item, ErrorMotion error, const MotionResult& result,
                                std::string sha256) {
-  const double factor = result.unit == MotionUnit::arcsec ? single_urad_per_arcsec : 1.0;
+  const double factor = result.unit == MotionUnit::arcsec ? urad_per_arcsec : 1.0;
   ReadSingle read{{error, {}, {}, {}, {}}, {item.name, item.file, std::move(sha256), result.runs}, {}};
   AXIOMETRY_TRY(read.item.instrument, instrument_of(item, result, factor));
   read.item.equipment = equipment_text(result.equipment);
@@ -230,10 +230,10 @@ Result<ReadSquare> square_of(const std::string& bytes, const SingleItem& item, v
   // Of B0Z the angle between both axes is smaller than 90° (squareness.h): the square's error counts with that sign.
   const double sign = which == volumetric::Squareness::B0Z ? -1.0 : 1.0;
   const double few_runs = std::max(1.0, *location.k / 2.0);
-  read.measured.square_urad = sign * single_urad_per_arcsec * results.square_error_arcsec.value_or(0.0);
+  read.measured.square_urad = sign * urad_per_arcsec * results.square_error_arcsec.value_or(0.0);
   read.measured.u_scatter_urad = few_runs * location.u_scatter_urad;
   read.measured.u_instrument_urad = few_runs * location.u_instrument_urad;
-  read.measured.u_square_urad = few_runs * single_urad_per_arcsec * results.square_U_arcsec.value_or(0.0) / 2.0;
+  read.measured.u_square_urad = few_runs * urad_per_arcsec * results.square_U_arcsec.value_or(0.0) / 2.0;
   read.item = {item.name, item.file, sha256(bytes), std::max(results.motions[0].runs, results.motions[1].runs)};
   read.item.equipment = equipment_text(results.motions[0].equipment);
   if (const std::string second = equipment_text(results.motions[1].equipment); second != read.item.equipment)

@@ -3,6 +3,7 @@
 // Deviations from the source: Annex A has U of the parameters only; what is composed here of its contributors is not
 // printed there.
 #include "axiometry/standards/iso230_2/uncertainty/annex_a_positions.h"
+#include "axiometry/base/unit_sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +12,12 @@
 namespace axiometry::iso230_2 {
 namespace {
 
-constexpr double mm_per_metre = 1000.0;
-
 /// l_i, m. An L that is stated above the measured travel makes every length larger in that proportion.
 double length_at(Position target, Position datum, double L_m, const Evaluation& evaluation) {
   const auto& positions = evaluation.positions;
-  const double travel_m = (positions.back().target.in_native() - positions.front().target.in_native()) / mm_per_metre;
+  const double travel_m = (positions.back().target.in_native() - positions.front().target.in_native()) / mm_per_m;
   const double stretch = travel_m > 0.0 ? std::max(1.0, L_m / travel_m) : 1.0;
-  return std::abs(target.in_native() - datum.in_native()) / mm_per_metre * stretch;
+  return std::abs(target.in_native() - datum.in_native()) / mm_per_m * stretch;
 }
 
 /// A contributor of the budget for the length l in place of L. (A.4) is 0.3 R² l/L², in proportion to l like the

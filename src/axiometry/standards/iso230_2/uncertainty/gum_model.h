@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "axiometry/base/unit_sizes.h"
 #include "axiometry/standards/iso230_2/uncertainty/gum.h"
 #include "axiometry/standards/iso230_2/uncertainty/gum_environment.h"
 #include "axiometry/standards/readings/station_offset.h"
@@ -14,7 +15,6 @@
 namespace axiometry::iso230_2 {
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
-inline constexpr double mm_per_m = 1000.0;
 
 /// A component: its standard uncertainty and degrees of freedom.
 struct Component {
