@@ -167,8 +167,10 @@ struct DynamicReport {
         plain(fmt::format(
             "Shown is what stands above the noise about its frequency (nowhere less than {} {}), as white noise or a "
             "random walk alone would do in one recording of twenty at most, noise that the instrument has averaged "
-            "more often; and above what a drift and higher peaks may leave beside themselves.",
-            report::shown_short(m.spectrum.threshold, options, 2), deviation_unit(m.kind)))};
+            "over "
+            "more than {} s more often; and above what a drift and higher peaks may leave beside themselves.",
+            report::shown_short(m.spectrum.threshold, options, 2), deviation_unit(m.kind),
+            report::shown_short(m.spectrum.averaging_told_s(), options, 2)))};
     if (m.spectrum.peaks_more > 0)
       table.notes.push_back(plain(fmt::format("Not shown: {}.", counted(m.spectrum.peaks_more, "lower peak"))));
     report::Section section{"vibrations", "Vibrations", true, {}};

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/numeric/median.h"
 #include "axiometry/numeric/series/fourier.h"
 
@@ -93,24 +94,46 @@ struct Band {
   double sigma = 0.0;          // of log_power
 };
 
-std::vector<Band> noise_bands(const MotionSpectrum& s) {
-  constexpr double band_resolutions = 8.0, band_ratio = 1.25;
+Band band_between(const MotionSpectrum& s, std::size_t low, std::size_t high) {
   // The median of m lines of 1/T knows the logarithm to 1.7/√m: 1.44/√m of independent ones, Hann's being not.
   constexpr double sigma_of_one = 1.7;
+  const auto begin = s.amplitudes.begin() + static_cast<std::ptrdiff_t>(low);
+  const auto width = static_cast<std::ptrdiff_t>(high - low);
+  const double median =
+      std::max(numeric::upper_median(std::vector<double>(begin, begin + width)), std::numeric_limits<double>::min());
+  const double lines = lines_of_resolution * s.step_hz * static_cast<double>(width) / s.resolution_hz;
+  return {std::log(0.5 * static_cast<double>(low + high)), 2.0 * std::log(median) - std::log(std::numbers::ln2),
+          sigma_of_one / std::sqrt(lines)};
+}
+
+/// Whether their levels differ by more than what they are known to: where noise was averaged or held it has gaps, and
+/// the median of a band that holds some is not the level between them.
+bool differ(std::span<const Band> bands) {
+  constexpr double chance = 0.01;
+  double mean = 0.0, squares = 0.0;
+  for (const Band& band : bands) mean += band.log_power / static_cast<double>(bands.size());
+  for (const Band& band : bands) squares += std::pow((band.log_power - mean) / band.sigma, 2);
+  return squares > numeric::chi_square_quantile(1.0 - chance, static_cast<double>(bands.size() - 1));
+}
+
+/// Of 16/T each where their levels differ; else as wide as a quarter of their lower end, which tells the level better.
+std::vector<Band> noise_bands(const MotionSpectrum& s) {
+  constexpr double band_resolutions = 8.0, band_ratio = 1.25;
   const std::size_t count = s.amplitudes.size();
   const double resolution = s.resolution_hz / s.step_hz;
+  const auto least = static_cast<std::size_t>(std::ceil(band_resolutions * resolution));
   std::vector<Band> bands;
   for (auto low = static_cast<std::size_t>(std::ceil(resolution)); low < count;) {
-    const auto least = static_cast<std::size_t>(std::ceil(band_resolutions * resolution));
     std::size_t high = std::max(low + least, static_cast<std::size_t>(band_ratio * static_cast<double>(low)) + 1);
     if (high + least > count) high = count;
-    const auto begin = s.amplitudes.begin() + static_cast<std::ptrdiff_t>(low);
-    const auto width = static_cast<std::ptrdiff_t>(high - low);
-    const double median =
-        std::max(numeric::upper_median(std::vector<double>(begin, begin + width)), std::numeric_limits<double>::min());
-    const double lines = lines_of_resolution * static_cast<double>(width) / resolution;
-    bands.push_back({0.5 * std::log(static_cast<double>(low) * static_cast<double>(high)),
-                     2.0 * std::log(median) - std::log(std::numbers::ln2), sigma_of_one / std::sqrt(lines)});
+    const std::size_t parts = std::max<std::size_t>((high - low) / least, 1);
+    std::vector<Band> narrow;
+    for (std::size_t k = 0; k < parts; ++k)
+      narrow.push_back(band_between(s, low + (high - low) * k / parts, low + (high - low) * (k + 1) / parts));
+    if (parts > 1 && differ(narrow))
+      bands.insert(bands.end(), narrow.begin(), narrow.end());
+    else
+      bands.push_back(band_between(s, low, high));
     low = high;
   }
   return bands;

@@ -24,7 +24,7 @@ struct MotionSpectrum {
   double resolution_hz = 0.0;      ///< 2/T: nearer ones cannot be told apart
   std::vector<double> amplitudes;  ///< amplitudes from 0 Hz to half the rate
   /// Root mean square of the noise about each frequency, from medians of bands as wide as 16/T, or a quarter of
-  /// their lower end if that is more.
+  /// their lower end if that is more and the level the same over it.
   std::vector<double> floors;
   /// What such noise exceeds anywhere in one recording of twenty at most, white or not; and the least.
   std::vector<double> thresholds;
@@ -33,6 +33,10 @@ struct MotionSpectrum {
   std::vector<SpectrumPeak> peaks;
   std::size_t peaks_more = 0;    ///< lower ones; counted up to nine times as many as were asked for
   std::size_t peaks_beside = 0;  ///< peaks above their thresholds and 2/T, but not above what others may leave there
+
+  /// Noise that was averaged or held over longer, T/100, has gaps in its spectrum between which no band shows its
+  /// level.
+  double averaging_told_s() const { return 0.02 / resolution_hz; }
 };
 
 struct SpectrumOptions {
