@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "axiometry/base/text/utf8.h"
 #include "axiometry/base/version.h"
@@ -121,6 +122,12 @@ std::string plain_text(const RichText& text) {
     if (run.bar) all += combining_macron;
   }
   return all;
+}
+
+void put_label(Document& document, std::string label) {
+  document.label = std::move(label);
+  if (document.label.empty()) return;
+  document.status.insert(document.status.begin(), {Tone::caution, plain("Label: " + document.label), {}});
 }
 
 bool is_number(std::string_view text) {

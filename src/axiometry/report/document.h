@@ -119,7 +119,7 @@ struct Document {
   std::string title;
   std::string edition;         ///< "ISO 230-2:2014", or "Formulas of …" where the test departs from it
   std::vector<Fact> identity;  ///< axis, machine, date, … below the title
-  std::vector<Notice> status;  ///< whether the result may be called one of the standard; the label; the verdict
+  std::vector<Notice> status;  ///< the label; whether the result may be called one of the standard; the verdict
   std::string label;           ///< Assessment::label; empty in the ordinary case
   std::string running_head;    ///< axis and machine, on every page
   std::string running_number;  ///< report number, on every page; may be empty
@@ -128,6 +128,10 @@ struct Document {
   std::string generator = program_text();
   std::vector<Section> sections;
 };
+
+/// Words that must stand wherever the results do: as the label, and first of what the document says of itself. Nothing
+/// where they are empty.
+void put_label(Document& document, std::string label);
 
 /// How many characters a number has from its decimal mark on: 2 for "9.6" and "−4,1", 0 for "14".
 /// Nothing when the text is no number, such as "not applicable".

@@ -70,6 +70,16 @@ TEST(Label, StandsInTheStatusAndBesideEverySectionOfResultsInHtml) {
   }
 }
 
+TEST(Label, IsTheFirstThatADocumentSays) {
+  Document document;
+  document.status = {{Tone::bad, plain("Something else"), {}}};
+  put_label(document, "trial");
+  ASSERT_EQ(document.status.size(), 2u);
+  EXPECT_EQ(plain_text(document.status.front().heading), "Label: trial");
+  put_label(document, "");
+  EXPECT_EQ(document.status.size(), 2u);
+}
+
 TEST(Label, StandsOnEveryPageInPdf) {
   for (TestCycle cycle : other_cycles) {
     const auto pages = pages_of(with_cycle(cycle).written("pdf"));

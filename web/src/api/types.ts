@@ -290,7 +290,7 @@ export interface components {
             readings: components["schemas"]["CapturedReading"][];
             events: {
                 /** @enum {string} */
-                kind: "zero" | "missed" | "repeated" | "wrong direction" | "too short" | "signal lost" | "unexpected" | "not seen" | "restarted" | "incomplete" | "unsteady" | "doubtful" | "skipped" | "taken back";
+                kind: "zero" | "off zero" | "missed" | "repeated" | "wrong direction" | "too short" | "signal lost" | "unexpected" | "not seen" | "restarted" | "incomplete" | "unsteady" | "doubtful" | "skipped" | "taken back";
                 message: string;
                 time_s: number;
             }[];
@@ -689,6 +689,8 @@ export interface components {
             /** @enum {string} */
             severity: "departure" | "missing" | "note";
             message: string;
+            /** @description Keys of `/api/vocabulary` whose statement would answer it; left out where there is none, and by older programs. */
+            fields?: string[];
         };
         /** @description What an evaluation took from the archive beside the test itself: inputs of instruments that neither the file nor the changes state, calibrations that held on the day of the test, and the limits of the axis. They are kept with a version as they were on its day. */
         FromArchive: {
@@ -978,6 +980,11 @@ export interface components {
             replaced: components["schemas"]["ReplacedLimit"][];
             /** @description Why nothing is decided although there is a value. */
             withheld: string | null;
+            /** @description What mends that: corrections of `/api/vocabulary`, or statements by their keys; left out where nothing of it does, and by older programs. */
+            remedy?: {
+                corrections: string[];
+                fields: string[];
+            };
             u: number | null;
             u_degrees_of_freedom: number | null;
             u_method: components["schemas"]["Method"] | null;
@@ -1050,6 +1057,8 @@ export interface components {
             explained?: number;
             /** @description Means that both tests have. */
             compared?: number;
+            /** @description Of the re-test; left out by programs that did not state it. */
+            source?: components["schemas"]["ResultSource"];
         };
         /** @description The periodic part of the readings, and whether the table takes it along. */
         CompensationPeriodic: {
@@ -1159,6 +1168,9 @@ export interface components {
                 inferred: string;
             };
             findings: components["schemas"]["VolumetricFinding"][];
+            /** @description Of the test; left out by programs that did not state it, as is the next. */
+            source?: components["schemas"]["ResultSource"];
+            program?: components["schemas"]["Program"];
         };
         /** @description What the table depends on beside the test. As the flags of `axiometry compensate`. */
         CompensationOptions: {

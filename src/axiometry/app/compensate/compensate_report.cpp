@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/compensate/compensate.h"
 #include "axiometry/app/results/named_findings_json.h"
+#include "axiometry/app/results/result_json.h"
 #include "axiometry/app/results/uncertainty_json.h"
 #include "axiometry/report/compensation.h"
 
@@ -196,6 +197,7 @@ Experiment present(const CompensatedAxis& done, const report::Options& options, 
     Value& retest = root.add("retest", Value::object());
     retest.add("parameters", parameter_values(done.retest->evaluation.parameters));
     retest.add("means", means_to_json(done.retest->evaluation));
+    retest.add("source", source_to_json(done.retest->test.provenance));
     if (const auto& effect = done.retest->effect) {
       retest.add("share", effect->whole.share);
       retest.add("u", effect->whole.u);
@@ -206,22 +208,24 @@ Experiment present(const CompensatedAxis& done, const report::Options& options, 
   root.add("limits", limits_to_json(*done.control));
   root.add("verified", verified_to_json(*done.control));
   root.add("findings", findings_value(done.findings));
+  root.add("source", source_to_json(done.test.provenance));
+  root.add("program", program_to_json());
   const nc::AxisTable& c = *done.control;
   const report::KnownPositions known = known_for_report(done.known);
-  const report::CompensationSubject subject{done.test,
-                                            {c.title, nc::sign_of(c, done.options), c.loading, c.verified, c.inferred,
-                                             c.limits.rolls_over},
-                                            done.applied,
-                                            done.existing ? &*done.existing : nullptr,
-                                            done.before,
-                                            done.predicted,
-                                            done.expected ? &done.expected->percent_95 : nullptr,
-                                            done.retest ? &done.retest->evaluation : nullptr,
-                                            done.scatter,
-                                            known,
-                                            done.findings,
-                                            done.smoothing,
-                                            notes};
+  const report::CompensationSubject subject{
+      done.test,
+      {c.title, nc::sign_of(c, done.options), c.loading, c.verified, c.inferred, c.limits.rolls_over},
+      done.applied,
+      done.existing ? &*done.existing : nullptr,
+      done.before,
+      done.predicted,
+      done.expected ? &done.expected->percent_95 : nullptr,
+      done.retest ? &done.retest->evaluation : nullptr,
+      done.scatter,
+      known,
+      done.findings,
+      done.smoothing,
+      notes};
   return {report::compose(subject, options), std::move(root)};
 }
 

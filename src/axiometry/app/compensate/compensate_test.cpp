@@ -91,6 +91,18 @@ NamedTest evenly_measured(double slope, double bow) {
 }
 
 /// A control whose points lead on to its reference point reads its own table as it was asked for.
+TEST(Compensate, TheJsonSaysOfWhichFileAndByWhichProgram) {
+  NamedTest measured = axis_of(0.05, 0, 4), retest = axis_of(0.001, 0, 0.1);
+  measured.test.provenance.file = "before.csv";
+  retest.test.provenance.file = "after.csv";
+  const auto made = compensate({std::move(measured), {}, std::move(retest)}, {.control = "linuxcnc"});
+  ASSERT_TRUE(made) << made.error().to_string();
+  const json::Value result = present(*made, {}).json;
+  EXPECT_EQ(result.find("source")->find("file")->text(), "before.csv");
+  EXPECT_EQ(result.find("retest")->find("source")->find("file")->text(), "after.csv");
+  EXPECT_EQ(result.find("program")->find("name")->text(), "axiometry");
+}
+
 TEST(Compensate, AnOlderTableLeadsOnToAReferenceBeyondItsTargets) {
   for (const char* control : {"fanuc", "fanuc-bidirectional", "pmac"})
     for (const double reference : {500.0, 600.0, 0.0, -100.0}) {

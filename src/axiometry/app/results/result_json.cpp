@@ -36,6 +36,18 @@ void put_position(Place place, const iso230_2::PositionResult& p) {
     object.add(quantity.key, native_number(p.*quantity.member));
 }
 
+void put_texts(Place place, const auto& texts) {
+  json::List list(place);
+  for (const std::string_view text : texts) list.push(text);
+}
+
+void put_remedy(json::Object& row, const iso230_2::Remedy& remedy) {
+  if (remedy.corrections.empty() && remedy.fields.empty()) return;
+  json::Object object = row.object("remedy");
+  put_texts(object.at("corrections"), remedy.corrections);
+  put_texts(object.at("fields"), remedy.fields);
+}
+
 void put_judgement(Place place, const iso230_2::Judgement& judgement) {
   json::Object row(place);
   row.add("parameter", judgement.tolerance.parameter->key);
@@ -52,6 +64,7 @@ void put_judgement(Place place, const iso230_2::Judgement& judgement) {
     }
   }
   row.add("withheld", unless_empty(judgement.withheld));
+  put_remedy(row, judgement.remedy);
   const auto& known = judgement.uncertainty;
   const bool measurand_known = known && known->measurand;
   row.add("u", known ? std::optional(known->u.in_native()) : std::nullopt);
@@ -98,6 +111,7 @@ void put_findings(Place place, std::span<const iso230_2::Finding> findings) {
     row.add("clause", finding.clause);
     row.add("severity", iso230_2::severity_name(finding.severity));
     row.add("message", finding.message);
+    if (!finding.fields.empty()) put_texts(row.at("fields"), finding.fields);
   }
 }
 

@@ -103,6 +103,15 @@ std::shared_ptr<const Evaluated> with_finding(Evaluated evaluated, const iso230_
   return std::make_shared<const Evaluated>(std::move(evaluated));
 }
 
+/// As the archive sees it now: what is withdrawn says so wherever its results stand.
+iso230_2::Assessment assessment_of_record(const store::TestRecord& record, const Evaluated& evaluated) {
+  return record.withdrawn ? labelled_withdrawn(evaluated.assessment) : evaluated.assessment;
+}
+
+report::Subject with_assessment(const report::Subject& s, const iso230_2::Assessment& assessment) {
+  return {s.test, assessment, s.judgements, s.verified, s.trail_head, s.temperatures, s.environment};
+}
+
 /// Of an issued report, where the audit trail ended before.
 Result<Rendered> render(Workbench::State& state, const store::TestRecord& record, const ReportRequest& request,
                         const std::string& trail_head = {}) {
@@ -119,17 +128,17 @@ Result<Rendered> render(Workbench::State& state, const store::TestRecord& record
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
   AXIOMETRY_TRY(const auto verified, second_opinion_of(*evaluated, request.options));
   AXIOMETRY_TRY_VOID(go_on_unless(request.stop));
-  const iso230_2::Assessment labelled =
-      record.withdrawn ? labelled_withdrawn(evaluated->assessment) : evaluated->assessment;
-  const report::Subject all = report_subject(*evaluated, trail_head);
-  const report::Subject subject{all.test,       labelled,         all.judgements, verified,
-                                all.trail_head, all.temperatures, all.environment};
+  const iso230_2::Assessment labelled = assessment_of_record(record, *evaluated);
+  report::Subject subject = with_assessment(report_subject(*evaluated, trail_head), labelled);
+  subject.verified = verified;
   AXIOMETRY_TRY(rendered.bytes, writer->write(subject, request.options));
   return rendered;
 }
 
-std::vector<report::Figure> drawn_figures(const Evaluated& evaluated, const report::Options& options) {
-  const report::Subject subject = report_subject(evaluated);
+std::vector<report::Figure> drawn_figures(const store::TestRecord& record, const Evaluated& evaluated,
+                                          const report::Options& options) {
+  const iso230_2::Assessment labelled = assessment_of_record(record, evaluated);
+  const report::Subject subject = with_assessment(report_subject(evaluated), labelled);
   std::vector<report::Figure> figures = report::figures(subject, options);
   for (auto& further :
        {report::surroundings_figure(subject, options), report::conformity_figure(subject, options),
@@ -216,7 +225,8 @@ Result<std::vector<std::string>> Workbench::figures(store::Id id, std::optional<
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
   AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
   std::vector<std::string> titles;
-  for (const report::Figure& figure : drawn_figures(*evaluated, request.options)) titles.push_back(figure.title);
+  for (const report::Figure& figure : drawn_figures(record, *evaluated, request.options))
+    titles.push_back(figure.title);
   return titles;
 }
 
@@ -224,7 +234,7 @@ Result<std::string> Workbench::figure(store::Id id, std::optional<int> version, 
                                       const ReportRequest& request) const {
   AXIOMETRY_TRY(const store::TestRecord record, state_->store.test(id, version));
   AXIOMETRY_TRY(const auto evaluated, state_->evaluated(record, request.stop));
-  auto figures = drawn_figures(*evaluated, request.options);
+  auto figures = drawn_figures(record, *evaluated, request.options);
   if (index >= figures.size())
     return fail(ErrorKind::not_found,
                 fmt::format("found the figure {} of a test with {}, expected one of them", index, figures.size()));

@@ -711,6 +711,9 @@ TEST_F(TheWorkbench, SaysInEveryReportThatATestIsWithdrawnAndIssuesNone) {
   ASSERT_TRUE(workbench.withdraw(id, true, me));
   EXPECT_THAT(report_of("html"), HasSubstr("Label: " + words));
   EXPECT_THAT(report_of("csv"), HasSubstr(words));
+  const auto figure = workbench.figure(id, {}, 0, false, {.extension = "svg"});
+  ASSERT_TRUE(figure) << figure.error().message;
+  EXPECT_THAT(*figure, HasSubstr(words)) << "where it stands alone, too";
   EXPECT_THAT(report_of("json"), HasSubstr("\"withdrawn\": true"));
   const auto issued = workbench.issue(id, {}, {.extension = "html"}, me);
   ASSERT_FALSE(issued);

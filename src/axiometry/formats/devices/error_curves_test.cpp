@@ -98,6 +98,8 @@ TEST(IsgCsv, MakesATestOfEveryValueOfAnotherArgument) {
 TEST(IsgCsv, RefusesWhatIsBroken) {
   EXPECT_EQ(curves_error("X EXX\n0 0\n1\n"), "line 3:1: found 1 number, expected 2 as in the header on line 1");
   EXPECT_EQ(curves_error("X EXX\n0 0\n1 one\n"), "line 3:3: found \"one\", expected a finite number");
+  EXPECT_EQ(curves_error("X EXX EXX\n0 0 0\n"),
+            "line 1:1: found \"EXX\" twice in the header, expected each column once");
   EXPECT_EQ(curves_error("Y EXX\n0 0\n"), "line 1:1: found EXX without a column X, expected its positions");
   EXPECT_EQ(curves_error("X EXX\n0 0\n#\n0 0\n"),
             "line 4:1: found \"0 0\", expected a header of arguments and errors such as X EXX EYX");

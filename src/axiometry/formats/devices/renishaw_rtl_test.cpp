@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +9,8 @@
 
 namespace axiometry::formats {
 namespace {
+
+using ::testing::HasSubstr;
 
 struct RtlFile {
   std::string type = "rtl";
@@ -195,6 +198,18 @@ TEST(RenishawRtl, MakesSecondsOfArcOfMilliradians) {
   EXPECT_EQ(test->metadata.axis.kind, AxisKind::rotary);
   EXPECT_NEAR(reading(*test, 0, Direction::up, 1), 1.1 * 206.26480624709636, 1e-9);
   EXPECT_EQ(test->series.targets()[2].in_native(), 180);
+}
+
+TEST(RenishawRtl, RefusesMoreSensorsAndComponentsThanATestHas) {
+  std::string sensors, components;
+  for (int k = 0; k < 257; ++k) {
+    sensors += fmt::format("Mat temp {}: 21.0\n", k);
+    components += fmt::format("Laser {}: ML10\n", k);
+  }
+  EXPECT_THAT(rtl_error({.rows = two_way_rows, .others = "ENVIRONMENT::\n" + sensors}),
+              HasSubstr("found more than 256 records of sensors, expected fewer"));
+  EXPECT_THAT(rtl_error({.rows = two_way_rows, .others = "EQUIPMENT::\n" + components}),
+              HasSubstr("found more than 256 records of equipment, expected fewer"));
 }
 
 TEST(RenishawRtl, RefusesWhatContradictsItself) {

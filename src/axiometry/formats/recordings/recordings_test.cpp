@@ -89,6 +89,10 @@ TEST(TimePosition, ReadsPointsInTime) {
   EXPECT_EQ(from_text("time,position_um\n2026-11-21T12:00:00+01:00,1\n2026-11-21T11:00:01Z,2\n"), "0:0.001 1:0.002");
 }
 
+TEST(TimePosition, ReadsStampsThatAreCenturiesApart) {
+  EXPECT_EQ(from_text("1900-01-01T00:00:00Z,1\n2200-01-01T00:00:00Z,2\n"), "0:1 9467020800:2");
+}
+
 TEST(TimePosition, TakesOneOfSeveralColumns) {
   RecordingOptions second;
   second.axis = 1;
@@ -135,6 +139,11 @@ TEST(TimePosition, RefusesWhatIsNoSampleAndSaysWhere) {
   EXPECT_EQ(from_text("0,1\n1,2,3\n"), "line 2:1: found \"1,2,3\", expected 2 columns as in the lines before 0:1");
   EXPECT_EQ(from_text("0,1\n1\n"), "line 2:1: found \"1\", expected 2 columns as in the lines before 0:1");
   EXPECT_EQ(from_text("0,1\n1,1e999\n"), "line 2:1: found \"1e999\", expected a finite number as position 0:1");
+  EXPECT_EQ(from_text("0,1\n1,1.7e308\n"),
+            "line 2:1: found a number beyond 1e15, or none, expected time and position 0:1")
+      << "the sum of two such would be infinite";
+  EXPECT_EQ(from_text("0,1\n1e16,2\n"),
+            "line 2:1: found a number beyond 1e15, or none, expected time and position 0:1");
   EXPECT_EQ(from_text("time_s,angle_deg\n0,1\n"),
             "line 1:1: found positions in °, expected a unit of length for a linear axis");
   EXPECT_EQ(from_text("hello world\n"),
@@ -316,11 +325,13 @@ TEST(Npy, ReadsArraysAndRecords) {
 TEST(Npy, RefusesWhatIsNotAsItsHeaderSaysAndSaysWhere) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(
-      from_npy(npy(plain, {0, 1, 0.5, nan, 1, 3})).starts_with("found a number that is not finite in sample 2"));
+      from_npy(npy(plain, {0, 1, 0.5, nan, 1, 3})).starts_with("found a number beyond 1e15, or none, in sample 2"));
   EXPECT_TRUE(
-      from_npy(npy(plain, {nan, 1, 0.5, 2, 1, 3})).starts_with("found a number that is not finite in sample 1"));
+      from_npy(npy(plain, {nan, 1, 0.5, 2, 1, 3})).starts_with("found a number beyond 1e15, or none, in sample 1"));
   EXPECT_TRUE(
-      from_npy(npy(plain, {0, 1, 0.5, 2, HUGE_VAL, 3})).starts_with("found a number that is not finite in sample 3"));
+      from_npy(npy(plain, {0, 1, 0.5, 2, HUGE_VAL, 3})).starts_with("found a number beyond 1e15, or none, in sample 3"));
+  EXPECT_TRUE(
+      from_npy(npy(plain, {0, 1, 0.5, 2, 1, 1e300})).starts_with("found a number beyond 1e15, or none, in sample 3"));
   EXPECT_TRUE(
       from_npy(npy(plain, {0, 1, 0.5, 2, 0.4, 3})).starts_with("found time running backwards from 0.5 s to 0.4 s"));
   EXPECT_TRUE(from_npy(npy(plain, {0, 1, 0.5, 2})).starts_with("found 2 samples, expected 3"));

@@ -116,12 +116,12 @@ TEST(RenishawRtx, RefusesInWordsWhatIsNotWhole) {
   EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 99999999999999999999")), HasSubstr("as Sample no"));
   EXPECT_THAT(rtx_text(replaced(file, "Sample no: 3", "Sample no: 9000000000000000000")),
               HasSubstr("the file is cut off"));
-  for (const char* rate : {"0", "-4", "nan", "inf", "1e99", "4 Hz"})
+  for (const char* rate : {"0", "-4", "1e-310", "nan", "inf", "1e99", "4 Hz"})
     EXPECT_THAT(rtx_text(rtx_file(three, 1, std::string("Sample no: 3\nActual sample rate: ") + rate + "\n")),
-                HasSubstr("as sample rate of an .rtx recording, expected Hz above 0"))
+                HasSubstr("as sample rate of an .rtx recording, expected 1e-6 to 1e9 Hz"))
         << rate;
   const double bad[] = {1.0, std::numeric_limits<double>::quiet_NaN()};
-  EXPECT_EQ(rtx_text(rtx_file(bad, 1)), "found a number that is not finite in sample 2, expected a position 0:1");
+  EXPECT_EQ(rtx_text(rtx_file(bad, 1)), "found a number beyond 1e15, or none, in sample 2, expected time and position 0:1");
   EXPECT_THAT(read_samples("renishaw-rtx", "HEADER::\n" + std::string(70'000, 'x')).refusal,
               HasSubstr("found no Data: in the first 65536 bytes"));
   RecordingOptions options;

@@ -178,9 +178,10 @@ Document front_page(const LinesSubject& subject, const Options& options) {
   document.identity.push_back({plain("Report number"), stated("test.report_number", metadata)});
   std::ranges::move(further_identity(metadata), std::back_inserter(document.identity));
   document.status = status(subject, options);
+  std::string label;
   for (const AssessedLine& line : subject.lines)
-    if (document.label.empty()) document.label = line.assessment.label;
-  if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
+    if (label.empty()) label = line.assessment.label;
+  put_label(document, std::move(label));
   document.running_head = translated("Lines", options) + " " + line_names(subject);
   if (!machine.empty()) document.running_head += " · " + machine;
   if (!metadata.conditions.report_number.empty())

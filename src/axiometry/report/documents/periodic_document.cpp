@@ -35,6 +35,16 @@ Notice status(const PeriodicError& result) {
   return notice;
 }
 
+/// Of the periods that were searched, and of no others.
+std::string nothing_significant(const PeriodicDirection& d, const std::string& direction, AxisKind kind) {
+  if (d.period_known)
+    return fmt::format("No significant error{} of the period {} was found", direction,
+                       iso230_2::period_text(d.period.value.in_native(), kind));
+  return fmt::format("No significant periodic error{} was found with a period from {} to {}", direction,
+                     iso230_2::period_text(d.spectrum.back().period.in_native(), kind),
+                     iso230_2::period_text(d.spectrum.front().period.in_native(), kind));
+}
+
 /// "3.02 µm peak to valley with a period of 10.003 mm (↑)"
 Notice outcome(const PeriodicDirection& d, bool both, AxisKind kind, const Options& options) {
   const auto rows = periodic_rows(d, kind, options);
@@ -44,8 +54,7 @@ Notice outcome(const PeriodicDirection& d, bool both, AxisKind kind, const Optio
   };
   const auto& range = *std::ranges::find(rows, "Peak to valley of the curve", &PeriodicRow::title);
   const std::string direction = both ? fmt::format(" {}", arrow(d.direction)) : "";
-  if (!d.significant)
-    return {Tone::normal, plain(fmt::format("No significant periodic error{} was found", direction)), {}};
+  if (!d.significant) return {Tone::normal, plain(nothing_significant(d, direction, kind)), {}};
   return {Tone::normal,
           plain(fmt::format("Period{} {}: {} peak to valley", direction, with_unit(rows.front()), with_unit(range))),
           {}};
@@ -115,7 +124,7 @@ Document compose(const PeriodicSubject& subject, const Options& options) {
       fmt::format("{}{}, Annex C", subject.result.conforming() ? "" : "departs from ", iso230_2::edition);
   document.running_status = document.edition + (document.label.empty() ? "" : " · " + document.label);
   document.status = {status(subject.result)};
-  if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
+  put_label(document, document.label);
   for (const auto& d : subject.result.directions) document.status.push_back(outcome(d, both, kind, options));
 
   for (const auto& d : subject.result.directions) document.sections.push_back(result_section(d, both, kind, options));

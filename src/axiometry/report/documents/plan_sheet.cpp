@@ -210,8 +210,7 @@ Document title_page(const PlanSubject& subject, const Options& options) {
                        {plain("Date of plan"), verbatim_or_quiet(plan.date)},
                        {plain("Duration, about"), text_cell(duration_text(subject.duration_in_all))}};
   document.status.push_back(status(subject));
-  document.label = cycle_label(plan.cycle);
-  if (!document.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + document.label), {}});
+  put_label(document, std::string(cycle_label(plan.cycle)));
   document.running_head = translated(plan.axis.name.empty() ? description_of(plan.axis) : title_of(plan.axis), options);
   if (!plan.machine.empty()) document.running_head += " · " + plan.machine;
   document.running_status = "Test plan · " + document.edition;

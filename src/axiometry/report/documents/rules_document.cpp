@@ -105,8 +105,7 @@ Section figures_by_rule(const RulesSubject& subject, const Options& options) {
   table.groups = {{{}, 6}, {plain(iso230_2::edition), 4}, {{}, 1}};
   for (const standards::ComparedRule& rule : subject.comparison.rules)
     for (const RuleRow& row : rule_rows(rule, subject.comparison, options))
-      table.rows.push_back({verbatim_cell(rule.rule->name),
-                            title_cell(row),
+      table.rows.push_back({verbatim_cell(rule.rule->name), title_cell(row),
                             row.symbol.empty() ? quiet_cell("–") : TableCell{symbol(row.symbol)},
                             cell_or_dash(row.value), cell_or_dash(row.share_of_travel),
                             row.interval.empty() ? quiet_cell("–") : text_cell(row.interval),
@@ -139,7 +138,7 @@ Section formulas_section(const RulesSubject& subject, const Options& options) {
   return section;
 }
 
-std::vector<Notice> standing_of_rules(const RulesSubject& subject, const std::string& label) {
+std::vector<Notice> standing_of_rules(const RulesSubject& subject) {
   std::vector<Notice> all;
   all.push_back(
       {Tone::normal,
@@ -149,7 +148,6 @@ std::vector<Notice> standing_of_rules(const RulesSubject& subject, const std::st
     all.push_back({Tone::bad, plain(fmt::format("The test departs from {}; see Findings", iso230_2::edition)), {}});
   if (const std::string corrected = correction_statement(subject.test.provenance.corrections); !corrected.empty())
     all.push_back({Tone::normal, plain(corrected), {}});
-  if (!label.empty()) all.push_back({Tone::caution, plain("Label: " + label), {}});
   return all;
 }
 
@@ -179,7 +177,8 @@ Document compose(const RulesSubject& subject, const Options& options) {
   document.edition =
       fmt::format("{}{} and other rules", comparison.iso230_2.conforming() ? "" : "departs from ", iso230_2::edition);
   document.running_status = document.edition + (document.label.empty() ? "" : " · " + document.label);
-  document.status = standing_of_rules(subject, document.label);
+  document.status = standing_of_rules(subject);
+  put_label(document, document.label);
   document.sections.push_back(figures_by_rule(subject, options));
   if (!comparison.warnings.empty()) document.sections.push_back(warnings_section(subject));
   document.sections.push_back(formulas_section(subject, options));

@@ -148,8 +148,7 @@ Document title_page(const Subject& subject, const Options& options) {
         {Tone::normal,
          plain(corrected),
          {plain("What was done stands in Provenance, the readings as measured behind the results at the targets.")}});
-  if (!assessment.label.empty()) document.status.push_back({Tone::caution, plain("Label: " + assessment.label), {}});
-  document.label = assessment.label;
+  put_label(document, assessment.label);
   document.running_head = running_head(metadata, options);
   if (!metadata.conditions.report_number.empty())
     document.running_number =

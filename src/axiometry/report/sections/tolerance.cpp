@@ -78,7 +78,7 @@ class RowNumbers {
 
 std::vector<TableCell> decision_row(const Judgement& judgement, const Subject& subject, Wanted want,
                                     const Options& options) {
-  const auto& [tolerance, rule, magnitude, known, decision, withheld] = judgement;
+  const auto& [tolerance, rule, magnitude, known, decision, withheld, remedy] = judgement;
   const AxisKind kind = subject.test.metadata.axis.kind;
   const ShownParameter shown = show(judgement, subject.assessment, kind, options);
   const RowNumbers numbers(subject, options, shown);

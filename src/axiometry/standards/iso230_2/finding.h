@@ -36,6 +36,8 @@ struct Finding {
   Severity severity = Severity::note;
   std::string message;  ///< what was found and what the clause expects; a whole sentence without full stop
   std::vector<MessageDeviation> deviations{};  ///< deviations in the message, in its order
+  std::vector<std::string_view>
+      fields{};  ///< fields of the metadata that would answer it: their Field::key, which last
 };
 
 }  // namespace axiometry::iso230_2

@@ -40,9 +40,11 @@ export const shown_of = (evaluated: Evaluated, parameter: Parameter): Shown | un
 export const tone_of = (verdict: Verdict | null) =>
   verdict === 'conforms' ? 'good' : verdict === 'does not conform' ? 'bad' : verdict === 'undecided' ? 'caution' : 'none';
 
+export const judgement_of = (evaluated: Evaluated, parameter: Parameter) => evaluated.result.tolerances?.find((one) => one.parameter === parameter);
+
 /** Why nothing is decided about a parameter, as its judgement says it in the reader's language; null where something is. */
 export function withheld_of(evaluated: Evaluated, { parameter, withheld }: Shown): string | null {
-  const said = evaluated.result.tolerances?.find((one) => one.parameter === parameter)?.withheld;
+  const said = judgement_of(evaluated, parameter)?.withheld;
   return withheld === null ? null : (said ?? withheld);
 }
 

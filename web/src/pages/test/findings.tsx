@@ -5,7 +5,7 @@ import { Formula } from '../../components/formula';
 import { texts } from '../../i18n/texts';
 import { Claims } from './claims';
 import { group_of, group_title } from './field_groups';
-import { field_unit, stated_text } from './field_value';
+import { field_unit } from './field_value';
 import type { TestState } from './state';
 
 const t = texts({
@@ -24,37 +24,8 @@ const t = texts({
 const severities = ['departure', 'missing', 'note'] as const;
 const tones = { departure: 'bad', missing: 'caution', note: '' } as const;
 
-/** Clauses of Annex A that a message names, stretches written out: "A.1 to A.3" are three. */
-function named_clauses(message: string): Set<string> {
-  const found = new Set<string>();
-  for (const [, first, last] of message.matchAll(/A\.(\d+)(?:\s*(?:to|bis|–|-)\s*A\.(\d+))?/g))
-    for (let n = Number(first); n <= Number(last ?? first); n += 1) found.add(`A.${n}`);
-  return found;
-}
-
-/** The same at the other end of the test: a finding says "at the start and the end" of both. */
-const other_end = (key: string): string => (key.includes('_end_') ? key.replace('_end_', '_start_') : key.replace('_start_', '_end_'));
-
-/** Fields without a value that would answer a finding: named by key, by title, or by their clause of Annex A. */
-function missing_fields(finding: Finding, vocabulary: Vocabulary, state: TestState): Field[] {
-  const named = named_fields(finding, vocabulary, state);
-  const { metadata } = state.evaluated.value.result;
-  return vocabulary.fields.filter((field) =>
-    named.includes(field) || (stated_text(field, metadata) === '' && named.some(({ key }) => key !== field.key && other_end(key) === field.key)));
-}
-
-function named_fields(finding: Finding, vocabulary: Vocabulary, state: TestState): Field[] {
-  const { metadata, axis } = state.evaluated.value.result;
-  const message = finding.message.toLowerCase();
-  const clauses = named_clauses(finding.message);
-  return vocabulary.fields.filter((field) => {
-    if (message.includes(field.key.toLowerCase())) return true;
-    if (stated_text(field, metadata) !== '') return false;
-    if (field.type === 'number' && field.unit_linear !== '' && axis.kind === 'rotary' && field.unit_rotary === '') return false;
-    if (clauses.has(field.clause)) return true;
-    return field.clause === finding.clause && message.includes(field.title.toLowerCase());
-  });
-}
+/** The fields that would answer a finding. */
+const fields_of = (finding: Finding, vocabulary: Vocabulary): Field[] => vocabulary.fields.filter(({ key }) => finding.fields?.includes(key) ?? false);
 
 /** What the standard finds to say about this test, in words, worst first. */
 export function Findings({ state, vocabulary }: { state: TestState; vocabulary: Vocabulary | null }) {
@@ -88,7 +59,7 @@ const few_fields = 8;
 
 /** What the standard asks to be stated. Of a file that says nothing of its test that is a page: its length is told, and it is unfolded when asked. */
 function Missing({ findings, state, vocabulary }: { findings: readonly Finding[]; state: TestState; vocabulary: Vocabulary | null }) {
-  const fields = findings.map((finding) => (vocabulary ? missing_fields(finding, vocabulary, state) : []));
+  const fields = findings.map((finding) => (vocabulary ? fields_of(finding, vocabulary) : []));
   const count = new Set(fields.flat()).size;
   const list = (
     <ul class="findings">
@@ -117,13 +88,8 @@ function Message({ finding, text = sentence(finding.message) }: { finding: Findi
 
 const to_fill_in = (state: TestState): boolean => state.test.value.version === state.test.value.latest;
 
-/** "… – test: date of test, feed speed; air: …": whether fields of the page say all of that list. */
-function told_by_fields(finding: Finding, fields: readonly Field[]): boolean {
-  const list = finding.clause === '8.1' ? finding.message.split(' – ')[1] : undefined;
-  if (list === undefined) return false;
-  const items = list.split('; ').flatMap((group) => group.replace(/^[^:]*: /, '').split(', '));
-  return items.every((item) => fields.some(({ title }) => item.toLowerCase().startsWith(title.toLowerCase())));
-}
+/** Whether the buttons of the fields say all that the sentence lists. */
+const told_by_fields = (finding: Finding, fields: readonly Field[]): boolean => finding.id === 'items-of-identification' && fields.length === finding.fields?.length;
 
 /** A list of items of the report, by what they are of, each with the way to its field. On paper it is the sentence. */
 function Expected({ finding, fields, state }: { finding: Finding; fields: readonly Field[]; state: TestState }) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "axiometry/model/fields.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/standards/iso230_2/severity_order.h"
 #include "axiometry/standards/readings/artefact.h"
@@ -23,9 +24,11 @@ std::string_view label_of(const Metadata& metadata, const Series& series) {
 
 /// How the inputs of the uncertainty were resolved, where that is not plain.
 void add_input_remarks(std::vector<Finding>& findings, const ResolvedInputs& inputs) {
-  for (const ResolvedRemark& remark : inputs.remarks)
-    findings.push_back(
-        {"uncertainty-input", "8.2.1", remark.missing ? Severity::missing : Severity::note, remark.message});
+  for (const ResolvedRemark& remark : inputs.remarks) {
+    Finding& finding = findings.emplace_back("uncertainty-input", "8.2.1",
+                                             remark.missing ? Severity::missing : Severity::note, remark.message);
+    if (const Field* field = find_field(remark.key)) finding.fields.push_back(field->key);
+  }
 }
 
 /// What the reader of the file had to say and what else must be known of the readings, each among its like. They rest

@@ -222,7 +222,8 @@ class Resolver {
     const bool recorded = !gum_.drift_recording.empty();
     if (gum_.drift_interval && !recorded)
       list_.remarks.push_back(
-          {true, fmt::format("{} cannot act: there is no recording at standstill", recording_interval_key)});
+          {true, fmt::format("{} cannot act: there is no recording at standstill", recording_interval_key),
+           std::string(recording_interval_key)});
     if (!gum_.environment_kind) return;
     list_.take_word(kind_key, kind_word(*gum_.environment_kind), static_cast<InputOrigin>(list_.by(kind_key)));
     if (recorded) list_.cannot_act(kind_key, "the recording at standstill tells it");

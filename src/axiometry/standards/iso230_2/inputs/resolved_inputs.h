@@ -94,6 +94,7 @@ struct ResolvedRow {
 struct ResolvedRemark {
   bool missing = false;  ///< a statement that was made could not be used; else a note
   std::string message;   ///< a whole sentence without full stop, naming the keys
+  std::string key{};     ///< of the metadata: the statement that it is about; may be empty
 };
 
 struct ResolvedInputs {

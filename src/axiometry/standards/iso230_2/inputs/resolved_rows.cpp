@@ -74,7 +74,7 @@ void StatementList::cannot_act(std::string_view key, const std::string& why) {
   if (row == nullptr || row->use == InputUse::none || row->origin > InputOrigin::flag) return;
   row->use = InputUse::none;
   row->reason = why;
-  remarks.push_back({true, fmt::format("{} cannot act: {}", statement_text(*row), why)});
+  remarks.push_back({true, fmt::format("{} cannot act: {}", statement_text(*row), why), row->key});
 }
 
 void StatementList::set_aside(std::string_view key, const std::string& why) {

@@ -135,13 +135,14 @@ class EffectCollector {
 
  private:
   void add(std::string key, std::string what, std::optional<double> on_lengths, std::optional<double> on_repeats,
-           std::string remedy) {
+           std::string remedy, Remedy by) {
     const auto small = [](const std::optional<double>& size) { return size && std::abs(*size) < negligible_um; };
     if (small(on_lengths) && small(on_repeats)) return;
     const auto size = [](const std::optional<double>& x) {
       return x ? std::optional(Deviation::native(*x)) : std::nullopt;
     };
-    effects_.push_back({std::move(key), std::move(what), size(on_lengths), size(on_repeats), std::move(remedy)});
+    effects_.push_back(
+        {std::move(key), std::move(what), size(on_lengths), size(on_repeats), std::move(remedy), std::move(by)});
   }
 
   void expansion() {
@@ -154,7 +155,8 @@ class EffectCollector {
                     unsaid ? ", of which nobody said whether it was corrected," : ","),
         on_lengths, strain.largest_change() * lengths.farthest * metres_per_mm,
         unsaid ? "the correction for thermal expansion, or nde.applied = yes where the instrument has made it,"
-               : "the correction for thermal expansion");
+               : "the correction for thermal expansion",
+        {{"nde"}, unsaid ? std::vector<std::string>{"nde.applied"} : std::vector<std::string>{}});
   }
 
   /// The correction was made with another coefficient than the machine is said to have: by the inputs of the
@@ -177,7 +179,8 @@ class EffectCollector {
         fmt::format("a correction for expansion with {} µm/(m·°C), which is not the coefficient of the machine, about "
                     "{:.1f} µm over the travel,",
                     format_exact(taken), on_lengths),
-        on_lengths, strain.largest_change() * lengths.farthest * metres_per_mm, "one coefficient for both");
+        on_lengths, strain.largest_change() * lengths.farthest * metres_per_mm, "one coefficient for both",
+        {{}, {"nde.machine_expansion_um_per_m_C", "uncertainty.machine_expansion_um_per_m_C"}});
   }
 
   void air() {
@@ -187,7 +190,8 @@ class EffectCollector {
     const auto index = test_air();
     if (!index) {
       add("air", "the index of refraction of an air that was not measured", std::nullopt, std::nullopt,
-          "the correction for the air after Ciddor, with temperature, pressure and humidity of the air,");
+          "the correction for the air after Ciddor, with temperature, pressure and humidity of the air,",
+          {{"air=ciddor"}, missing_for_air(test_.metadata)});
       return;
     }
     const auto error = [&](double share) { return 1e6 * ((*assumed - 1.0) - index->refractivity(share)); };
@@ -195,7 +199,7 @@ class EffectCollector {
     const double on_lengths = strain.largest() * lengths.travel * metres_per_mm;
     add("air", fmt::format("the index of refraction of the air, about {:.1f} µm over the travel,", on_lengths),
         on_lengths, strain.largest_change() * lengths.farthest * metres_per_mm,
-        "the correction for the air after Ciddor");
+        "the correction for the air after Ciddor", {{"air=ciddor"}, {}});
   }
 
   void dead_path() {
@@ -204,12 +208,13 @@ class EffectCollector {
     const auto index = test_air();
     if (!index) {
       add("dead-path", "a dead path in an air that was not measured", std::nullopt, std::nullopt,
-          "the correction of the dead path, with temperature, pressure and humidity of the air,");
+          "the correction of the dead path, with temperature, pressure and humidity of the air,",
+          {{"dead-path"}, missing_for_air(test_.metadata)});
       return;
     }
     const double size = std::abs(length->in_um() * (index->refractivity(1.0) - index->refractivity(0.0)));
     add("dead-path", fmt::format("a dead path, about {:.2g} µm in the course of the test,", size), size, size,
-        "the correction of the dead path");
+        "the correction of the dead path", {{"dead-path"}, {}});
   }
 
   void gain() {
@@ -218,19 +223,21 @@ class EffectCollector {
     const double on_lengths =
         std::abs(*gain - 1.0) * lengths_of(test_).travel * deviation_per_position(test_.metadata.axis.kind);
     add("gain", fmt::format("a gain of {} of the sensor", format_exact(*gain)), on_lengths, on_lengths,
-        "the correction of the gain");
+        "the correction of the gain", {{"gain"}, {}});
   }
 
   void sign() {
     if (test_.metadata.instrument.sign_reversed != true || was_corrected(test_, "sign")) return;
-    add("sign", "the reversed sign of the instrument", std::nullopt, std::nullopt, "the correction of the sign");
+    add("sign", "the reversed sign of the instrument", std::nullopt, std::nullopt, "the correction of the sign",
+        {{"sign"}, {}});
   }
 
   void station() {
     const std::string problem = station_offset_problem(test_.metadata);
     if (problem.empty()) return;
     add("station", fmt::format("the station of the tracking interferometer ({})", problem), std::nullopt, 0.0,
-        "tracking.station_position with tracking.station_uncertainty_mm");
+        "tracking.station_position with tracking.station_uncertainty_mm",
+        {{}, {"tracking.station_position", "tracking.station_uncertainty_mm"}});
   }
 
   std::optional<TestAir> test_air() const {

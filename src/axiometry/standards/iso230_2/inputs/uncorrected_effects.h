@@ -13,6 +13,12 @@
 /// verdict may rest on a value that holds one (GUM, 3.2.4; 4.1 of ISO 230-2:2014).
 namespace axiometry::iso230_2 {
 
+/// What mends an effect, for programs: any of the corrections, or statements.
+struct Remedy {
+  std::vector<std::string> corrections{};  ///< as `axiometry evaluate --correct` takes them: "nde", "air=ciddor"
+  std::vector<std::string> fields{};       ///< keys of the metadata (model/fields.h)
+};
+
 struct UncorrectedEffect {
   std::string key;   ///< "expansion", "expansion-coefficient", "air", "dead-path", "gain", "sign", "station"
   std::string what;  ///< words for people: "thermal expansion, about 104.7 µm over the travel,"
@@ -20,11 +26,12 @@ struct UncorrectedEffect {
   /// reversal (R, B and their like). Absent where nobody can tell.
   std::optional<Deviation> on_lengths;
   std::optional<Deviation> on_repeats;
-  std::string remedy;  ///< what mends it: "--correct nde"
+  std::string remedy;  ///< what mends it, in words: "the correction for thermal expansion"
+  Remedy by{};         ///< the same
 
   /// How much it may change a parameter; absent where nobody can tell.
   std::optional<Deviation> on(const ParameterInfo& parameter) const;
-  /// "thermal expansion, about 104.7 µm over the travel, is neither corrected nor in the uncertainty; --correct nde …"
+  /// "thermal expansion, about 104.7 µm over the travel, is neither corrected nor in the uncertainty; the correction …"
   std::string reason() const;
 };
 

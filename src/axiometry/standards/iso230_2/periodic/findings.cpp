@@ -22,9 +22,6 @@ constexpr double forgiven = 1e-9;  // relative tolerance for a number of periods
 /// At most so many digits, as a person would write it.
 std::string figure(double x, int digits = 4) { return fmt::format("{:.{}g}", x, digits); }
 
-/// Four decimals at most, without zeros at the end.
-std::string place(double x) { return format_exact(std::round(x * 1e4) / 1e4); }
-
 /// Of one direction.
 class DirectionFindings {
  public:
@@ -53,7 +50,7 @@ class DirectionFindings {
   }
 
   double spacing() const { return period_ / d_.targets_per_period; }
-  std::string shown(double x) const { return place(x) + unit_; }
+  std::string shown(double x) const { return period_text(x, metadata_.axis.kind); }
 
   /// A peak of chance stands anywhere: targets are judged by a period that is known or found.
   bool has_period() const { return d_.period_known || d_.significant; }
@@ -187,6 +184,10 @@ class DirectionFindings {
 };
 
 }  // namespace
+
+std::string period_text(double native, AxisKind kind) {
+  return format_exact(std::round(native * 1e4) / 1e4) + (kind == AxisKind::linear ? " mm" : "°");
+}
 
 std::vector<Finding> periodic_findings(const Test& test, std::span<const PeriodicDirection> directions) {
   std::vector<Finding> all;

@@ -124,6 +124,10 @@ struct PeriodicError {
   bool conforming() const;
 };
 
+/// A period of so many mm or degrees as it is told: "10.003 mm", "2.5°"; four decimals at most, without zeros at the
+/// end.
+std::string period_text(double native, AxisKind kind);
+
 /// The periodic error of each direction that was measured. Findings: fewer than two periods, targets further apart than
 /// a quarter period, periods that equal spacing cannot tell apart, both directions measured, no significant error, a
 /// peak at the end of the band, an expected period that is not the one found, a further period, correlated residuals.

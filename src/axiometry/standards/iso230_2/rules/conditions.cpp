@@ -121,11 +121,12 @@ std::optional<Finding> targets_within_axis_travel(const Case& c) {
   if (ends.lower) look("first", first, ends.lower->in_native() - first);
   if (ends.upper) look("last", last, last - ends.upper->in_native());
   if (!outside.empty() && counts_from_elsewhere(ends, first, last, room))
-    return missing(
-        "targets-within-axis-travel", "3.2",
-        fmt::format("found {} outside the axis travel, expected all targets within it: do both count from one "
-                    "zero?",
-                    fmt::join(outside, " and ")));
+    return answered_by(
+        {"axis.travel_begin", "axis.travel_end"},
+        missing("targets-within-axis-travel", "3.2",
+                fmt::format("found {} outside the axis travel, expected all targets within it: do both count from one "
+                            "zero?",
+                            fmt::join(outside, " and "))));
   if (!outside.empty())
     return departure(
         "targets-within-axis-travel", "3.2",
@@ -205,8 +206,10 @@ std::optional<Finding> temperature_without_correction(const Case& c) {
   const double per_m_K = machine_expansion(c.metadata);
   const std::string found = fmt::format("found {} °C at {}", figure(worst.worst()), worst.name);
   if (!c.metadata.nde.applied)
-    return missing("temperature-without-correction", "4.1",
-                   found + " and no word whether differential expansion was corrected, expected nde.applied");
+    return answered_by(
+        {"nde.applied"},
+        missing("temperature-without-correction", "4.1",
+                found + " and no word whether differential expansion was corrected, expected nde.applied"));
   return departure(
       "temperature-without-correction", "4.1",
       message("{} and no correction for differential expansion, expected one off 20 °C: the machine expands by "

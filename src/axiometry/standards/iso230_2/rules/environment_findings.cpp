@@ -66,18 +66,29 @@ Finding exceeded_finding(const EnvironmentItem& item) {
                                       rules::within_sentence(item.title), measured_in(item), limit_in(item)));
 }
 
+/// By which who tested may state what was measured.
+std::string_view field_of(const EnvironmentItem& item) {
+  const Field* field = find_field(fmt::format("environment.{}", item.key));
+  AXIOMETRY_CONTRACT(field != nullptr);
+  return field->key;
+}
+
 Finding doubtful_finding(const EnvironmentItem& item) {
-  return rules::missing("environment-perhaps-exceeded", std::string(item.clause),
-                        fmt::format("found {}: {}, expected {} as agreed between the parties; nobody can say whether "
-                                    "that was during the test",
-                                    rules::within_sentence(item.title), measured_in(item), limit_in(item)));
+  return rules::answered_by(
+      {field_of(item)},
+      rules::missing("environment-perhaps-exceeded", std::string(item.clause),
+                     fmt::format("found {}: {}, expected {} as agreed between the parties; nobody can say whether "
+                                 "that was during the test",
+                                 rules::within_sentence(item.title), measured_in(item), limit_in(item))));
 }
 
 Finding unmeasured_finding(const EnvironmentItem& item) {
   const std::string id = ids_of(item).not_measured;
-  return rules::missing(id, std::string(item.clause),
-                        fmt::format("found no measurement of {}, expected one: {} is agreed between the parties",
-                                    rules::within_sentence(item.title), limit_in(item)));
+  return rules::answered_by(
+      {field_of(item)},
+      rules::missing(id, std::string(item.clause),
+                     fmt::format("found no measurement of {}, expected one: {} is agreed between the parties",
+                                 rules::within_sentence(item.title), limit_in(item))));
 }
 
 Finding unlimited_finding(const EnvironmentItem& item) {
@@ -89,14 +100,18 @@ Finding unlimited_finding(const EnvironmentItem& item) {
 
 std::optional<Finding> known_in_part(const Items& items) {
   std::vector<std::string> titles;
-  for (const EnvironmentItem& item : items)
-    if (item.standing == EnvironmentStanding::known_in_part && !item.perhaps_exceeded)
-      titles.push_back(rules::within_sentence(item.title));
+  std::vector<std::string_view> fields;
+  for (const EnvironmentItem& item : items) {
+    if (item.standing != EnvironmentStanding::known_in_part || item.perhaps_exceeded) continue;
+    titles.push_back(rules::within_sentence(item.title));
+    fields.push_back(field_of(item));
+  }
   if (titles.empty()) return std::nullopt;
-  return rules::missing("environment-known-in-part", "4.1",
-                        fmt::format("found agreed limits of which nobody can say whether they were kept, "
-                                    "since not all of the time is known: {}",
-                                    fmt::join(titles, "; ")));
+  return rules::answered_by(std::move(fields),
+                            rules::missing("environment-known-in-part", "4.1",
+                                           fmt::format("found agreed limits of which nobody can say whether they were "
+                                                       "kept, since not all of the time is known: {}",
+                                                       fmt::join(titles, "; "))));
 }
 
 void add_standings(std::vector<Finding>& found, const Items& items, Depth depth) {

@@ -12,7 +12,9 @@
 namespace axiometry::iso230_2 {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing_support::make_series;
 using testing_support::RunDeviations;
 namespace table2 = testing_support::table2;
@@ -65,6 +67,25 @@ TEST(Findings, StandWithDeparturesFirstThenWhatIsMissing) {
   for (std::size_t k = 1; k < a.findings.size(); ++k) EXPECT_LE(a.findings[k - 1].severity, a.findings[k].severity);
   EXPECT_EQ(a.findings.front().clause, "5.3.2");
   EXPECT_FALSE(a.conforming());
+}
+
+TEST(Findings, NameTheFieldsThatWouldAnswerThem) {
+  Metadata m;
+  m.conditions.date = "0000-00-00";
+  m.gum.drift_interval = Duration::s(60.0);
+  const Assessment a = assessed(proper(half_metre), m);
+  const auto fields_of = [&](std::string_view id) {
+    const auto found = std::ranges::find(a.findings, id, &Finding::id);
+    return found == a.findings.end() ? std::vector<std::string_view>{"no such finding"} : found->fields;
+  };
+  EXPECT_THAT(fields_of("items-of-identification"), IsSupersetOf({"machine.name", "axis.name", "test.feed"}));
+  EXPECT_THAT(fields_of("uncertainty-stated"),
+              IsSupersetOf({"uncertainty.device_calibration", "uncertainty.environmental_variation"}));
+  EXPECT_THAT(fields_of("impossible-date"), ElementsAre("test.date"));
+  EXPECT_THAT(fields_of("uncertainty-input"), ElementsAre("uncertainty.drift_interval_s"));
+  EXPECT_THAT(fields_of("number-of-approaches"), ElementsAre("no such finding"));
+  for (const Finding& f : a.findings)
+    for (const std::string_view key : f.fields) EXPECT_NE(find_field(key), nullptr) << f.id << ": " << key;
 }
 
 TEST(Findings, CountTargetsAsTheLengthDemands) {

@@ -24,16 +24,20 @@ std::optional<Finding> line_in_space(const Case& c) {
   const Axis& axis = c.metadata.axis;
   const bool given = !axis.line_origin_mm.empty() || !axis.line_direction.empty();
   if (!given || spatial_line(axis)) return std::nullopt;
-  return missing("line-in-space", "8.1",
-                 "found axis.line_origin_mm or axis.line_direction that make no line in space, expected three numbers "
-                 "each of a linear axis, the direction not zero");
+  return answered_by(
+      {"axis.line_origin_mm", "axis.line_direction"},
+      missing("line-in-space", "8.1",
+              "found axis.line_origin_mm or axis.line_direction that make no line in space, expected three numbers "
+              "each of a linear axis, the direction not zero"));
 }
 
 std::optional<Finding> station_stated(const Case& c) {
   const std::string problem = station_offset_problem(c.metadata);
   if (problem.empty()) return std::nullopt;
-  return missing("station-stated", "8.2.1",
-                 fmt::format("the station of the tracking interferometer is left out of the uncertainty: {}", problem));
+  return answered_by(
+      {"tracking.station_position", "tracking.station_uncertainty_mm"},
+      missing("station-stated", "8.2.1",
+              fmt::format("the station of the tracking interferometer is left out of the uncertainty: {}", problem)));
 }
 
 }  // namespace axiometry::iso230_2::rules

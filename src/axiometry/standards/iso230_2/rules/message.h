@@ -83,4 +83,10 @@ inline Finding note(std::string id, std::string clause, Message message) {
   return finding(std::move(id), std::move(clause), Severity::note, std::move(message));
 }
 
+/// A finding that these fields of the metadata would answer, each by its own Field::key or a literal.
+inline Finding answered_by(std::vector<std::string_view> fields, Finding finding) {
+  finding.fields = std::move(fields);
+  return finding;
+}
+
 }  // namespace axiometry::iso230_2::rules

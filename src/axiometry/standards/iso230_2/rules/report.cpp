@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -72,9 +73,34 @@ std::string_view group_title(std::string_view group) {
   return group;
 }
 
-constexpr std::string_view contributor_of_device = "measuring device (A.1 to A.3)";
-constexpr std::string_view contributor_of_thermometer = "temperature measurement of the machine tool (A.5)";
-constexpr std::string_view contributor_of_environment = "environmental variation (A.9)";
+/// A contributor that 8.2.1 asks for at least.
+struct AskedContributor {
+  std::string_view key, title;
+  std::array<std::string_view, 3> clauses;  ///< clauses of the fields that state it
+};
+
+constexpr AskedContributor asked_contributors[] = {
+    {"device", "measuring device (A.1 to A.3)", {"A.1", "A.2", "A.3"}},
+    {"misalignment", "misalignment (A.4)", {"A.4"}},
+    {"m_machine", "temperature measurement of the machine tool (A.5)", {"A.5"}},
+    {"e_machine", "expansion coefficient of the machine tool (A.7)", {"A.7"}},
+    {"eve", "environmental variation (A.9)", {"A.9"}}};
+
+/// Titles of contributors and the fields that state them.
+struct ContributorsFound {
+  std::vector<std::string_view> titles, fields;
+
+  void add(std::string_view key, AxisKind kind) {
+    const auto& found = *std::ranges::find(asked_contributors, key, &AskedContributor::key);
+    titles.push_back(found.title);
+    for (const Field& field : metadata_fields()) {
+      const bool means_nothing = kind == AxisKind::rotary && !field.unit_linear.empty() && field.unit_rotary.empty();
+      if (!means_nothing && !field.clause.empty() &&
+          std::ranges::find(found.clauses, field.clause) != found.clauses.end())
+        fields.push_back(field.key);
+    }
+  }
+};
 
 /// Whether Annex A takes a contributor as 0, or of the machine's temperature its R(θ), whatever α is.
 bool taken_as_zero(const AnnexA& annex, std::string_view key) {
@@ -85,21 +111,13 @@ bool taken_as_zero(const AnnexA& annex, std::string_view key) {
   });
 }
 
-std::string_view title_of_contributor(std::string_view key) {
-  if (key == "device") return contributor_of_device;
-  if (key == "misalignment") return "misalignment (A.4)";
-  if (key == "m_machine") return contributor_of_thermometer;
-  if (key == "e_machine") return "expansion coefficient of the machine tool (A.7)";
-  return contributor_of_environment;
-}
-
 /// What 8.2.1 asks for at least and nothing was given of.
-std::vector<std::string_view> contributors_left_out(const Case& c) {
+ContributorsFound contributors_left_out(const Case& c) {
   const auto budget =
       c.uncertainty ? std::span<const Contributor>(c.uncertainty->budget) : std::span<const Contributor>();
-  std::vector<std::string_view> absent;
-  for (std::string_view key : missing_contributors(budget, c.metadata.axis.kind))
-    absent.push_back(title_of_contributor(key));
+  ContributorsFound absent;
+  for (std::string_view key : missing_contributors(budget, c.kind())) absent.add(key, c.kind());
+  std::erase_if(absent.fields, [&](std::string_view key) { return is_given(*find_field(key), c.metadata); });
   return absent;
 }
 
@@ -164,9 +182,12 @@ bool is_stated(const Field& field, const Metadata& metadata) {
 }
 
 std::optional<Finding> items_of_identification(const Case& c) {
-  constexpr std::size_t groups = 8, of_group_at_most = 256, of_all_at_most = 1024;  // usually, so that nothing moves
+  // Usually, so that nothing moves.
+  constexpr std::size_t groups = 8, of_group_at_most = 256, of_all_at_most = 1024, fields_usually = 64;
   std::vector<MissingItems> absent;
+  std::vector<std::string_view> keys;
   absent.reserve(groups);
+  keys.reserve(fields_usually);
   for (const Field& field : metadata_fields()) {
     if (!is_wanted(field, c.metadata) || is_stated(field, c.metadata)) continue;
     const std::string_view group = group_of(field.key);
@@ -176,6 +197,7 @@ std::optional<Finding> items_of_identification(const Case& c) {
       of_group->text.reserve(of_group_at_most);
     }
     of_group->add(field.title);
+    keys.push_back(field.key);
   }
   if (absent.empty()) return std::nullopt;
   std::string message;
@@ -186,11 +208,12 @@ std::optional<Finding> items_of_identification(const Case& c) {
         .append(group_title(of_group.group))
         .append(": ")
         .append(of_group.text);
-  return missing("items-of-identification", "8.1", std::move(message));
+  return answered_by(std::move(keys), missing("items-of-identification", "8.1", std::move(message)));
 }
 
 std::optional<Finding> equipment_identified(const Case& c) {
   std::vector<std::string> incomplete;
+  std::vector<std::string_view> fields;
   for (std::size_t k = 0; k < c.metadata.equipment.size(); ++k) {
     const Equipment& e = c.metadata.equipment[k];
     std::vector<std::string_view> lacks;
@@ -202,16 +225,24 @@ std::optional<Finding> equipment_identified(const Case& c) {
                                      names_nothing(e.role) ? fmt::format("component {}", k + 1) : e.role,
                                      fmt::join(lacks, " and ")));
   }
+  if (!incomplete.empty()) fields.push_back("equipment");
   // An artefact with calibrated positions is what was measured with.
   if (const Artefact& artefact = c.metadata.artefact; !artefact.calibrated_positions.empty()) {
     std::vector<std::string_view> lacks;
-    if (names_nothing(artefact.type)) lacks.push_back("type");
-    if (names_nothing(artefact.serial_number)) lacks.push_back("serial number");
+    if (names_nothing(artefact.type)) {
+      lacks.push_back("type");
+      fields.push_back("artefact.type");
+    }
+    if (names_nothing(artefact.serial_number)) {
+      lacks.push_back("serial number");
+      fields.push_back("artefact.serial_number");
+    }
     if (!lacks.empty()) incomplete.push_back(fmt::format("the artefact without {}", fmt::join(lacks, " and ")));
   }
   if (incomplete.empty()) return std::nullopt;
-  return missing("equipment-identified", "8.1",
-                 fmt::format("found test equipment not fully identified: {}", fmt::join(incomplete, "; ")));
+  return answered_by(std::move(fields), missing("equipment-identified", "8.1",
+                                                fmt::format("found test equipment not fully identified: {}",
+                                                            fmt::join(incomplete, "; "))));
 }
 
 std::optional<Finding> impossible_date(const Case& c) {
@@ -219,10 +250,13 @@ std::optional<Finding> impossible_date(const Case& c) {
   if (date.empty()) return std::nullopt;
   const std::string day = iso_date(date);
   if (!day.empty() && !can_be_day_of_test(day))
-    return missing("impossible-date", "8.1",
-                   fmt::format("the date of the test is given as {}, expected a day from 1950 to now", date));
+    return answered_by(
+        {"test.date"},
+        missing("impossible-date", "8.1",
+                fmt::format("the date of the test is given as {}, expected a day from 1950 to now", date)));
   if (!is_no_day(date)) return std::nullopt;
-  return missing("impossible-date", "8.1", fmt::format("the date of the test is given as {}, which is no day", date));
+  return answered_by({"test.date"}, missing("impossible-date", "8.1",
+                                            fmt::format("the date of the test is given as {}, which is no day", date)));
 }
 
 std::optional<Finding> date_not_read(const Case& c) {
@@ -231,10 +265,12 @@ std::optional<Finding> date_not_read(const Case& c) {
   // simulated_date says that there is none, and why; only dates of calibrations would ask for one.
   const bool none = text::says_none(std::string_view(date).substr(0, date.find(':')));
   if (none && std::ranges::none_of(c.metadata.equipment, dates_calibration)) return std::nullopt;
-  return missing("date-not-read", "8.1",
-                 fmt::format("found {} for the date of the test, expected a day such as 2014-05-15: nothing that "
-                             "depends on the day could be looked at",
-                             date));
+  return answered_by(
+      {"test.date"},
+      missing("date-not-read", "8.1",
+              fmt::format("found {} for the date of the test, expected a day such as 2014-05-15: nothing that "
+                          "depends on the day could be looked at",
+                          date)));
 }
 
 std::optional<Finding> equipment_calibrated(const Case& c) {
@@ -260,10 +296,12 @@ std::optional<Finding> calibration_date_not_read(const Case& c) {
       if (!names_nothing(*date) && named_days(*date).first.empty())
         unread.push_back(fmt::format("{} ({})", name_of(e), *date));
   if (unread.empty()) return std::nullopt;
-  return missing("calibration-date-not-read", "8.2.1",
-                 fmt::format("found dates of calibration that name no day or month, so that nobody can tell whether it "
-                             "held on the day of the test: {}",
-                             fmt::join(unread, "; ")));
+  return answered_by(
+      {"equipment"},
+      missing("calibration-date-not-read", "8.2.1",
+              fmt::format("found dates of calibration that name no day or month, so that nobody can tell whether it "
+                          "held on the day of the test: {}",
+                          fmt::join(unread, "; "))));
 }
 
 std::optional<Finding> sensors_complete(const Case& c) {
@@ -286,31 +324,31 @@ std::optional<Finding> sensors_complete(const Case& c) {
                                           : "start and the end"));
   }
   if (lacks.empty()) return std::nullopt;
-  return missing("sensors-complete", "8.1", fmt::format("found an NDE correction with {}", fmt::join(lacks, ", ")));
+  return answered_by({"sensors"}, missing("sensors-complete", "8.1",
+                                          fmt::format("found an NDE correction with {}", fmt::join(lacks, ", "))));
 }
 
 std::optional<Finding> uncertainty_stated(const Case& c) {
-  const std::vector<std::string_view> absent = contributors_left_out(c);
-  if (absent.empty()) return std::nullopt;
-  if (!c.uncertainty)
-    return missing("uncertainty-stated", "8.2.1",
-                   fmt::format("no uncertainty is stated after Annex A: nothing was given of {}",
-                               fmt::join(absent, ", ")));  // other methods may state one
-  return missing(
-      "uncertainty-stated", "8.2.1",
-      fmt::format("the uncertainty is incomplete and too small: nothing was given of {}", fmt::join(absent, ", ")));
+  const ContributorsFound absent = contributors_left_out(c);
+  if (absent.titles.empty()) return std::nullopt;
+  const std::string titles = fmt::format("{}", fmt::join(absent.titles, ", "));
+  return answered_by(
+      absent.fields,
+      missing("uncertainty-stated", "8.2.1",
+              c.uncertainty
+                  ? fmt::format("the uncertainty is incomplete and too small: nothing was given of {}", titles)
+                  : fmt::format("no uncertainty is stated after Annex A: nothing was given of {}", titles)));
 }
 
 std::optional<Finding> uncertainty_of_zero(const Case& c) {
   if (!c.uncertainty) return std::nullopt;
-  std::vector<std::string_view> zero;
-  for (const auto& [key, title] :
-       {std::pair("device", contributor_of_device), std::pair("m_machine", contributor_of_thermometer),
-        std::pair("eve", contributor_of_environment)})
-    if (taken_as_zero(*c.uncertainty, key)) zero.push_back(title);
-  if (zero.empty()) return std::nullopt;
-  return missing("uncertainty-of-zero", "8.2.1",
-                 fmt::format("the uncertainty takes as 0 what nobody knows without doubt: {}", fmt::join(zero, ", ")));
+  ContributorsFound zero;
+  for (const char* key : {"device", "m_machine", "eve"})
+    if (taken_as_zero(*c.uncertainty, key)) zero.add(key, c.kind());
+  if (zero.titles.empty()) return std::nullopt;
+  return answered_by(zero.fields, missing("uncertainty-of-zero", "8.2.1",
+                                          fmt::format("the uncertainty takes as 0 what nobody knows without doubt: {}",
+                                                      fmt::join(zero.titles, ", "))));
 }
 
 std::optional<Finding> repeatability_below_variation(const Case& c) {

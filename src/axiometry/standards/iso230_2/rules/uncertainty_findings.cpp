@@ -29,10 +29,12 @@ std::optional<Finding> variation_against_readings(const Test& test) {
       rules::deviation_message(kind, variation->in_native()), rules::deviation_message(kind, white),
       rules::deviation_message(kind, within.sd()), format_chance(p));
   if (test.metadata.gum.environment_kind == EnvironmentKind::white)
-    return rules::missing("variation-against-readings", "A.2.5",
-                          rules::message("{}: it cannot be the white noise that it is stated to be, and counts as "
-                                         "a slow drift or a random walk",
-                                         found));
+    return rules::answered_by(
+        {"uncertainty.environment_kind"},
+        rules::missing("variation-against-readings", "A.2.5",
+                       rules::message("{}: it cannot be the white noise that it is stated to be, and counts as "
+                                      "a slow drift or a random walk",
+                                      found)));
   return rules::note("variation-against-readings", "A.2.5",
                      rules::message("{}: it is a slow variation, or much overstated", found));
 }
@@ -100,10 +102,12 @@ std::optional<Finding> measurand_not_reached(const Test& test, const Assessment&
   if (test.metadata.gum.measurand != Measurand::this_machine ||
       method_of_record(assessment) != UncertaintyMethod::annex_a)
     return std::nullopt;
-  return rules::missing(
-      "measurand-not-reached", "8.2.1",
-      "uncertainty.measurand = this-machine does not reach Annex A, whose U is that of the value of this "
-      "test; GUM and Monte Carlo know it");
+  return rules::answered_by(
+      {"uncertainty.measurand", "uncertainty.method"},
+      rules::missing(
+          "measurand-not-reached", "8.2.1",
+          "uncertainty.measurand = this-machine does not reach Annex A, whose U is that of the value of this "
+          "test; GUM and Monte Carlo know it"));
 }
 
 }  // namespace

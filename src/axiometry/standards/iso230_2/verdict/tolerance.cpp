@@ -68,12 +68,6 @@ std::string missing_terms(const Decision& decision, const ParameterInfo& paramet
   return decides ? "" : with.lower_bounds[index_of(parameter)];
 }
 
-/// Why nothing is decided although there is a value.
-std::string reason_to_withhold(const Decision& decision, const Question& asked, const JudgedWith& with) {
-  if (const UncorrectedEffect* effect = in_the_way(decision, asked, with)) return effect->reason();
-  return missing_terms(decision, asked.parameter, with);
-}
-
 /// Rank of a verdict among several: the largest decides.
 int gravity(Verdict verdict) {
   switch (verdict) {
@@ -154,7 +148,12 @@ std::vector<Judgement> judge(const AxisParameters& measured, std::span<const Tol
       if (known) judgement.uncertainty = known->stated;
       const Question asked{*tolerance.parameter, value->in_native(), tolerance.limit.in_native(), rule};
       judgement.decision = decide_on(asked, with);
-      judgement.withheld = reason_to_withhold(judgement.decision, asked, with);
+      if (const UncorrectedEffect* effect = in_the_way(judgement.decision, asked, with)) {
+        judgement.withheld = effect->reason();
+        judgement.remedy = effect->by;
+      } else {
+        judgement.withheld = missing_terms(judgement.decision, asked.parameter, with);
+      }
       if (!judgement.withheld.empty()) {
         judgement.decision = {};
         judgement.decision.verdict = Verdict::undecided;

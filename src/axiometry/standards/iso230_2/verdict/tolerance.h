@@ -61,6 +61,7 @@ struct Judgement {
   /// lacks, under every rule; or, where the rule asks for an uncertainty, that the method of record states none or one
   /// that is doubted. Empty mostly; else the verdict is `undecided`, without probability and zones.
   std::string withheld{};
+  Remedy remedy{};  ///< what mends that, where it is an effect
 
   /// T − g: up to here accepted. Absent when nothing could be: no u, g > T, or withheld.
   std::optional<Deviation> acceptance_limit() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/standards/iso230_2/verdict/tolerance.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "axiometry/model/fields.h"
@@ -162,7 +163,8 @@ TEST(Judge, FindsTheWorstOfAllVerdicts) {
 /// 5 µm on lengths, nothing on what repeats.
 UncorrectedEffect expansion(double um) {
   return {"expansion", "thermal expansion, about 5 µm over the travel,", Deviation::native(um), Deviation::native(0),
-          "the correction for thermal expansion"};
+          "the correction for thermal expansion",
+          {{"nde"}, {}}};
 }
 
 TEST(Judge, WithholdsEveryVerdictOnAValueThatHoldsAnUncorrectedEffect) {
@@ -181,6 +183,8 @@ TEST(Judge, WithholdsEveryVerdictOnAValueThatHoldsAnUncorrectedEffect) {
       EXPECT_EQ(judgement.withheld,
                 "thermal expansion, about 5 µm over the travel, is neither corrected nor in the uncertainty; the "
                 "correction for thermal expansion mends that");
+      EXPECT_THAT(judgement.remedy.corrections, ::testing::ElementsAre("nde"));
+      EXPECT_TRUE(judgement.remedy.fields.empty());
     }
   }
   EXPECT_EQ(verdict("B_mean", 3.5, {Kind::iso_14253_1}, with), Verdict::conforms);  // does not act on it
