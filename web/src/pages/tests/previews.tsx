@@ -19,6 +19,7 @@ import { HowRead } from './asked_columns';
 import { Contents } from './contents';
 import { can_be_kept, incoming, is_asked, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 /** The chosen files, each with what is in it or why it is refused. */
 export function Previews({ on_formats }: { on_formats: () => void }) {
@@ -91,7 +92,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
       ))}
       {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
       {one.received
-        ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
+        ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}{colon()} {one.received.tests.map((test, i) => (
             <span key={test.id}>
               {i > 0 && ', '}<a href={`/tests/${test.id}`}>{test.title || t('test_number', { id: test.id })}</a>
               {test.same_content.length > 0 && <span class="quiet"> ({t('same_bytes_as')} <TestLinks ids={test.same_content} />)</span>}
@@ -101,7 +102,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
             <p class="notice caution">{t('same')} <TestLinks ids={preview.same_content} /></p>
           )}
       {one.received?.tests.flatMap((test) => test.remarks).map((remark) => <p key={remark} class="notice caution">{sentence(remark)}</p>)}
-      {one.error?.receipt?.id && <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: <TestLinks ids={[one.error.receipt.id]} /></p>}
+      {one.error?.receipt?.id && <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}{colon()} <TestLinks ids={[one.error.receipt.id]} /></p>}
       {preview && preview.tests.length > 0 && one.state !== 'kept' && <Contents preview={preview} />}
     </li>
   );
