@@ -28,7 +28,7 @@ using report::Align;
 using report::plain;
 using report::verbatim;
 
-constexpr int digits_alone = 5;  // significant digits of a value without U
+constexpr int digits_alone = 3;  // significant digits of a value without U
 constexpr int residual_decimals = 3;
 
 using error_motions::rounding;

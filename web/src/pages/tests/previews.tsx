@@ -47,11 +47,12 @@ export function Previews({ on_formats }: { on_formats: () => void }) {
 function hint(files: readonly Incoming[]): string {
   const kept = files.filter((one) => one.state === 'kept').length;
   const asked = files.filter(is_asked).length;
-  const refused = files.filter((one) => one.preview?.refused || (one.error && one.state !== 'kept' && !may_retry(one))).length - asked;
-  const waiting = files.length - kept - refused - asked;
+  const elsewhere = files.filter((one) => one.preview?.instead).length;
+  const refused = files.filter((one) => one.preview?.refused || (one.error && one.state !== 'kept' && !may_retry(one))).length - asked - elsewhere;
+  const waiting = files.length - kept - refused - asked - elsewhere;
   return [
     kept > 0 && t('files_kept', { n: kept }), waiting > 0 && t('files_waiting', { n: waiting }), asked > 0 && t('files_asked', { n: asked }),
-    refused > 0 && t('files_refused', { n: refused }),
+    elsewhere > 0 && t('files_elsewhere', { n: elsewhere }), refused > 0 && t('files_refused', { n: refused }),
   ].filter(Boolean).join(', ');
 }
 
@@ -87,7 +88,8 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         ? <Refusal one={one} message={one.error.message} place={one.error.place} on_formats={on_formats} />
         : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
       {preview?.refused && (preview.instead === 'plan' ? <PlanFound one={one} why={why} /> : preview.instead === 'error-motion' ? <MotionFound one={one} />
-        : preview.instead === 'recording' ? <RecordingFound one={one} /> : !is_asked(one) && (
+        : preview.instead === 'recording' ? <RecordingFound one={one} />
+        : preview.instead === 'temperatures' ? <p class="notice">{t('is_temperatures')}</p> : !is_asked(one) && (
         <Refusal one={one} message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
       {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
