@@ -3,9 +3,11 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 #include "cli/flags/verb.h"
 
@@ -181,18 +183,25 @@ int capture_part(const CaptureArguments& arguments) {
   return capture_exit_code(lengths.lengths.readings.size(), lengths.planned);
 }
 
+/// Whether what comes is in no file: of the standard input as it is, or a pipe that has a name.
+bool is_piped(const std::string& from) {
+  std::error_code unknown;
+  return from == "-" ? app::standard_input_is_a_stream() : std::filesystem::is_fifo(from, unknown);
+}
+
 /// What a pipe brings is there once only. With the test on the standard output another program uses it at once.
-void tell_of_standard_input(const CaptureArguments& arguments) {
+void tell_of_pipe(const CaptureArguments& arguments) {
   const app::CaptureRun& run = arguments.run;
-  if (run.from != "-" || !run.raw.empty() || arguments.quiet || run.out == "-") return;
-  if (!app::standard_input_is_a_stream()) return;
-  tell(
-      "what comes from the standard input is not kept as it came: --raw FILE keeps it, and --out FILE does, as "
-      "FILE.raw");
+  if (!is_piped(run.from) || !run.raw.empty() || arguments.quiet || run.out == "-") return;
+  if (run.from == "-")
+    return tell(
+        "what comes from the standard input is not kept as it came: --raw FILE keeps it, and --out FILE does, as "
+        "FILE.raw");
+  tell("what comes from a pipe is not kept as it came: --raw FILE keeps it, and --out FILE does, as FILE.raw");
 }
 
 int capture(const CaptureArguments& arguments) {
-  tell_of_standard_input(arguments);
+  tell_of_pipe(arguments);
   if (arguments.options.motion) return capture_motion(arguments.run, arguments.options, arguments.quiet);
   const auto of_lines = app::is_tracking_plan_file(arguments.options.plan);
   if (!of_lines) return capture_failed(of_lines.error());
@@ -228,7 +237,8 @@ void check(CaptureArguments& arguments) {
   if (!live) throw UsageError("--from", live.error().message);
   if (!*live && !run.resume.empty())
     throw UsageError("--resume", "found with a file or - as source, expected with tcp:// or serial://");
-  if (!*live && run.from != "-" && !run.raw.empty())
+  const bool piped = is_piped(run.from);
+  if (!*live && run.from != "-" && !piped && !run.raw.empty())
     throw UsageError("--raw", "found with a file as source, expected with tcp://, serial:// or -");
   if (!*live && !give_up.empty())
     throw UsageError("--give-up", "found with a file or - as source, expected with tcp:// or serial://");
@@ -237,7 +247,6 @@ void check(CaptureArguments& arguments) {
       throw UsageError("--raw", "found neither --raw nor --out FILE, expected a place to keep what arrives");
     run.raw = run.out + ".raw";
   }
-  const bool piped = run.from == "-" && app::standard_input_is_a_stream();
   if (piped && run.raw.empty() && !run.out.empty() && run.out != "-") run.raw = run.out + ".raw";
   if (*live || app::is_raw(run.from) || !run.raw.empty()) options.recording.skip_damaged = true;
   if (give_up.empty()) return;

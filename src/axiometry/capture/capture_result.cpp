@@ -5,35 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
-#include <optional>
 #include <utility>
 
 #include "axiometry/base/text/number_text.h"
-#include "axiometry/capture/standstill.h"
-#include "axiometry/numeric/median.h"
+#include "axiometry/capture/captured_conditions.h"
 
 namespace axiometry::capture {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
-/// What the plan's program does; the recording shows of it only what rest_remark() looks at.
-Metadata metadata_of(const Plan& plan) {
-  Metadata metadata;
-  metadata.axis = plan.axis;
-  metadata.machine.name = plan.machine;
-  metadata.conditions.cycle = plan.cycle;
-  metadata.conditions.feed = plan.feed;
-  metadata.conditions.dwell = plan.dwell;
-  if (plan.warm_up_runs > 0)
-    metadata.conditions.warm_up =
-        fmt::format("as programmed: {} there and back over the measurement travel at {} {}/min",
-                    plan.warm_up_runs == 1 ? "once" : fmt::format("{} times", plan.warm_up_runs),
-                    format_exact(plan.feed), position_unit(plan.axis.kind));
-  return metadata;
-}
 
 /// Where targets of another plan lie in the windows of this one, readings fill them; those of an axis lie close
 /// together, even with another zero. A twentieth of them at each end may be anything, and so may all of them where
@@ -54,59 +36,6 @@ Result<void> check_closeness(const Plan& plan, const CaptureResult& result) {
                   "recording belongs to another plan, or the window around the targets is too narrow for this axis",
                   format_fixed(lowest, 1), format_fixed(highest, 1), deviation_unit(plan.axis.kind),
                   format_fixed(limit, 1), deviation_unit(plan.axis.kind)));
-}
-
-/// Where the axis clearly rested longer or shorter than the plan says, the dwell is what was recorded.
-std::optional<SourceRemark> rest_remark(const Plan& plan, const CaptureResult& result, TestConditions& conditions) {
-  constexpr double alike = 0.3, tenths = 10.0;
-  std::vector<double> rests_s;
-  for (const CapturedReading& r : result.readings)
-    if (!r.standstill.cut_off) rests_s.push_back(r.standstill.end_s - r.standstill.begin_s);
-  const double planned_s = plan.dwell.in_s();
-  if (rests_s.empty() || !(planned_s > 0.0)) return std::nullopt;
-  const double seen_s = numeric::median(std::move(rests_s));
-  if (std::abs(seen_s - planned_s) <= alike * planned_s + standstill_options(plan).window.in_s()) return std::nullopt;
-  conditions.dwell = Duration::s(std::round(tenths * seen_s) / tenths);
-  return SourceRemark{false,
-                      fmt::format("the axis rested {} s at the targets, half of the rests longer and half shorter, "
-                                  "where the plan has {} s: the dwell is that of the recording",
-                                  format_fixed(seen_s, 1), format_exact(planned_s))};
-}
-
-/// Noise of the samples that is not averaged away widens the bands of the axis as if it were its own: told when it
-/// makes half of the scatter between the runs or more. As if samples were independent, so that it is no overestimate.
-std::optional<SourceRemark> noise_remark(const Plan& plan, const CaptureResult& result) {
-  struct Cell {
-    double count = 0.0, sum = 0.0, squares = 0.0;
-  };
-  std::map<std::pair<std::size_t, Direction>, Cell> cells;
-  double noise = 0.0, samples = 0.0;
-  const double scale = deviation_per_position(plan.axis.kind);
-  for (const CapturedReading& r : result.readings) {
-    Cell& cell = cells[{r.approach.target, r.approach.direction}];
-    const double x = r.deviation.in_native();
-    cell.count += 1.0;
-    cell.sum += x;
-    cell.squares += x * x;
-    const double s = r.standstill.spread.in_native() * scale;
-    noise += s * s;
-    samples += static_cast<double>(r.standstill.count);
-  }
-  double squares = 0.0, freedom = 0.0;
-  for (const auto& [approach, cell] : cells) {
-    squares += std::max(0.0, cell.squares - cell.sum * cell.sum / cell.count);
-    freedom += cell.count - 1.0;
-  }
-  const auto readings = static_cast<double>(result.readings.size());
-  if (freedom < 1.0 || samples < 1.0) return std::nullopt;
-  const double s_samples = std::sqrt(noise / readings);
-  const double s_mean = s_samples / std::sqrt(samples / readings);
-  const double s_runs = std::sqrt(squares / freedom);
-  if (s_mean < 0.5 * s_runs || s_mean < 0.05) return std::nullopt;
-  return SourceRemark{
-      false, fmt::format("samples at rest scatter by s = {1:.3g} {0}, which leaves {2:.3g} {0} in a reading of a "
-                         "scatter between runs of {3:.3g} {0}: R and A hold the noise of the recording",
-                         deviation_unit(plan.axis.kind), s_samples, s_mean, s_runs)};
 }
 
 std::vector<SourceRemark> remarks_of(const CaptureResult& result, const std::vector<std::size_t>& left_out) {
@@ -144,7 +73,8 @@ Result<void> check_fit(const Plan& plan, const CaptureResult& result) {
   std::string seen;
   std::size_t named = 0;
   for (const CaptureEvent& event : result.events)
-    if (event.kind == EventKind::unexpected && named++ < 3) seen += fmt::format("; {}", event.message);
+    if ((event.kind == EventKind::unexpected || event.kind == EventKind::wrong_direction) && named++ < 3)
+      seen += fmt::format("; {}", event.message);
   return fail(fmt::format(
       "found {} of {} standstills at the approaches of the plan, expected most of them ({} approaches, targets {} to "
       "{} {}): the recording belongs to another plan, or the zero or sign of the instrument differ{}",
@@ -210,11 +140,12 @@ Result<Test> captured_test(const Plan& plan, const CaptureResult& result) {
     times[cell] = 0.5 * (r.standstill.used_from_s + r.standstill.used_to_s);
   }
   AXIOMETRY_TRY(Series series, Series::make_dense(std::move(targets), runs, std::move(deviations)));
-  Test test{metadata_of(plan), std::move(series), {}};
+  CapturedConditions conditions = captured_conditions(plan, result);
+  Test test{std::move(conditions.metadata), std::move(series), {}};
   test.provenance.remarks = remarks_of(result, left_out);
-  if (auto rest = rest_remark(plan, result, test.metadata.conditions))
-    test.provenance.remarks.push_back(std::move(*rest));
-  if (auto noise = noise_remark(plan, result)) test.provenance.remarks.push_back(std::move(*noise));
+  std::ranges::move(conditions.remarks, std::back_inserter(test.provenance.remarks));
+  std::vector<SourceRemark> of_rest = rest_remarks(plan, result);
+  std::ranges::move(of_rest, std::back_inserter(test.provenance.remarks));
   test.times_s = std::move(times);
   return test;
 }

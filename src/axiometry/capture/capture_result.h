@@ -53,11 +53,12 @@ struct CaptureEvent {
 struct CaptureResult {
   std::vector<CapturedReading> readings;  ///< readings in the order in which they were taken
   std::vector<CaptureEvent> events;
-  Position datum;               ///< position of the axis at which the instrument shows zero
-  Position window;              ///< farthest from a target that was taken for it
-  std::size_t approaches = 0;   ///< how many approaches the plan has
-  std::size_t standstills = 0;  ///< long enough, not at overruns
-  std::size_t overruns = 0;     ///< standstills at turning points of the plan
+  Position datum;                    ///< position of the axis at which the instrument shows zero
+  Position window;                   ///< farthest from a target that was taken for it
+  std::size_t approaches = 0;        ///< how many approaches the plan has
+  std::size_t standstills = 0;       ///< long enough, not at overruns
+  std::size_t overruns = 0;          ///< standstills at turning points of the plan
+  std::size_t full_ways_before = 0;  ///< ways over all targets, one way or the other, before the first reading
 };
 
 /// "target 3↑ run 2"
@@ -69,7 +70,8 @@ std::string ended_before(const Approach& approach, std::size_t behind);
 /// Fails when less than half of the standstills belong to approaches.
 Result<void> check_fit(const Plan& plan, const CaptureResult& result);
 
-/// The test that the readings make: metadata from the plan, times of the readings, remarks on what is missing. A target
+/// The test that the readings make: conditions as recorded (captured_conditions.h), the rest of the metadata from the
+/// plan, times of the readings, remarks on what is missing and what the recording lacks. A target
 /// without any reading is left out, which makes it no test after ISO 230-2. Fails when fewer than two targets have a
 /// reading, and when the recording does not fit the plan: less than half of its standstills belong to approaches, or
 /// the readings lie all over the window, as they do at targets that are only near those of the plan.

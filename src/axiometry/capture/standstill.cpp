@@ -25,6 +25,7 @@ constexpr double jump_least = 0.5;            // mm or °
 constexpr std::size_t samples_of_a_jump = 3;  // two false ones in a row are no jump
 constexpr double hold_slack = 2.0;            // the first way may hide in the last digit
 constexpr double sharpest_start = 30'000.0;   // mm/s² or °/s²: 3 g
+constexpr double rounding_of_numbers = 1e-9;  // mm or °: below, two differences are alike
 constexpr double unlimited = std::numeric_limits<double>::max();
 constexpr double rotary_smallest = 1.0 / 3600.0, linear_smallest = 0.001;
 
@@ -46,6 +47,12 @@ StandstillOptions standstill_options(const Plan& plan) {
           .fastest_per_s = fastest_motion(plan.feed)};
 }
 
+Standstill shifted(Standstill s, double by) {
+  for (Position* x : {&s.position, &s.lowest, &s.highest}) *x = Position::native(x->in_native() + by);
+  for (Position& x : s.turns) x = Position::native(x.in_native() + by);
+  return s;
+}
+
 StandstillDetector::StandstillDetector(const StandstillOptions& options)
     : options_(options), travel_(options.turn.in_native()) {}
 
@@ -65,6 +72,7 @@ void StandstillDetector::Average::add(const SampleCell& cell, double origin_s, d
   tt += n * time * time;
   tx += n * time * d;
   rejected += cell.rejected;
+  scatter.add(d);
 }
 
 double StandstillDetector::Average::slope() const {
@@ -105,6 +113,7 @@ std::vector<Standstill> StandstillDetector::interrupt() {
   std::vector<Standstill> found;
   take_begun(found);
   gap(found);
+  if (last_) missing_from_s_ = last_->time_s;
   return found;
 }
 
@@ -132,7 +141,10 @@ std::optional<StandstillDetector::Whereabouts> StandstillDetector::now() const {
 std::size_t StandstillDetector::take(std::span<const Sample> samples, bool more_come, std::vector<Standstill>& found) {
   const double longest_s =
       usual_step_s_ > 0.0 ? std::max(options_.window.in_s(), gap_steps * usual_step_s_) : unlimited;
-  if (last_ && samples.front().time_s - last_->time_s > longest_s) gap(found);
+  if (last_ && samples.front().time_s - last_->time_s > longest_s) {
+    gap(found);
+    missing_from_s_ = last_->time_s;
+  }
   const CellSums sums = sums_of(samples);
   std::size_t end = samples.size();
   if (sums.longest_step_s > longest_s)
@@ -156,6 +168,7 @@ std::size_t StandstillDetector::take_piece(std::span<const Sample> samples, cons
     end_frozen(found);
     return still.size() + take_piece(behind, sums_of(behind), more_come, found);
   }
+  if (missing_from_s_) missing_.push_back({*std::exchange(missing_from_s_, {}), samples.front().time_s});
   watch_value(samples, sums);
   last_ = samples.back();
   if (samples.size() >= fewest_samples) take_cell(samples, sums, found);
@@ -226,11 +239,16 @@ void StandstillDetector::note_usual(std::span<const Sample> samples, const Sampl
   if (noises_.size() > noise_memory) noises_.pop_front();
   usual_step_s_ = (cell.end_s - cell.begin_s) / static_cast<double>(samples.size() - 1);
   const std::size_t looked_at = std::min(samples.size(), steps_looked_at);
-  double changes = 0.0;
+  double changes = 0.0, step_before = 0.0;
+  const auto note_finest = [&](double difference) {
+    if (difference > rounding_of_numbers && (finest_ <= 0.0 || difference < finest_)) finest_ = difference;
+  };
   for (std::size_t k = 1; k < looked_at; ++k) {
     const double step = std::abs(samples[k].position - samples[k - 1].position);
     if (step > 0.0) changes += 1.0;
     if (step > 0.0 && (quantum_ == 0.0 || step < quantum_)) quantum_ = step;
+    note_finest(step);
+    note_finest(std::abs(step - std::exchange(step_before, step)));
   }
   if (changes == 0.0) return;
   const double hold_s = (samples[looked_at - 1].time_s - samples.front().time_s) / changes;
@@ -238,16 +256,18 @@ void StandstillDetector::note_usual(std::span<const Sample> samples, const Sampl
 }
 
 void StandstillDetector::travel(std::span<const Sample> samples, const SampleCell& cell) {
-  if (cell.highest - cell.lowest > options_.turn.in_native() / 8)
-    travel_.move_along(samples);
-  else
-    travel_.move_to(cell.mean);
+  const bool moves = cell.highest - cell.lowest > options_.turn.in_native() / 8;
+  const auto before = travel_.direction();
+  if (moves || !at_rest_) way_.move_along(samples);
+  moves ? travel_.move_along(samples) : travel_.move_to(cell.mean);
+  if (before != travel_.direction()) way_.turned(*travel_.direction());
 }
 
 void StandstillDetector::gap(std::vector<Standstill>& found) {
   if (at_rest_) found.push_back(end_rest(true));
   window_.clear();
   travel_.forget();
+  way_.forget();
   gap_behind_ = true;
   frozen_.reset();
 }
@@ -280,8 +300,14 @@ void StandstillDetector::begin_rest(double threshold) {
            .arrival = travel_.direction(),
            .lowest = Position::native(travel_.lowest()),
            .highest = Position::native(travel_.highest()),
+           .edge_s = options_.window.in_s() / cells_per_window,
+           .missing = std::exchange(missing_, {}),
            .after_gap = std::exchange(gap_behind_, false)};
+  if (rest_.arrival) rest_.speed = way_.speed(*rest_.arrival, origin_);
+  for (const double turn : travel_.take_turns()) rest_.turns.push_back(Position::native(turn));
+  rest_.beyond = Position::native(travel_.beyond(window_.back().mean));
   travel_.begin_stretch(window_.back().mean);
+  way_.forget();
   settling_ = used_ = {};
   held_.reset();
   at_rest_ = true;
@@ -310,6 +336,8 @@ Standstill StandstillDetector::end_rest(bool cut_off) {
   standstill.position = Position::native(origin_ + average.mean);
   standstill.spread = Position::native(average.count > 1.0 ? std::sqrt(average.squares / (average.count - 1.0)) : 0.0);
   standstill.drift = Position::native(average.slope() * (average.to_s - average.from_s));
+  standstill.scatter = average.scatter.without_drift(average.slope(), average.to_s - average.from_s);
+  standstill.step = Position::native(finest_);
   standstill.cut_off = cut_off;
   return standstill;
 }

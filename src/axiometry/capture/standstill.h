@@ -9,7 +9,9 @@
 
 #include "axiometry/base/quantity.h"
 #include "axiometry/capture/cell.h"
+#include "axiometry/capture/rest_scatter.h"
 #include "axiometry/capture/travel.h"
+#include "axiometry/capture/way_speed.h"
 #include "axiometry/model/axis.h"
 #include "axiometry/model/plan.h"
 #include "axiometry/model/recording.h"
@@ -43,6 +45,12 @@ double fastest_motion(double feed);
 /// fastest_motion() has it.
 StandstillOptions standstill_options(const Plan& plan);
 
+/// A stretch of the recording without samples.
+struct MissingSamples {
+  double from_s = 0.0;  ///< time of the last one before
+  double to_s = 0.0;    ///< time of the first one behind
+};
+
 /// One stretch of rest.
 struct Standstill {
   double begin_s = 0.0;      ///< first sample at rest
@@ -53,17 +61,27 @@ struct Standstill {
   std::size_t rejected = 0;  ///< outliers among them, left out
   Position position{};       ///< their mean, as the instrument shows it
   Position spread{};         ///< standard deviation s of these samples
+  RestScatter scatter{};     ///< of the means of the cells among them, mm or °
+  Position step{};           ///< step of the instrument as far as samples have shown it; 0 where they were all alike
   Position drift{};          ///< slope of a straight line through the means of the cells, times the time averaged
   Position threshold{};      ///< T when it stopped
   std::optional<Direction> arrival{};  ///< the way it came from; nothing when that was not seen
   Position lowest{};                   ///< lowest position between the standstill before and this one, both included
   Position highest{};
-  bool after_gap = false;  ///< samples are missing between the standstill before and this one
-  bool cut_off = false;    ///< ended by missing samples or the end of the recording, not by motion
+  Position beyond{};                      ///< how far beyond it the axis had been before it came back to it and stopped
+  std::optional<Speed> speed{};           ///< of the way there since the standstill or the last turn before
+  std::vector<Position> turns{};          ///< where it began to move and turned since the standstill before
+  double edge_s = 0.0;                    ///< by how much it may have begun earlier, and ended later, s: a cell
+  std::vector<MissingSamples> missing{};  ///< since the standstill before
+  bool after_gap = false;                 ///< samples are missing between the standstill before and this one
+  bool cut_off = false;                   ///< ended by missing samples or the end of the recording, not by motion
   /// From here on its value stood still to the last digit, and jumped then: the instrument may have lost its signal,
   /// and where the axis was meanwhile is not known.
   std::optional<double> frozen_from_s{};
 };
+
+/// The same where the instrument shows so much more, mm or °.
+Standstill shifted(Standstill standstill, double by);
 
 class StandstillDetector {
  public:
@@ -95,6 +113,7 @@ class StandstillDetector {
     double weight = 0.0, t = 0.0, x = 0.0, tt = 0.0, tx = 0.0;
     std::size_t rejected = 0;
     double from_s = 0.0, to_s = 0.0;
+    RestScatterSums scatter;
     void add(const SampleCell& cell, double origin_s, double origin);
     double slope() const;
   };
@@ -130,15 +149,20 @@ class StandstillDetector {
   StandstillOptions options_;
   CellMaker maker_;
   Travel travel_;
+  WaySpeed way_;
   std::vector<Sample> begun_;  // a cell whose end has not come yet
   std::optional<Sample> last_;
   std::deque<SampleCell> window_;  // the last cells, no gap between them
   std::deque<double> noises_;      // standard deviations of the last cells
   double usual_step_s_ = 0.0;      // usual time between samples, s; 0 before the first cell
   double quantum_ = 0.0;           // q; 0 before two different samples were seen
+  double finest_ = 0.0;            // smallest of the steps and of their differences: of rounded values a multiple of
+                                   // what they were rounded to
   double usual_hold_s_ = 0.0;      // usual time between two changes of the value on the way, s; 0 before one was seen
   std::optional<Frozen> frozen_;
-  bool gap_behind_ = true;  // nothing is known of the time before the recording
+  std::vector<MissingSamples> missing_;
+  std::optional<double> missing_from_s_;  // where samples are missing and none has come since
+  bool gap_behind_ = true;                // nothing is known of the time before the recording
   std::optional<SampleCell> now_;
 
   bool at_rest_ = false;

@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
-#include "axiometry/capture/full_turns.h"
 #include "axiometry/numeric/median.h"
 
 namespace axiometry::capture {
@@ -18,6 +18,8 @@ namespace {
 constexpr std::size_t zero_proof = 3;      // approaches that must follow each other to settle a zero
 constexpr std::size_t most_waiting = 200;  // standstills
 constexpr int position_decimals = 4;
+constexpr double longest_overshoot_mm = 0.05, longest_overshoot_deg = 0.01;
+constexpr double overshoot_thresholds = 3.0;
 
 double smallest_interval(const Plan& plan) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -38,15 +40,15 @@ std::vector<std::string> remarks_on(const Standstill& s, AxisKind kind) {
   return remarks;
 }
 
-Standstill turned(Standstill s, double by_deg) {
-  for (Position* x : {&s.position, &s.lowest, &s.highest}) *x = Position::native(x->in_native() + by_deg);
-  return s;
-}
-
 }  // namespace
 
 Position default_window(const Plan& plan) {
   return Position::native(std::min(smallest_interval(plan) / 4, plan.overrun.in_native() / 2));
+}
+
+Position came_back_limit(AxisKind kind, Position threshold) {
+  return Position::native(std::max(kind == AxisKind::linear ? longest_overshoot_mm : longest_overshoot_deg,
+                                   overshoot_thresholds * threshold.in_native()));
 }
 
 Result<TargetMatcher> TargetMatcher::make(Plan plan, const MatcherOptions& options) {
@@ -70,7 +72,12 @@ TargetMatcher::Walk::Walk(Plan walked) : plan(std::move(walked)), approaches(axi
 }
 
 TargetMatcher::TargetMatcher(std::shared_ptr<const Walk> walk, const MatcherOptions& options)
-    : walk_(std::move(walk)), options_(options), window_(options.window.value_or(default_window(walk_->plan))) {
+    : walk_(std::move(walk)),
+      options_(options),
+      window_(options.window.value_or(default_window(walk_->plan))),
+      pace_(walk_->plan),
+      warm_up_(walk_->plan.targets.front().in_native() + window_.in_native(),
+               walk_->plan.targets.back().in_native() - window_.in_native()) {
   result_.approaches = walk_->approaches.size();
   result_.datum = options.datum;
   result_.window = window_;
@@ -90,6 +97,7 @@ Standstill TargetMatcher::in_plan(const Standstill& shown) const {
   s.position = placed(shown.position);
   s.lowest = placed(options_.reversed ? shown.highest : shown.lowest);
   s.highest = placed(options_.reversed ? shown.lowest : shown.highest);
+  for (Position& turn : s.turns) turn = placed(turn);
   if (options_.reversed) {
     s.drift = Position::native(-shown.drift.in_native());
     if (s.arrival) s.arrival = *s.arrival == Direction::up ? Direction::down : Direction::up;
@@ -106,11 +114,16 @@ std::vector<CapturedReading> TargetMatcher::take(const Standstill& standstill) {
 }
 
 std::optional<CapturedReading> TargetMatcher::match(const Standstill& shown_there) {
-  if (complete()) return std::nullopt;
+  if (complete()) {
+    note_behind(shown_there);
+    return std::nullopt;
+  }
   unseen_ = unseen_ || shown_there.after_gap;
   turn_found_ = turn_found_ && !shown_there.after_gap;
   find_turn(shown_there);
-  const Standstill s = turned(shown_there, turns_deg_);
+  const Standstill s = shifted(shown_there, turns_deg_);
+  if (!last_) begin_with(s);
+  tell_missing(s);
   lowest_ = std::min(lowest_, s.lowest.in_native());
   highest_ = std::max(highest_, s.highest.in_native());
   if (s.frozen_from_s) {
@@ -141,79 +154,33 @@ std::optional<CapturedReading> TargetMatcher::match(const Standstill& shown_ther
           fmt::format("at rest at {}, farther than {} from every target", shown(s.position), shown(window_)));
     return std::nullopt;
   }
-  if (const auto approach = approach_for(*target, s)) return read(*approach, s);
-  if (begins_again(*target, s)) {
+  const auto placed = approach_for(*target, s);
+  const bool again = !placed && begins_again(*target, s);
+  if ((placed || again) && came_back(s)) {
+    event(
+        EventKind::wrong_direction, s.begin_s,
+        fmt::format("at target {} the axis was at least {} beyond {} and came back, so that it arrived from the other "
+                    "side; not used",
+                    *target + 1, shown(s.beyond), shown(s.position)));
+    return std::nullopt;
+  }
+  if (placed && !placed->sure)
+    event(EventKind::doubtful, s.begin_s,
+          fmt::format("behind the missing samples the time fits none of the approaches to target {}{} left: taken for "
+                      "run {}, so that the runs may be others than those of the plan",
+                      *target + 1, arrow(*s.arrival), walk_->approaches[placed->approach].run + 1));
+  if (placed) return read(placed->approach, s);
+  if (again) {
     event(EventKind::restarted, s.begin_s,
           fmt::format("{} came again after {} readings, which were dropped", approach_name(walk_->approaches[0]),
                       result_.readings.size()));
     result_.readings.clear();
+    pace_.forget();
     due_ = 0;
     return read(0, s);
   }
   explain(*target, s);
   return std::nullopt;
-}
-
-bool TargetMatcher::rolls(const Standstill& s) const { return rolls_from_s_ && s.used_to_s >= *rolls_from_s_; }
-
-/// Which turn of the plan the axis is in. A person may have turned it before the test, and behind missing samples
-/// nobody counted; else what the instrument shows counts on, but for a motion too fast to be followed. Of an instrument
-/// that was not seen to roll over what it shows is believed, unless nothing but whole turns are between that and what
-/// is due.
-void TargetMatcher::find_turn(const Standstill& s) {
-  if (walk_->plan.axis.kind == AxisKind::linear || !s.arrival || s.frozen_from_s) return;
-  if (rolls(s)) tell_rollover(s);
-  const bool fits = target_at(turned(s, turns_deg_).position).has_value();
-  if (turn_found_ && (fits || !rolls(s) || !last_)) return;
-  const Approach& due = walk_->approaches[due_];
-  const auto is_due = [&](double turns_deg) {
-    return due.direction == *s.arrival && target_at(turned(s, turns_deg).position) == due.target;
-  };
-  const bool known_before = fits && last_ && !rolls(s);
-  const auto found = known_before ? std::nullopt : turns_to_target(s);
-  const double turns_deg = found && (is_due(*found) || (rolls(s) && !turn_found_)) ? *found : turns_deg_;
-  const auto target = target_at(turned(s, turns_deg).position);
-  if (!target || (*target != due.target && !approach_for(*target, s))) return;
-  if (turns_deg != turns_deg_) lowest_ = highest_ = turned(s, turns_deg).position.in_native();
-  turn_found_ = true;
-  turns_deg_ = turns_deg;
-}
-
-/// The whole turns that put the standstill at a target: at the one of the earliest approach that it can be, or next to
-/// the one that is due.
-std::optional<double> TargetMatcher::turns_to_target(const Standstill& s) const {
-  const double due = walk_->plan.targets[walk_->approaches[due_].target].in_native();
-  const double x = s.position.in_native(), window = window_.in_native();
-  constexpr double most_deg = 1e9;  // farther a whole turn more is no other number before long
-  if (!(std::abs(x) <= most_deg)) return std::nullopt;
-  const double last = std::floor((walk_->plan.targets.back().in_native() + window - x) / full_turn_deg);
-  std::optional<double> best;
-  std::pair<std::size_t, double> best_rank;
-  for (double n = std::ceil((walk_->plan.targets.front().in_native() - window - x) / full_turn_deg); n <= last;
-       n += 1.0) {
-    const double there = x + full_turn_deg * n;
-    const auto target = target_at(Position::native(there));
-    if (!target) continue;
-    const std::pair rank{approach_for(*target, s).value_or(walk_->approaches.size()), std::abs(there - due)};
-    if (best && rank >= best_rank) continue;
-    best = full_turn_deg * n;
-    best_rank = rank;
-  }
-  return best;
-}
-
-/// Before the turn is known.
-bool TargetMatcher::at_overrun_of_a_turn(const Standstill& s) const {
-  if (turn_found_ || !rolls(s)) return false;
-  return std::ranges::any_of(walk_->turning_points, [&](Position point) {
-    return std::abs(std::remainder(s.position.in_native() - point.in_native(), full_turn_deg)) <= window_.in_native();
-  });
-}
-
-void TargetMatcher::tell_rollover(const Standstill& s) {
-  if (std::exchange(rollover_told_, true)) return;
-  event(EventKind::zero, s.begin_s,
-        "the instrument shows the same again after each turn: its angles are counted on over 360°");
 }
 
 std::optional<std::size_t> TargetMatcher::target_at(Position position) const {
@@ -229,18 +196,47 @@ bool TargetMatcher::at_turning_point(Position position) const {
   return above != walk_->turning_points.end() && above->in_native() <= position.in_native() + window_.in_native();
 }
 
-/// The first approach from the due one on that this standstill can be.
-std::optional<std::size_t> TargetMatcher::approach_for(std::size_t target, const Standstill& s) const {
+/// The first approach from the due one on that this standstill can be; behind missing samples the one for which it is
+/// time.
+std::optional<PlanPace::Placed> TargetMatcher::approach_for(std::size_t target, const Standstill& s) const {
   const bool same_again = last_ && walk_->approaches[*last_].target == target && !was_away() && !unseen_;
   if (!s.arrival || same_again) return std::nullopt;
+  const bool gap_behind = last_ && unseen_;
+  std::vector<std::size_t> possible;
   for (std::size_t k = due_; k < walk_->approaches.size(); ++k) {
     if (walk_->approaches[k].target != target || walk_->approaches[k].direction != *s.arrival) continue;
     const bool late_begin = !last_ && k < walk_->first_pass;
-    const bool gap_behind = last_ && unseen_;
-    if (late_begin || gap_behind || passed(due_, k)) return k;
-    return std::nullopt;
+    if (!gap_behind && (late_begin || passed(due_, k))) return PlanPace::Placed{k};
+    if (!gap_behind) return std::nullopt;
+    possible.push_back(k);
   }
-  return std::nullopt;
+  return possible.empty() ? std::nullopt : std::optional(pace_.place(possible, s.used_from_s));
+}
+
+bool TargetMatcher::came_back(const Standstill& s) const {
+  return s.beyond > came_back_limit(walk_->plan.axis.kind, s.threshold);
+}
+
+/// Before the first reading: what was done for warm-up.
+void TargetMatcher::begin_with(const Standstill& s) {
+  for (const Position turn : s.turns) warm_up_.go(turn.in_native());
+  warm_up_.go(s.position.in_native());
+  result_.full_ways_before = warm_up_.count();
+}
+
+void TargetMatcher::tell_missing(const Standstill& s) {
+  for (const MissingSamples& missing : s.missing)
+    event(EventKind::unseen, missing.from_s,
+          fmt::format("samples are missing from {} s to {} s", format_fixed(missing.from_s, 2),
+                      format_fixed(missing.to_s, 2)));
+}
+
+/// A standstill behind the last approach.
+void TargetMatcher::note_behind(const Standstill& shown_there) {
+  const Standstill s = shifted(shown_there, turns_deg_);
+  if (s.end_s - s.begin_s < options_.shortest.in_s() || !s.arrival || !target_at(s.position)) return;
+  if (!(s.highest.in_native() - s.lowest.in_native() > walk_->plan.overrun.in_native() / 2)) return;  // rests on
+  if (behind_++ == 0) behind_from_s_ = s.begin_s;
 }
 
 /// Whether the axis has been at the targets of all these approaches since the last reading.
@@ -268,6 +264,7 @@ CapturedReading TargetMatcher::read(std::size_t approach, const Standstill& s) {
   CapturedReading reading{a, s, Deviation::native(distance * deviation_per_position(walk_->plan.axis.kind)),
                           remarks_on(s, walk_->plan.axis.kind)};
   result_.readings.push_back(reading);
+  pace_.read(approach, s.used_from_s, !unseen_);
   last_ = approach;
   due_ = approach + 1;
   lowest_ = highest_ = s.position.in_native();
@@ -311,6 +308,7 @@ std::vector<CapturedReading> TargetMatcher::try_zero(const Standstill& standstil
     options.datum = Position::native(walk_->plan.targets[walk_->approaches[0].target].in_native() - shown_there);
     TargetMatcher trial(walk_, options);
     trial.rolls_from_s_ = rolls_from_s_;
+    for (std::size_t k = 0; k < first; ++k) trial.begin_with(trial.in_plan(waiting_[k]));
     std::vector<CapturedReading> readings;
     bool fits = true;  // begins with the first approach, and misses none
     for (std::size_t k = first; fits && k < waiting_.size(); ++k) {
@@ -336,6 +334,11 @@ Result<void> TargetMatcher::finish() {
                     std::min(zero_proof, walk_->approaches.size()), waiting_.size()));
   const std::size_t missing = walk_->approaches.size() - due_;
   if (missing > 0) event(EventKind::incomplete, last_time_s_, ended_before(walk_->approaches[due_], missing - 1));
+  if (behind_ > 0)
+    event(EventKind::unexpected, behind_from_s_,
+          fmt::format("{} at targets behind the last approach of the plan: not used; where a test was broken off and "
+                      "begun again, some of its readings are in this one",
+                      counted(behind_, "more standstill")));
   std::vector<double> deviations;
   for (const CapturedReading& reading : result_.readings) deviations.push_back(reading.deviation.in_native());
   if (deviations.empty()) return {};

@@ -8,6 +8,7 @@
 
 #include "axiometry/base/result.h"
 #include "axiometry/capture/capture_result.h"
+#include "axiometry/capture/plan_pace.h"
 #include "axiometry/capture/standstill.h"
 #include "axiometry/model/plan.h"
 
@@ -26,16 +27,21 @@ struct MatcherOptions {
 /// A quarter of the smallest interval between targets, but at most half the overrun.
 Position default_window(const Plan& plan);
 
+/// Farther than that the axis did not overshoot a target, but was driven beyond it and back: 0.05 mm or 0.01°, three
+/// thresholds of rest if that is more.
+Position came_back_limit(AxisKind kind, Position threshold);
+
 /// Takes standstills in order. The rules, for a standstill at target i from direction d:
 ///
 /// - It is the next approach that the plan still expects at (i, d), if the axis has passed the targets of all
 /// approaches
 ///   in between; those are missed.
 /// - At the approach just read, without having been away by half an overrun: the same standstill again, not used.
-/// - Anything else is not used and told as an event. Nothing is used whose direction contradicts the plan.
+/// - Anything else is not used and told as an event. Nothing is used whose direction contradicts the plan, or to which
+///   the axis came back from beyond it (came_back_limit()).
 /// - Where samples are missing, or before the recording, the way is not known: then any later approach of that
-/// direction
-///   will do. A standstill is never used when the motion towards it was not recorded.
+///   direction will do, of several the one for which it is time (plan_pace.h). A standstill is never used when the
+///   motion towards it was not recorded.
 /// - Of a rotary axis, at first and behind missing samples: whole turns are added where that makes it the approach that
 ///   is due; of an instrument that rolls over so that it is at a target, of several at the one that comes first.
 class TargetMatcher {
@@ -83,7 +89,11 @@ class TargetMatcher {
   std::vector<CapturedReading> try_zero(const Standstill& standstill);
   std::optional<std::size_t> target_at(Position position) const;
   bool at_turning_point(Position position) const;
-  std::optional<std::size_t> approach_for(std::size_t target, const Standstill& standstill) const;
+  std::optional<PlanPace::Placed> approach_for(std::size_t target, const Standstill& standstill) const;
+  bool came_back(const Standstill& standstill) const;
+  void begin_with(const Standstill& standstill);
+  void tell_missing(const Standstill& standstill);
+  void note_behind(const Standstill& standstill);
   bool passed(std::size_t first, std::size_t last) const;
   bool was_away() const;
   CapturedReading read(std::size_t approach, const Standstill& standstill);
@@ -99,12 +109,16 @@ class TargetMatcher {
   std::optional<std::size_t> last_;      // the approach read last
   double lowest_ = 0.0, highest_ = 0.0;  // range of the positions on the way since then
   bool unseen_ = true;                   // a part of that way is missing
-  std::vector<Standstill> waiting_;      // standstills that wait until the zero is known
-  std::optional<double> rolls_from_s_;   // nothing of an instrument that was not seen to roll over
-  double turns_deg_ = 0.0;               // whole turns from what counts on as it is shown to the plan
-  bool turn_found_ = false;              // since the last gap it was at the target that is due, or read
+  PlanPace pace_;
+  FullWays warm_up_;
+  std::vector<Standstill> waiting_;     // standstills that wait until the zero is known
+  std::optional<double> rolls_from_s_;  // nothing of an instrument that was not seen to roll over
+  double turns_deg_ = 0.0;              // whole turns from what counts on as it is shown to the plan
+  bool turn_found_ = false;             // since the last gap it was at the target that is due, or read
   bool rollover_told_ = false;
   double last_time_s_ = 0.0;
+  std::size_t behind_ = 0;      // standstills at targets behind the last approach
+  double behind_from_s_ = 0.0;  // when the first of them began
   CaptureResult result_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/capture/target_matcher.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -218,6 +219,59 @@ TEST(TargetMatcher, GapsMissReadingsAndShiftNone) {
       EXPECT_GE(result.readings.size(), 14u);
     }
   }
+}
+
+TEST(TargetMatcher, AWholeRunThatIsMissingShiftsNoOther) {
+  MadeUpRun run;
+  run.plan = made_up_plan(5, 4);
+  const auto samples = run.record();
+  const double run_s = samples.back().time_s / 4.0;
+  for (double begin_s = 10.0; begin_s + 1.4 * run_s < samples.back().time_s; begin_s += 7.0) {
+    SCOPED_TRACE(begin_s);
+    const CaptureResult result = capture_all(run.plan, without(samples, begin_s, begin_s + 1.1 * run_s));
+    expect_true(run, result);
+    EXPECT_EQ(result.readings.back().approach, approaches(run.plan).back());
+    EXPECT_EQ(count_of(result, EventKind::doubtful), 0u);
+    const std::string told = fmt::format("samples are missing from {:.2f} s to ", begin_s);
+    EXPECT_TRUE(std::ranges::any_of(result.events, [&](const auto& e) { return e.message.starts_with(told); })) << told;
+  }
+}
+
+TEST(TargetMatcher, UsesNoTargetThatTheAxisCameBackTo) {
+  for (const double beyond : {0.2, 0.6, 1.1}) {
+    SCOPED_TRACE(beyond);
+    MadeUpRun run;
+    const CaptureResult result = capture_all(
+        run.plan, record_changed(run, [&](auto& stops) {
+          for (std::size_t k = stops.size(); k-- > 1;)
+            if (stops[k].dwell_s > 0.0)
+              stops.insert(stops.begin() + static_cast<std::ptrdiff_t>(k),
+                           {stops[k].position + std::copysign(beyond, stops[k].position - stops[k - 1].position), 0.0});
+        }));
+    EXPECT_TRUE(result.readings.empty()) << approach_name(result.readings.front().approach);
+    const auto test = captured_test(run.plan, result);
+    ASSERT_FALSE(test);
+  }
+}
+
+TEST(TargetMatcher, AnOvershootOfTheAxisIsNoOtherWay) {
+  MadeUpRun run;
+  run.tail = -0.02;  // beyond, and back within some tenths of a second
+  const CaptureResult result = capture_all(run.plan, run.record());
+  EXPECT_EQ(approaches_of(result), approaches(run.plan));
+  expect_true(run, result);
+}
+
+TEST(TargetMatcher, TellsOfStandstillsBehindTheLastApproach) {
+  MadeUpRun run;
+  const CaptureResult result = capture_all(run.plan, record_changed(run, [](auto& stops) {
+                                             const std::vector<MadeUpRun::Stop> pass(stops.begin(), stops.begin() + 6);
+                                             stops.insert(stops.end(), pass.begin(), pass.end());  // begun once more
+                                           }));
+  EXPECT_EQ(result.readings.size(), 20u);
+  ASSERT_EQ(count_of(result, EventKind::unexpected), 1u);
+  EXPECT_TRUE(result.events.back().message.starts_with("5 more standstills at targets behind the last approach"))
+      << result.events.back().message;
 }
 
 TEST(TargetMatcher, RefusesARecordingThatDoesNotFitThePlan) {

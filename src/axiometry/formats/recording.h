@@ -81,6 +81,8 @@ class RecordingReader {
 
   /// Of readings, the unit that the stream names; nullptr where it names none, or no sample has come.
   virtual const Unit* unit() const { return nullptr; }
+  /// Of readings, what the stream calls them: "EYX", "yaw"; nothing where it does not, or no sample has come.
+  virtual std::string_view name() const { return {}; }
 
   /// What the stream has told about the air so far, first and last values; nothing for most.
   virtual Environment environment() const { return {}; }

@@ -178,6 +178,16 @@ Result<bool> CaptureSession::begin(bool whole) {
 
 Result<std::vector<capture::CapturedReading>> CaptureSession::feed(std::string_view bytes,
                                                                    std::optional<double> arrival_s) {
+  if (rest_refused_) return found_before();
+  auto readings = take(bytes, arrival_s);
+  if (readings || !matcher_ || !matcher_->complete()) return readings;
+  rest_refused_ = true;
+  leave_out_rest(readings.error());
+  return found_before();
+}
+
+Result<std::vector<capture::CapturedReading>> CaptureSession::take(std::string_view bytes,
+                                                                   std::optional<double> arrival_s) {
   if (arrival_s) {
     *arrival_s_ = *arrival_s;
     // Any function says that arrivals are known; the reader gets one of ours.
@@ -198,7 +208,7 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::feed(std::string_v
 SampleSink CaptureSession::sink() {
   return [this](std::span<const Sample> samples) -> Result<void> {
     samples_ += samples.size();
-    if (motion_) return motion_->push(samples, reader_->unit());
+    if (motion_) return motion_->push(samples, reader_->unit(), reader_->name());
     stops_ ? stops_->push(samples) : take_positions(samples);
     return {};
   };
@@ -260,7 +270,7 @@ Result<std::vector<capture::CapturedReading>> CaptureSession::finish(End end) {
     AXIOMETRY_TRY([[maybe_unused]] const bool begun, begin(true));
     AXIOMETRY_TRY(found_, read(std::exchange(head_, {})));
   }
-  const auto read_out = for_channels([end](auto& reader, const auto& to) {
+  const auto read_out = rest_refused_ ? Result<void>{} : for_channels([end](auto& reader, const auto& to) {
     const auto cut = end == End::of_file ? Result<void>{} : reader.interrupted(to);  // no part of a line
     return cut ? reader.finish(to) : cut;
   });

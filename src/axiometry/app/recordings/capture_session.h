@@ -62,7 +62,8 @@ class CaptureSession {
   static Result<CaptureSession> open(capture::StopList list, const CaptureOptions& options);
 
   /// Fails as the reader of the layout does; readings of what stood before that are made, and handed on by
-  /// found_before(). `arrival_s` is nothing when it is never known, NaN when that of these bytes is not.
+  /// found_before(). What is refused behind the last approach of a plan of positions is left out with all that follows,
+  /// and remarked. `arrival_s` is nothing when it is never known, NaN when that of these bytes is not.
   Result<std::vector<capture::CapturedReading>> feed(std::string_view bytes, std::optional<double> arrival_s = {});
   /// Those made before the last call failed; once.
   std::vector<capture::CapturedReading> found_before() { return std::exchange(found_, {}); }
@@ -110,6 +111,7 @@ class CaptureSession {
   Result<void> open_stream(const CaptureOptions& options, AxisKind kind);
   void interrupt();
   Result<bool> begin(bool whole);
+  Result<std::vector<capture::CapturedReading>> take(std::string_view bytes, std::optional<double> arrival_s);
   Result<std::vector<capture::CapturedReading>> read(std::string_view bytes);
   void take_positions(std::span<const Sample> samples);
   void match(const std::vector<capture::Standstill>& standstills);
@@ -132,6 +134,7 @@ class CaptureSession {
   std::shared_ptr<double> arrival_s_;
   std::size_t samples_ = 0;
   std::vector<std::string> remarks_;
+  bool rest_refused_ = false;                    // behind the last approach
   std::string rest_left_out_;                    // the remark of that; empty while nothing is
   std::vector<capture::CapturedReading> found_;  // readings that were not handed on yet
 };

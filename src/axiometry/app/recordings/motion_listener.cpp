@@ -8,6 +8,7 @@
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/motions/motion_units.h"
+#include "axiometry/formats/text/name_words.h"
 
 namespace axiometry::app {
 namespace {
@@ -43,6 +44,20 @@ Result<void> check_unit(const MotionName& error, const formats::Unit& unit) {
   if ((unit.kind == AxisKind::rotary) == error.rotation()) return {};
   return fail(fmt::format("found {} in {}, expected {}", error.text(), unit.symbol,
                           error.rotation() ? "readings of an angle" : "readings of a length"));
+}
+
+/// Another error by its name of ISO 230-1, or a word that means one of another kind. Which of two rotations is the
+/// pitch depends on how the axis lies.
+Result<void> check_called(const MotionName& error, std::string_view called) {
+  const auto name = motion_name(called);
+  const auto has = [&](std::string_view word) { return formats::has_word(called, {word, formats::WordPlace::front}); };
+  const bool another = name                         ? *name != error
+                       : has("roll")                ? !error.roll()
+                       : has("pitch") || has("yaw") ? !error.rotation() || error.roll()
+                       : has("straight")            ? error.rotation()
+                                                    : false;
+  if (!another) return {};
+  return fail(fmt::format("found readings that the stream calls {}, expected {}", text::quoted(called), error.text()));
 }
 
 Result<void> check_statement(const MotionStatement& stated, const MotionName& error) {
@@ -106,7 +121,7 @@ std::optional<formats::RecordingOptions> MotionListener::beside(formats::Recordi
   return recording;
 }
 
-Result<void> MotionListener::settle_unit(const formats::Unit* named) {
+Result<void> MotionListener::settle_unit(const formats::Unit* named, std::string_view called) {
   if (unit_ != nullptr) return {};
   if (named == nullptr && stated_.unit == nullptr)
     return fail(
@@ -115,14 +130,16 @@ Result<void> MotionListener::settle_unit(const formats::Unit* named) {
   if (named != nullptr && stated_.unit != nullptr && named != stated_.unit)
     return fail(fmt::format("found readings in {} by the stream's header, expected {} as stated", named->symbol,
                             stated_.unit->symbol));
+  AXIOMETRY_TRY_VOID(check_called(error_, called));
   unit_ = named != nullptr ? named : stated_.unit;
   AXIOMETRY_TRY_VOID(check_unit(error_, *unit_));
   listener_.judge_by({.smallest = smallest_of(unit()), .threshold = stated_.still, .unit = motion_unit_symbol(unit())});
   return {};
 }
 
-Result<void> MotionListener::push(std::span<const Sample> samples, const formats::Unit* named) {
-  AXIOMETRY_TRY_VOID(settle_unit(named));
+Result<void> MotionListener::push(std::span<const Sample> samples, const formats::Unit* named,
+                                  std::string_view called) {
+  AXIOMETRY_TRY_VOID(settle_unit(named, called));
   converted_.assign(samples.begin(), samples.end());
   for (Sample& sample : converted_) sample.position = formats::motion_value(*unit_, sample.position);
   listener_.push(converted_);

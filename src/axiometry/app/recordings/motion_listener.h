@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "axiometry/base/result.h"
@@ -50,9 +51,9 @@ class MotionListener {
   std::optional<formats::RecordingOptions> beside(formats::RecordingOptions recording) const;
   bool beside_comes_first() const { return stated_.sign == capture::StopSign::trigger; }
 
-  /// `named` is the unit that the stream names. Fails where nobody names one, and on two that contradict each other or
-  /// the error.
-  Result<void> push(std::span<const Sample> samples, const formats::Unit* named);
+  /// `named` is the unit that the stream names, `called` what it calls the readings. Fails where nobody names a unit,
+  /// on two that contradict each other or the error, and on readings that are called another error.
+  Result<void> push(std::span<const Sample> samples, const formats::Unit* named, std::string_view called = {});
   void push_beside(std::span<const Sample> samples) { listener_.push_beside(samples); }
   double press(capture::StopKey key) { return listener_.press(key); }
   void interrupt() { listener_.interrupt(); }
@@ -67,7 +68,7 @@ class MotionListener {
  private:
   MotionListener(capture::ValueListener listener, MotionStatement stated, MotionName error)
       : listener_(std::move(listener)), stated_(std::move(stated)), error_(error) {}
-  Result<void> settle_unit(const formats::Unit* named);
+  Result<void> settle_unit(const formats::Unit* named, std::string_view called);
 
   capture::ValueListener listener_;
   MotionStatement stated_;

@@ -6,29 +6,13 @@
 #include <utility>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/capture/plan_pace.h"
 
 namespace axiometry::capture {
 namespace {
 
-constexpr double seconds_per_minute = 60.0;
 constexpr double soonest_share = 0.5;   // twice the feed is the most that an override of a control allows
 constexpr std::size_t paces_kept = 15;  // number of latest paces that are kept
-
-/// Of every approach the dwell and the way to it from the approach before.
-std::vector<double> planned_times_s(const Plan& plan) {
-  std::vector<double> times;
-  double way = 0.0;
-  std::optional<double> at;
-  for (const PlannedMove& move : moves(plan)) {
-    const double to = move.to.in_native();
-    if (at) way += std::abs(to - *at);
-    at = to;
-    if (!move.approach) continue;
-    times.push_back(plan.dwell.in_s() + way / plan.feed * seconds_per_minute);
-    way = 0.0;
-  }
-  return times;
-}
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 
 #include "axiometry/base/contract.h"
 #include "axiometry/base/text/number_text.h"
+#include "axiometry/base/unit_sizes.h"
 
 namespace axiometry::capture {
 namespace {
@@ -23,6 +24,19 @@ constexpr double windows_kept = 4.0;                          // of a rest that 
 std::vector<std::string> remarks_of(const StillValue& still) {
   if (still.rejected == 0) return {};
   return {fmt::format("{} {} left out", still.rejected, still.rejected == 1 ? "outlier" : "outliers")};
+}
+
+/// Of the position while the reading was taken, which is another quantity.
+std::vector<std::string> remarks_of_position(const Standstill& s) {
+  std::vector<std::string> remarks;
+  if (s.rejected > 0)
+    remarks.push_back(
+        fmt::format("{} of {} samples of the position left out as outliers", s.rejected, s.count + s.rejected));
+  if (std::abs(s.drift.in_native()) > s.threshold.in_native())
+    remarks.push_back(
+        fmt::format("the position drifts by {} µm while at rest", format_fixed(s.drift.in_native() * um_per_mm, 2)));
+  if (s.cut_off) remarks.emplace_back("cut off by missing samples or the end of the recording");
+  return remarks;
 }
 
 }  // namespace
@@ -79,6 +93,8 @@ void ValueListener::push(std::span<const Sample> values) {
 }
 
 void ValueListener::take(const Sample& value) {
+  lowest_ = std::min(lowest_, value.position);
+  highest_ = std::max(highest_, value.position);
   while (!pressed_.empty() && pressed_.front().time_s < value.time_s) act_again();
   last_ = value;
   now_s_ = value.time_s;
@@ -253,7 +269,8 @@ void ValueListener::read_rest(const CapturedReading& reading) {
     return event(EventKind::unsteady, rest.used_from_s,
                  fmt::format("{}: {}; not used", approach_name(reading.approach), still.error().message));
   std::vector<std::string> remarks = remarks_of(*still);
-  remarks.insert(remarks.end(), reading.remarks.begin(), reading.remarks.end());
+  const std::vector<std::string> of_position = remarks_of_position(rest);
+  remarks.insert(remarks.end(), of_position.begin(), of_position.end());
   at_rests_.push_back({reading.approach, *still, std::move(remarks)});
   given_.push_back(at_rests_.back());
 }
@@ -288,6 +305,10 @@ Result<void> ValueListener::finish() {
   interrupt();
   const double end_s = last_ ? last_->time_s : 0.0;
   tell_more_alike();
+  if (lowest_ >= highest_ && taken() > 1)
+    event(EventKind::signal_lost, end_s,
+          fmt::format("every sample of the recording is {} {}, to the last digit: the instrument may not have measured",
+                      format_exact(lowest_), options_.still.unit));
   if (matcher_) {
     AXIOMETRY_TRY_VOID(matcher_->finish());
     AXIOMETRY_TRY_VOID(check_positions());

@@ -128,6 +128,7 @@ class ValueListener {
   std::optional<CaptureEvent> last_refused_;  // the refusal, where the last event that was told is one
   std::size_t more_alike_ = 0;                // refused since for the same reason
   std::optional<Sample> last_;
+  double lowest_ = std::numeric_limits<double>::infinity(), highest_ = -lowest_;  // of all readings
   double now_s_ = -std::numeric_limits<double>::infinity();  // time of last_, s; by a rounding later behind each gap
   std::deque<Pressed> pressed_;                              // keys of a recording that were not reached yet
   std::deque<double> edges_;                                 // edges of the trigger that were not reached yet

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct SampleColumns {
   double position_divisor = 1.0;  ///< so that 0.1 µm is exactly 0.0001 mm
   bool by_header = false;
   const Unit* unit = nullptr;  ///< unit that the header names
+  std::string name{};          ///< what the header calls the column that is read, without its unit
 };
 
 /// The cells of a line, without quotes about them; with blanks as delimiter, date and time of day that a blank parts
@@ -47,8 +49,8 @@ struct PositionChoice {
 /// From a header line: names such as time, t, zeit, position, x with units behind them as "_mm", "[mm]", "(mm)",
 /// "/mm" or alone. The position is the column that was stated, else the only one, else the only one that has a unit of
 /// position, or is called one, and is no setpoint and no deviation; a unit does not count where another column is
-/// called the position. Fails on a unit of the other kind of axis, on a column that nobody stated and that is called a
-/// temperature or the like, and where time or position cannot be told.
+/// called the position. Fails on a unit of the other kind of axis or that is not read (cm, gon), on a column that
+/// nobody stated and that is called a temperature or the like, and where time or position cannot be told.
 Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, PositionChoice choice);
 
 /// The same of readings of another quantity, or of a trigger, as they stand there: the column that was stated, else the

@@ -28,6 +28,14 @@ TEST(SampleColumns, TakeEverydayNamesOfThePosition) {
   EXPECT_EQ(position_by("time_s,actual position,actual current,laser temperature"), "1");
 }
 
+TEST(SampleColumns, AreNotReadInUnitsThatAreNone) {
+  for (const char* const header : {"time_s,X (cm)", "time_s,position_cm", "time_s,position [ft]", "t,X/counts",
+                                   "time_s,angle_gon", "time_s,position_rev", "time_s,X cm,temperature"})
+    EXPECT_THAT(position_by(header), testing::StartsWith("found positions in \"")) << header;
+  EXPECT_EQ(position_by("time_s,position (laser)"), "1");
+  EXPECT_EQ(position_by("time_s,X_position"), "1");
+}
+
 TEST(SampleColumns, TakeNoUnitForAPositionWhereAnotherColumnIsCalledOne) {
   EXPECT_EQ(position_by("time_s,position,lag_um"), "1");
   EXPECT_EQ(position_by("time_s,position,straightness_um"), "1");

@@ -30,6 +30,7 @@ class TimePositionReader final : public LineReader {
                 options.at_standstill} {}
 
   const Unit* unit() const override { return columns_ ? columns_->unit : nullptr; }
+  std::string_view name() const override { return columns_ ? std::string_view(columns_->name) : ""; }
 
  private:
   Result<void> take(std::string_view line) override {

@@ -11,7 +11,7 @@
 /// When what a live capture heard was measured.
 namespace axiometry::app {
 
-/// "2026-11-21", in UTC; empty where nothing arrived.
+/// "2026-11-21", the day of the place, as the date of a plan is; empty where nothing arrived.
 std::string arrival_date(std::optional<ArrivalNs> first_arrival);
 
 /// The session's test, with its source and the day on which its first bytes arrived.

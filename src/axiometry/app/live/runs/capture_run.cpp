@@ -64,9 +64,9 @@ class Run {
   }
 
  private:
-  bool stop() {
+  bool stop(bool reads_on = false) {
     stopped_ = stopped_ || (observer_.stopped && observer_.stopped());
-    return stopped_ || over();
+    return stopped_ || over(reads_on);
   }
 
   Result<void> hear() {
@@ -85,9 +85,9 @@ class Run {
   }
 
   /// Nothing more is to be read, not even of a recording that is gone on with.
-  bool over() {
+  bool over(bool reads_on = false) {
     abandoned_ = abandoned_ || (observer_.abandoned && observer_.abandoned());
-    return abandoned_ || end_of_plan_.has_come(session_);
+    return abandoned_ || (!reads_on && end_of_plan_.has_come(session_));
   }
 
   void notice(const std::string& text) const {
@@ -121,7 +121,7 @@ class Run {
     if (is_raw(run_.from)) return play_samples(run_.from);
     AXIOMETRY_TRY(Source source, Source::open(run_.from));
     std::vector<char> block(file_block);
-    while (!stop()) {
+    while (!stop(reads_behind_plan(session_, run_.from))) {
       AXIOMETRY_TRY(const std::size_t got, source.read(block));
       if (got == 0) {
         end_ = CaptureSession::End::of_file;

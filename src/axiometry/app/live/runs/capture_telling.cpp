@@ -11,6 +11,7 @@
 
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/live/runs/capture_date.h"
 #include "axiometry/app/recordings/motion_table.h"
 #include "axiometry/formats/format.h"
@@ -91,6 +92,10 @@ Result<void> CaptureTelling::write_table(const CaptureSession& session, const Mo
 Result<void> CaptureTelling::put(const Result<std::string>& result, const Moment& moment) {
   if (!result && moment.last) take_back();
   if (!result) return {};
+  std::error_code unknown;
+  if (!wrote_ && std::filesystem::is_regular_file(run_.out, unknown)) {
+    AXIOMETRY_TRY(before_, whole_file(run_.out));
+  }
   AXIOMETRY_TRY_VOID(write_file(run_.out, *result));
   wrote_ = run_.out != "-";
   return {};
@@ -101,8 +106,19 @@ void CaptureTelling::take_back() {
   std::error_code unknown;
   if (!std::exchange(wrote_, false) || !std::filesystem::is_regular_file(run_.out, unknown)) return;
   const auto file = std::filesystem::canonical(run_.out, unknown);
-  if (unknown || !std::filesystem::remove(file, unknown)) return;
-  if (observer_.notice) observer_.notice(fmt::format("{}: removed, what was written there does not hold", run_.out));
+  if (unknown) return;
+  const auto notice = [&](const std::string& text) {
+    if (observer_.notice) observer_.notice(text);
+  };
+  if (before_) {
+    const auto put_back = write_file(run_.out, *before_);
+    return notice(put_back ? fmt::format("{}: holds again what it held before, since what this capture wrote there "
+                                         "does not hold",
+                                         run_.out)
+                           : put_back.error().to_string());
+  }
+  if (!std::filesystem::remove(file, unknown)) return;
+  notice(fmt::format("{}: removed, what was written there does not hold", run_.out));
 }
 
 }  // namespace axiometry::app

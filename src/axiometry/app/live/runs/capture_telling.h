@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "axiometry/app/live/runs/capture_run.h"
@@ -25,7 +26,8 @@ class CaptureTelling {
   /// `readings` are those that the session has just handed on.
   Result<void> tell(const CaptureSession& session, const std::vector<capture::CapturedReading>& readings,
                     const Moment& moment);
-  /// Removes the file, where it has written one: the recording has proved to belong to another plan.
+  /// Puts the file back that was there before it wrote one, or else removes what it wrote: the recording has proved to
+  /// belong to another plan.
   void take_back();
 
  private:
@@ -40,6 +42,7 @@ class CaptureTelling {
   const CaptureObserver& observer_;
   std::size_t events_told_ = 0, values_told_ = 0;
   bool wrote_ = false;
+  std::optional<std::string> before_;  // what the file held before
 };
 
 }  // namespace axiometry::app

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -126,9 +127,54 @@ TEST(MotionCapture, FindsStopsByThePositionInTheStream) {
 TEST(MotionCapture, LeavesNoTableThatItBeganOfPositionsOfAnotherPlan) {
   MotionCapture capture;
   capture.displace_beyond(50.0);  // the first target is the same: there is a table at first
+  std::filesystem::remove(capture.run.out);
   EXPECT_THAT(capture.refusal(), HasSubstr("the recording belongs to another plan"));
   EXPECT_FALSE(std::filesystem::exists(capture.run.out));
   EXPECT_THAT(capture.notices, ElementsAre(capture.run.out + ": removed, what was written there does not hold"));
+}
+
+TEST(MotionCapture, PutsBackWhatWasThereBeforeATableThatDoesNotHold) {
+  MotionCapture capture;
+  capture.displace_beyond(50.0);
+  EXPECT_THAT(capture.refusal(), HasSubstr("the recording belongs to another plan"));
+  EXPECT_EQ(*MotionCapture::whole(capture.run.out), "measured before\n");
+  EXPECT_THAT(capture.notices, ElementsAre(HasSubstr("holds again what it held before")));
+}
+
+TEST(MotionCapture, RefusesReadingsThatAreCalledAnotherError) {
+  for (const auto& [head, another] :
+       {std::pair("EYX_um", false), std::pair("EZX_um", true), std::pair("EYY_um", true), std::pair("yaw_um", true),
+        std::pair("Pitch [um]", true), std::pair("roll_um", true), std::pair("straightness_um", false)}) {
+    SCOPED_TRACE(head);
+    MotionCapture capture;
+    capture.put("run.csv",
+                stream_of(DrivenAxis(capture.plan), fmt::format("time_s,position_mm,{},trigger", head), 1.0));
+    const std::string refusal = capture.refusal();
+    if (another) EXPECT_THAT(refusal, HasSubstr("found readings that the stream calls"));
+    if (!another) EXPECT_EQ(refusal, "");
+  }
+}
+
+TEST(MotionCapture, TellsOfAnInstrumentThatShowedOneValueAllTheTime) {
+  MotionCapture capture;
+  std::string stream = "time_s,position_mm,straightness_um,trigger\n";
+  for (const DrivenSample& s : DrivenAxis(capture.plan).samples())
+    stream += fmt::format("{:.2f},{:.4f},0.0000,{}\n", s.time_s, s.position_mm, s.trigger ? 1 : 0);
+  capture.put("run.csv", stream);
+  ASSERT_EQ(capture.refusal(), "");
+  EXPECT_THAT(capture.events, testing::Contains(HasSubstr("every sample of the recording is 0 µm, to the last digit")));
+}
+
+TEST(MotionCapture, SaysOfTheDriftOfThePositionThatItIsThePositions) {
+  MotionCapture capture;
+  capture.options.motion->sign = StopSign::position;
+  capture.options.motion->stop_column = 0;
+  std::string stream = "time_s,position_mm,straightness_um,trigger\n";
+  for (const DrivenSample& s : DrivenAxis(capture.plan).samples())
+    stream += fmt::format("{:.2f},{:.5f},{:.7f},0\n", s.time_s, s.position_mm + 0.003 * std::sin(s.time_s), s.value_um);
+  capture.put("run.csv", stream);
+  ASSERT_EQ(capture.refusal(), "");
+  EXPECT_THAT(*MotionCapture::whole(capture.run.out), HasSubstr(", the position drifts by "));
 }
 
 TEST(MotionCapture, LeavesWhatWasThereBeforePositionsOfAnotherPlan) {
@@ -240,9 +286,9 @@ TEST(MotionCapture, PlaysKeysOfAFinishedRecordingAgain) {
   capture.expect_whole();
   // The last was taken back behind the last of the plan, and taken once more.
   const double last_s = axis.stops().back().begin_s;
-  capture.put("run.keys", keys.substr(0, keys.rfind('\n', keys.size() - 2) + 1) +
-                              fmt::format("{:.2f},take\n{:.2f},undo\n{:.2f},take\n", last_s + 0.2, last_s + 2.0,
-                                          last_s + 2.1));
+  capture.put("run.keys",
+              keys.substr(0, keys.rfind('\n', keys.size() - 2) + 1) +
+                  fmt::format("{:.2f},take\n{:.2f},undo\n{:.2f},take\n", last_s + 0.2, last_s + 2.0, last_s + 2.1));
   capture.expect_whole();
   EXPECT_THAT(capture.events, testing::Contains(HasSubstr("is due again")));
   // One less: the recording is not whole, and says where.
@@ -298,8 +344,7 @@ TEST(StopMarks, AreKeptInTheirOrderAndReadAgain) {
 TEST(StopMarks, BeginNoRecordingBehindATime) {
   const testing_support::TemporaryFolder folder;
   const std::string file = folder.written("x.keys", "begin,take\n12.5,take\nbegin,skip\n");
-  EXPECT_THAT(read_marks(file).error().to_string(),
-              HasSubstr("keys:3:1: found \"begin,skip\", expected a time in s"));
+  EXPECT_THAT(read_marks(file).error().to_string(), HasSubstr("keys:3:1: found \"begin,skip\", expected a time in s"));
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
+#include <string>
 
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/recordings/capture_session.h"
 
 namespace axiometry::app {
@@ -45,5 +47,12 @@ class PlanEnd {
   std::chrono::duration<double> for_undo_;
   std::optional<Clock::time_point> last_came_;  // while it is not over
 };
+
+/// Whether a file is read behind the last approach of the plan too, so that what else stands there is told. Of what a
+/// person said at each stop nothing can.
+inline bool reads_behind_plan(const CaptureSession& session, const std::string& from) {
+  const MotionListener* motion = session.motion();
+  return can_be_read_twice(from) && !(motion != nullptr && motion->stated().sign == capture::StopSign::keys);
+}
 
 }  // namespace axiometry::app
