@@ -7,7 +7,7 @@
 namespace axiometry::formats {
 
 /// What is told of such a table.
-inline constexpr std::string_view simulated_lengths = "the lengths are simulated, not measured, as their table says";
+inline constexpr std::string_view simulated_lengths = "the lengths are simulated, not measured, as their file says";
 
 /// Whether a comment, with its #, is that line.
 bool is_simulated_note(std::string_view comment);

@@ -37,7 +37,7 @@ TEST(TrackingLengthsCsv, SayThatTheyWereSimulated) {
   const auto simulated = read_lengths("# Simulated, not measured; seed 1\n" + table);
   EXPECT_EQ(simulated.metadata.conditions.purpose, "simulation");
   ASSERT_EQ(simulated.remarks.size(), 1u);
-  EXPECT_EQ(simulated.remarks[0].message, "the lengths are simulated, not measured, as their table says");
+  EXPECT_EQ(simulated.remarks[0].message, "the lengths are simulated, not measured, as their file says");
   EXPECT_EQ(read_lengths(table).metadata.conditions.purpose, "");
   EXPECT_TRUE(read_lengths("# not simulated\n" + table).remarks.empty());
 }

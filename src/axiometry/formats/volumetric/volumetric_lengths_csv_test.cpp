@@ -50,7 +50,7 @@ TEST(VolumetricLengthsCsv, RowsWithoutALengthArePassedOverAndTold) {
 TEST(VolumetricLengthsCsv, SayThatTheyWereSimulated) {
   const std::string table = "station,tool,x_mm,y_mm,z_mm,length_mm\nA,T,1,2,3,4\n";
   EXPECT_THAT(read_volumetric_lengths("# Simulated, not measured; seed 1\n" + table)->remarks,
-              ElementsAre("the lengths are simulated, not measured, as their table says"));
+              ElementsAre("the lengths are simulated, not measured, as their file says"));
   EXPECT_THAT(read_volumetric_lengths(table)->remarks, ElementsAre());
 }
 
