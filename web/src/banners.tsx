@@ -2,6 +2,7 @@
 import { health, reachable, why_read_only } from './api/session';
 import { bytes, count } from './numbers';
 import { t } from './shell_texts';
+import { colon } from './i18n/colon';
 
 /** What holds for every page at the moment: a lost connection, a store that cannot be written. */
 export function Banners() {
@@ -22,7 +23,7 @@ export function StatusLine() {
     <footer class="status no-print">
       <span>Axiometry {now.program.version}</span>
       <span class="where">
-        {t('store')}: {store.location}{store.writable ? '' : ` (${t('read_only_short')})`}
+        {t('store')}{colon()} {store.location}{store.writable ? '' : ` (${t('read_only_short')})`}
       </span>
       <span>{t('counted', { tests: count(store.counts.tests), size: bytes(store.counts.content_bytes) })}</span>
     </footer>

@@ -136,7 +136,7 @@ std::string tolerance_row(const iso230_2::Judgement& judgement, const app::Evalu
     return x ? format_fixed(printed(x->in_native() * scale.per_native, decimals), decimals, options.numbers)
              : std::string("–");
   };
-  const auto& [tolerance, rule, magnitude, known, decision, withheld] = judgement;
+  const auto& [tolerance, rule, magnitude, known, decision, withheld, remedy] = judgement;
   std::string text = terminal.bold(left(tolerance.parameter->symbol, symbol_width));
   text += right(report::shown_limit(tolerance.limit, scale, options), widths.number);
   if (widths.guarded > 0)

@@ -44,7 +44,7 @@ std::string line_table(const TrackingPlan& plan, const report::Options& options,
             (interval ? number(interval->begin_mm) + number(interval->end_mm) : right("–", 10) + right("–", 10)) +
             right(fmt::format("{}", line.plan.targets.size()), targets) +
             right(fmt::format("{}", line.plan.runs), runs) +
-            (interval ? "  " + said(fmt::format("{}; {}", interval->limited_by_begin, interval->limited_by_end))
+            (interval ? "  " + said(interval->limited_by_begin) + "; " + said(interval->limited_by_end)
                       : "  " + said("both ends of the travels")) +
             "\n";
   }

@@ -242,6 +242,11 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
                      outlier.run + 1, deviation_words(std::abs(outlier.distance.in_native()), kind),
                      deviation_words(std::abs(outlier.distance.in_native()) / count, kind))});
   }
+  if (scatter.uneven)
+    findings.push_back(
+        {"compensation-uneven-scatter", false,
+         "found readings that scatter unevenly: what re-tests will show is reckoned from a scatter that is alike "
+         "everywhere, and holds less often"});
   if (scatter.shifts && scatter.shifts->ordered)
     findings.push_back(
         {"compensation-drift", false,

@@ -50,6 +50,7 @@ struct CompensationSubject {
   const iso230_2::Evaluation& predicted;
   const iso230_2::AxisParameters* expected;  ///< parameters of a re-test, below in 95 %; none where nothing scatters
   const iso230_2::Evaluation* retest;        ///< may be none
+  const Provenance* retest_source;           ///< of the re-test; none without one
   const iso230_2::AxisParameters& scatter;   ///< what no table removes
   const KnownPositions& known;
   std::span<const NamedFinding> findings;

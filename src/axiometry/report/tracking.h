@@ -9,6 +9,7 @@
 #include "axiometry/model/tracking.h"
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/standards/iso230_6.h"
 #include "axiometry/tracking/lengths/line_evaluation.h"
 #include "axiometry/tracking/lines/seven_lines.h"
@@ -79,6 +80,7 @@ struct LinesSubject {
   const iso230_6::DiagonalSummary& diagonals;
   std::string file;
   std::string sha256;
+  std::span<const SourceFile> others{};  ///< plan and station
 };
 /// All lines in one report.
 Document compose(const LinesSubject& subject, const Options& options);
@@ -90,6 +92,7 @@ struct MultilaterationSubject {
   const tracking::MultilaterationOptions& options;
   std::string file;
   std::string sha256;
+  std::string points_file{}, points_sha256{};  ///< file of the nominal points; empty when there was none
 };
 Document compose(const MultilaterationSubject& subject, const Options& options);
 

@@ -2805,10 +2805,10 @@ export interface components {
             /** @description Why the file is not taken; then there are no tests. */
             refused: components["schemas"]["Problem"] | null;
             /**
-             * @description What a refused file is instead of a test: see `/api/dynamic`, `/api/motions` and `/api/plans`.
+             * @description What a refused file is instead of a test: see `/api/dynamic`, `/api/motions` and `/api/plans`; temperatures belong to a test.
              * @enum {string|null}
              */
-            instead: "recording" | "error-motion" | "plan" | null;
+            instead: "recording" | "error-motion" | "plan" | "temperatures" | null;
             tests: components["schemas"]["PreviewedTest"][];
             /** @description Tests with these very bytes. */
             same_content: components["schemas"]["Id"][];

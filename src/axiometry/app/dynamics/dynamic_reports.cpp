@@ -10,6 +10,7 @@
 #include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/report/figures/recorded_motion.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 
@@ -264,6 +265,8 @@ struct DynamicReport {
     d.status.push_back(std::move(notice));
     d.sections = {results(), uniform(), vibrations()};
     if (with_figures) d.sections.push_back(figures());
+    const report::SourceFile source[] = {{"Recording", m.file, m.sha256}};
+    d.sections.push_back(report::provenance_of_files(source));
     return d;
   }
 };

@@ -28,7 +28,7 @@ using report::Align;
 using report::plain;
 using report::verbatim;
 
-constexpr int digits_alone = 5;  // significant digits of a value without U
+constexpr int digits_alone = 3;  // significant digits of a value without U
 constexpr int residual_decimals = 3;
 
 using error_motions::rounding;
@@ -226,9 +226,10 @@ void add_figures(report::Section& section, const MeasuredMotion& measured, const
                  const report::Options& options) {
   const std::string end = name.empty() ? "" : ": " + name;
   section.blocks.emplace_back(report::motion_figure(measured.motion, "Readings over the position" + end, options));
+  const std::string line =
+      measured.motion.paths.size() > 1 ? "Readings less the line of the mean" : "Readings less the line";
   if (measured.motion.reference != Reference::none)
-    section.blocks.emplace_back(
-        report::motion_residual_figure(measured.motion, "Readings less the line" + end, options));
+    section.blocks.emplace_back(report::motion_residual_figure(measured.motion, line + end, options));
 }
 
 std::vector<std::string> all_remarks(const std::vector<const MeasuredMotion*>& files) {

@@ -87,9 +87,10 @@ Result<tracking::ScaleModel> parse_scale_model(std::string_view word) {
 }
 
 report::Document compose(const Multilaterated& result, const report::Options& options) {
-  return report::compose(report::MultilaterationSubject{result.ranges.nominal_mm, result.ranges.readings, result.fit,
-                                                        result.options, result.file, result.sha256},
-                         options);
+  return report::compose(
+      report::MultilaterationSubject{result.ranges.nominal_mm, result.ranges.readings, result.fit, result.options,
+                                     result.file, result.sha256, result.points_file, result.points_sha256},
+      options);
 }
 
 }  // namespace axiometry::app

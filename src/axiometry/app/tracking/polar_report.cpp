@@ -11,6 +11,7 @@
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/report/translated.h"
@@ -44,14 +45,21 @@ class PolarDocument {
     document.running_head = report::translated(document.title, options_);
     document.running_status = document.edition;
     for (const PolarSource& source : r_.sources)
-      document.identity.push_back(
-          {plain("Measured readings"), {source.file == "-" ? plain("standard input") : verbatim(source.file)}});
+      document.identity.push_back({plain("Measured readings"), report::file_cell(source.file)});
     document.identity.push_back({plain("Coordinates"), {plain(coordinates())}});
-    document.sections = {result_section(), findings_section(), station_section(), point_section(), figure_section()};
+    document.sections = {result_section(), findings_section(), station_section(),
+                         point_section(),  figure_section(),   provenance()};
     return document;
   }
 
  private:
+  report::Section provenance() const {
+    std::vector<report::SourceFile> files;
+    for (const PolarSource& source : r_.sources) files.push_back({"Measured readings", source.file, source.sha256});
+    if (r_.points_source) files.push_back({"Nominal points", r_.points_source->file, r_.points_source->sha256});
+    return report::provenance_of_files(files);
+  }
+
   std::string coordinates() const {
     if (r_.options.datum == tracking::PolarDatum::nominal) return "as the nominal points, by least squares";
     return "of the first station with angles";

@@ -23,6 +23,7 @@
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
 #include "axiometry/model/aligned.h"
 #include "axiometry/model/simulated.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/tracking/lengths/reading_order.h"
 
@@ -226,8 +227,13 @@ report::Document lines_document(const EvaluatedLines& evaluated, const report::O
   std::vector<report::AssessedLine> lines;
   for (std::size_t k = 0; k < evaluated.tests.size(); ++k)
     lines.push_back({evaluated.evaluation.lines[k], evaluated.tests[k].assessment, evaluated.tests[k].judgements});
+  std::vector<report::SourceFile> others;
+  if (!evaluated.plan_file.sha256.empty())
+    others.push_back({"File of the plan", evaluated.plan_file.file, evaluated.plan_file.sha256});
+  if (evaluated.station_file)
+    others.push_back({"File of the station", evaluated.station_file->file, evaluated.station_file->sha256});
   return report::compose(report::LinesSubject{evaluated.plan, evaluated.evaluation, lines, evaluated.diagonals,
-                                              evaluated.lengths.file, evaluated.lengths.sha256},
+                                              evaluated.lengths.file, evaluated.lengths.sha256, others},
                          options);
 }
 

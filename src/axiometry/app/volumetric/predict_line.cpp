@@ -23,6 +23,7 @@
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/report/volumetric.h"
 #include "axiometry/standards/iso230_2/parameters.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::app {
@@ -100,8 +101,9 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
     targets.offset_mm = Vector3{offset[0], offset[1], offset[2]};
   targets.means->both_directions = up && down;
   targets.means->direction = up ? Direction::up : Direction::down;
+  // Runs that lie apart as a whole leave the shape alone, which is what is compared.
   double squares = 0.0, count = 0.0;
-  for (const auto& p : positions)
+  for (const auto& p : iso230_2::evaluate_positions(iso230_2::without_shifts(test.series)))
     for (const auto& s : {p.s_up, p.s_down})
       if (s) {
         squares += s->in_native() * s->in_native();
@@ -112,7 +114,8 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
         Result<TargetsOfFile>(fail("found a test of one run, whose scatter is not known, expected two runs or "
                                    "more to hold against a prediction")),
         file);
-  const double s = std::sqrt(squares / count);
+  const auto n = static_cast<double>(test.series.target_count());
+  const double s = std::sqrt(squares / count * (n > 1.0 ? n / (n - 1.0) : 1.0));  // their levels are n means
   for (const auto& p : positions) {
     if ((up && !p.mean_up) || (down && !p.mean_down)) continue;
     targets.positions_mm.push_back(p.target.in_native());

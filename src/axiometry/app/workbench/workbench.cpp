@@ -20,6 +20,7 @@
 #include "axiometry/base/read_budget.h"
 #include "axiometry/formats/motions/motion_csv.h"
 #include "axiometry/formats/plan/plan_json.h"
+#include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/formats/text/json_members.h"
 
 namespace axiometry::app {
@@ -222,7 +223,9 @@ Result<Outcome> kept_outcome(State& state, const store::TestRecord& record, cons
 }
 
 std::optional<OtherFile> other_file(std::string_view bytes, const Recognised& found) {
-  if (found.recording != nullptr) return OtherFile::recording;
+  // Columns over time are both; whose sensors tell by their names that they are of the air are no positions.
+  if (found.recording != nullptr)
+    return formats::read_temperature_log(bytes) ? OtherFile::temperatures : OtherFile::recording;
   if (!formats::check_no_other_error(bytes.substr(0, read_budget::head_bytes))) return OtherFile::error_motion;
   if (formats::stated_format(bytes) == formats::plan_format_name) return OtherFile::plan;
   return {};

@@ -24,7 +24,7 @@ using json::Kind;
 using json::Value;
 
 std::string_view name_of(OtherFile file) {
-  constexpr std::string_view names[] = {"recording", "error-motion", "plan"};
+  constexpr std::string_view names[] = {"recording", "error-motion", "plan", "temperatures"};
   return names[static_cast<std::size_t>(file)];
 }
 

@@ -270,6 +270,8 @@ TEST_F(TheWorkbench, TellsWhatAFileIsInsteadOfATest) {
   };
   EXPECT_EQ(instead("position_mm,run,direction,pitch_um/m\n0,1,up,1\n100,1,up,2\n"), OtherFile::error_motion);
   EXPECT_EQ(instead(R"({"format": "axiometry-plan/1", "targets": [0, 100]})"), OtherFile::plan);
+  EXPECT_EQ(instead("time,Air [C]\n2026-03-02T09:00:00,20\n2026-03-02T09:10:00,20.5\n"), OtherFile::temperatures);
+  EXPECT_EQ(instead("time,position [mm]\n2026-03-02T09:00:00,20\n2026-03-02T09:10:00,20.5\n"), OtherFile::recording);
   EXPECT_EQ(instead(R"({"format": "axiometry-tracking-plan/1"})"), std::nullopt);
   EXPECT_EQ(instead(R"({"notes": "\"format\": \"axiometry-plan/1\""})"), std::nullopt);
   EXPECT_EQ(instead(example_table2), std::nullopt);

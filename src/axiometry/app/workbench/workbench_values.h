@@ -73,7 +73,7 @@ struct AskedTable {
 };
 
 /// What a file without a measured test may be that has a page of its own.
-enum class OtherFile { recording, error_motion, plan };
+enum class OtherFile { recording, error_motion, plan, temperatures };
 
 struct Preview {
   std::string file_name;

@@ -17,6 +17,7 @@
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/known_positions.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/sections/source_files.h"
 
 namespace axiometry::report {
 namespace {
@@ -164,8 +165,15 @@ Document compose(const CompensationSubject& subject, const Options& options) {
   if (!subject.findings.empty()) document.sections.push_back(named_findings_section(subject.findings));
   if (!text::trim(subject.notes).empty()) document.sections.push_back(compensation_notes(subject.notes));
   document.sections.push_back(control_section(subject.control));
-  document.sections.push_back(identification_section(whole, options));
-  document.sections.push_back(provenance_section(whole, options));
+  document.sections.push_back(identification_section(whole, false, options));
+  Section provenance = provenance_section(whole, options);
+  if (const Provenance* retest = subject.retest_source)
+    provenance.blocks.emplace_back(
+        Facts{"Re-test",
+              {{plain("Source file"), file_cell(retest->file)},
+               {plain("SHA-256 of the source"),
+                retest->sha256.empty() ? quiet_cell("not recorded") : verbatim_cell(retest->sha256)}}});
+  document.sections.push_back(std::move(provenance));
   return document;
 }
 

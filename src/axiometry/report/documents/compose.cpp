@@ -30,7 +30,7 @@ Document compose(const Subject& subject, const Options& asked) {
   const AxisKind kind = subject.test.metadata.axis.kind;
   sections.push_back(claim_section(subject, options));
   sections.push_back(finding_section(shown_findings(subject.assessment.findings, subject.assessment, kind, options)));
-  sections.push_back(identification_section(subject, options));
+  sections.push_back(identification_section(subject, !subject.assessment.evaluation.positions.empty(), options));
   sections.push_back(position_section(subject, options));
   sections.push_back(uncertainty_section(subject, options));
   if (subject.assessment.gum) sections.push_back(gum_section(subject, options));

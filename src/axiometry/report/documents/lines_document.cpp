@@ -16,6 +16,7 @@
 #include "axiometry/report/figures/figures.h"
 #include "axiometry/report/finding_text.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/standards/readings/runs_made.h"
@@ -276,13 +277,13 @@ std::set<std::string> facts_in(const Section& section) {
 
 /// What holds for every line. What is a line's own stands with the line.
 Section common_identification(const LinesSubject& subject, const Options& options) {
-  Section section = identification_section(subject_of(subject.lines.front()), options);
+  Section section = identification_section(subject_of(subject.lines.front()), false, options);
   std::erase_if(section.blocks, [](const Block& block) {
     const auto* facts = std::get_if<Facts>(&block);
     return facts != nullptr && facts->title == "Axis under test";
   });
   for (const AssessedLine& line : subject.lines) {
-    const std::set<std::string> of_line = facts_in(identification_section(subject_of(line), options));
+    const std::set<std::string> of_line = facts_in(identification_section(subject_of(line), false, options));
     for (Block& block : section.blocks)
       if (auto* facts = std::get_if<Facts>(&block))
         std::erase_if(facts->facts, [&](const Fact& fact) {
@@ -299,11 +300,6 @@ Section common_identification(const LinesSubject& subject, const Options& option
   return section;
 }
 
-/// The folders of this machine are nobody's business.
-TableCell file_cell(const std::string& path) {
-  return path == "-" ? text_cell("standard input") : verbatim_cell(path.substr(path.find_last_of("/\\") + 1));
-}
-
 Section lines_provenance(const LinesSubject& subject) {
   Facts facts;
   const auto add = [&](std::string_view name, const std::string& value) {
@@ -314,7 +310,11 @@ Section lines_provenance(const LinesSubject& subject) {
   };
   facts.facts.push_back({plain("Measured lengths"), file_cell(subject.file)});
   add_verbatim("SHA-256 of the file", subject.sha256);
-  add_verbatim("Plan", subject.plan.title);
+  if (!subject.plan.title.empty()) add_verbatim("Plan", subject.plan.title);
+  for (const SourceFile& other : subject.others) {
+    facts.facts.push_back({plain(other.what), file_cell(other.file)});
+    add_verbatim("SHA-256 of the file", std::string(other.sha256));
+  }
   add("Program", program_text());
   for (const bool diagonal : {false, true})
     for (const AssessedLine& line : subject.lines) {

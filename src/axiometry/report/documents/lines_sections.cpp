@@ -300,7 +300,7 @@ Section diagonal_section(const LinesSubject& subject, const Options& options) {
     if (line != subject.lines.end()) {
       const Options own = fitted(options, line->assessment.evaluation.parameters);
       const ShownParameter shown = show(*iso230_2::find_parameter(key), line->assessment, AxisKind::linear, own);
-      value = {joined({strong(shown.value), plain(fmt::format("\u00a0{}, on {}", shown.unit, largest->id))})};
+      value = {joined({strong(shown.value), plain(fmt::format("\u00a0{}, along {}", shown.unit, largest->id))})};
     }
     facts.facts.push_back({joined({plain(name), plain(" "), italic(key)}), std::move(value)});
   };

@@ -7,6 +7,7 @@
 #include "axiometry/report/figures/residuals.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/report/translated.h"
@@ -48,9 +49,7 @@ class Composition {
   TableCell cell(double x, int decimals) const { return text_cell(number(x, decimals)); }
   std::string um(double mm) const { return shown_short(1000.0 * mm, options_, 3) + "\u00a0µm"; }
 
-  Fact file_fact(std::string_view name) const {
-    return {plain(name), s_.file == "-" ? text_cell("standard input") : verbatim_cell(s_.file)};
-  }
+  Fact file_fact(std::string_view name) const { return {plain(name), file_cell(s_.file)}; }
 
   Notice status() const {
     const bool serious = std::ranges::any_of(fit_.findings, &tracking::Finding::serious);
@@ -262,8 +261,9 @@ class Composition {
   }
 
   Section source() const {
-    Facts facts{"", {file_fact("File"), Fact{plain("SHA-256"), verbatim_cell(s_.sha256)}}};
-    return {"source", "Source", false, {std::move(facts)}};
+    std::vector<SourceFile> files = {{"Measured lengths", s_.file, s_.sha256}};
+    if (!s_.points_file.empty()) files.push_back({"Nominal points", s_.points_file, s_.points_sha256});
+    return provenance_of_files(files);
   }
 
   const MultilaterationSubject& s_;

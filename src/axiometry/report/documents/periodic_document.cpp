@@ -141,7 +141,7 @@ Document compose(const PeriodicSubject& subject, const Options& options) {
   } else {
     document.sections.push_back(finding_section(subject.result.findings));
   }
-  document.sections.push_back(identification_section(whole, options));
+  document.sections.push_back(identification_section(whole, false, options));
   document.sections.push_back(method_section(subject.result));
   document.sections.push_back(provenance_section(whole, options));
   document.sections.push_back(release_section(subject.test.metadata));

@@ -183,7 +183,7 @@ Document compose(const RulesSubject& subject, const Options& options) {
   if (!comparison.warnings.empty()) document.sections.push_back(warnings_section(subject));
   document.sections.push_back(formulas_section(subject, options));
   if (!comparison.findings.empty()) document.sections.push_back(finding_section(comparison.findings));
-  document.sections.push_back(identification_section(whole, options));
+  document.sections.push_back(identification_section(whole, false, options));
   document.sections.push_back(provenance_section(whole, options));
   document.sections.push_back(release_section(subject.test.metadata));
   return document;

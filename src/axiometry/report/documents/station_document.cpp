@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/report/translated.h"
@@ -241,7 +242,7 @@ Document compose(const StationSubject& subject, const Options& options) {
   Document document = title_page("Station location", "Station of a tracking interferometer", options);
   document.running_status = location.is_serious() ? "Not to be used as it is" : "Station found";
   document.identity = {{plain("Points"), text_cell(fmt::format("{}", subject.points.size()))},
-                       {plain("File"), verbatim_cell(subject.file)}};
+                       {plain("File"), file_cell(subject.file)}};
   document.status = {status(location)};
   Section results{"station", "Station", true, {}};
   results.blocks.emplace_back(estimator_table(location, options));

@@ -161,7 +161,9 @@ Table line_table(const Sheet& sheet) {
         {verbatim_cell(line.id), text_cell(line.plan.standard), interval ? text_cell(interval->octant) : dash,
          interval ? text_cell(sheet.number(interval->begin_mm, 1)) : dash,
          interval ? text_cell(sheet.number(interval->end_mm, 1)) : dash,
-         interval ? text_cell(fmt::format("{}; {}", interval->limited_by_begin, interval->limited_by_end)) : dash,
+         interval ? text_cell(fmt::format("{}; {}", translated(interval->limited_by_begin, sheet.options),
+                                          translated(interval->limited_by_end, sheet.options)))
+                  : dash,
          text_cell(fmt::format("{}", line.plan.targets.size())), text_cell(fmt::format("{}", line.plan.runs))});
   }
   if (is_aligned(sheet.plan.setup))

@@ -10,6 +10,7 @@
 #include "axiometry/report/figures/tracking/volumetric_residuals.h"
 #include "axiometry/report/sections/fact.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 #include "axiometry/report/volumetric.h"
@@ -77,9 +78,7 @@ class VolumetricComposition {
   std::string number(double x, int decimals) const { return format_fixed(x, decimals, options_.numbers); }
   TableCell cell(double x, int decimals) const { return text_cell(number(x, decimals)); }
 
-  Fact file_fact(std::string_view name, const std::string& file) const {
-    return {plain(name), file == "-" ? text_cell("standard input") : verbatim_cell(file)};
-  }
+  Fact file_fact(std::string_view name, const std::string& file) const { return {plain(name), file_cell(file)}; }
 
   bool has_recordings() const {
     return std::ranges::any_of(s_.lengths_files, [](const VolumetricLengthsFile& f) { return !f.parts.empty(); });
@@ -261,7 +260,7 @@ class VolumetricComposition {
   }
 
   Section source() const {
-    Section section{"source", "Source", false, {}};
+    Section section{"provenance", "Provenance", false, {}};
     Facts facts{"", {}};
     const bool as_table = s_.lengths_files.size() > 1 || has_recordings();
     if (!as_table) add_file(facts, "Lengths", s_.lengths_files.front().file, s_.lengths_files.front().sha256);
@@ -286,8 +285,7 @@ class VolumetricComposition {
                      {plain("SHA-256"), Align::start, false, true}};
     for (const VolumetricLengthsFile& f : s_.lengths_files)
       table.rows.push_back(
-          {f.file == "-" ? text_cell("standard input") : verbatim_cell(f.file),
-           text_cell(f.parts.empty() ? "table" : "continuous recording"),
+          {file_cell(f.file), text_cell(f.parts.empty() ? "table" : "continuous recording"),
            f.parts.empty() ? text_cell("–") : verbatim_cell(f.parts),
            text_cell(f.parts.empty() ? fmt::format("{}", f.lengths) : fmt::format("{} of {}", f.lengths, f.planned)),
            verbatim_cell(f.sha256)});

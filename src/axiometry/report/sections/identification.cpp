@@ -121,7 +121,7 @@ Table record_table(const Field& field, const Records& records, const Options& op
 }
 
 /// What the readings themselves tell of the test (8.1: approaches, target positions).
-std::vector<Fact> facts_of_readings(const Subject& subject, const Options& options) {
+std::vector<Fact> facts_of_readings(const Subject& subject, bool lists_targets, const Options& options) {
   const Series& series = subject.test.series;
   const AxisKind kind = subject.test.metadata.axis.kind;
   const int decimals = position_decimals(series.targets());
@@ -144,8 +144,7 @@ std::vector<Fact> facts_of_readings(const Subject& subject, const Options& optio
   return {{joined({plain("Number of approaches "), italic("n")}), text_cell(fmt::format("{}{}", runs, directions))},
           {plain("Target positions"),
            text_cell(fmt::format("{} from {} to {}{}", series.target_count(), place(series.targets().front()),
-                                 place(series.targets().back()),
-                                 subject.assessment.evaluation.positions.empty() ? "" : ", listed in Table 2"))}};
+                                 place(series.targets().back()), lists_targets ? ", listed in Table 2" : ""))}};
 }
 
 /// Readings of one direction are no standard test cycle, which is what counts where no other is given, stated or not.
@@ -165,7 +164,7 @@ struct Identification {
 };
 
 void append_group(Identification& all, std::string_view title, std::span<const Field> fields, const Subject& subject,
-                  const Options& options) {
+                  bool lists_targets, const Options& options) {
   const Metadata& metadata = subject.test.metadata;
   Facts facts{std::string(title), {}};
   const auto add = [&](std::string_view name, TableCell value) {
@@ -191,13 +190,13 @@ void append_group(Identification& all, std::string_view title, std::span<const F
   if (title == axis_title && !octant_of(metadata.axis).empty())
     facts.facts.push_back({plain("Moves with growing position"), text_cell(octant_of(metadata.axis))});
   if (title == conditions_title)
-    for (Fact& fact : facts_of_readings(subject, options)) facts.facts.push_back(std::move(fact));
+    for (Fact& fact : facts_of_readings(subject, lists_targets, options)) facts.facts.push_back(std::move(fact));
   if (!facts.facts.empty()) all.facts.emplace_back(std::move(facts));
 }
 
 }  // namespace
 
-Section identification_section(const Subject& subject, const Options& options) {
+Section identification_section(const Subject& subject, bool lists_targets, const Options& options) {
   Section section{"identification", "Identification of the test (Table 3)", false, {}};
   Identification all;
   const auto fields = metadata_fields();
@@ -211,7 +210,7 @@ Section identification_section(const Subject& subject, const Options& options) {
                                    : resumed                 ? known->title_when_resumed
                                                              : known->title;
     if (std::ranges::find(shown_elsewhere, prefix(*first)) == std::end(shown_elsewhere))
-      append_group(all, title, {first, end}, subject, options);
+      append_group(all, title, {first, end}, subject, lists_targets, options);
     first = end;
   }
   section.blocks = std::move(all.facts);

@@ -3,17 +3,12 @@
 
 #include "axiometry/report/correction_text.h"
 #include "axiometry/report/sections/sections.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/standards/test_standard.h"
 
 namespace axiometry::report {
 
 namespace {
-
-/// A report goes to customers: the file's name is theirs to know, the folders of this machine are not.
-std::string_view file_name(std::string_view path) {
-  if (path == "-") return "standard input";
-  return path.substr(path.find_last_of("/\\") + 1);  // npos + 1 is 0
-}
 
 /// What the program did to the readings, so that a reader can do it again.
 Facts correction_facts(const AppliedCorrection& correction, std::size_t number, const Subject& subject,
@@ -38,7 +33,7 @@ Section provenance_section(const Subject& subject, const Options& options) {
   const Provenance& source = subject.test.provenance;
   Facts facts;
   facts.facts = {
-      {plain("Source file"), or_not_recorded(file_name(source.file), source.file == "-" ? plain : verbatim)},
+      {plain("Source file"), file_cell(source.file)},
       {plain("SHA-256 of the source"), or_not_recorded(source.sha256, verbatim)},
       {plain("Format"), or_not_recorded(source.format, verbatim)},
       {plain("Program"), text_cell(program_text())},

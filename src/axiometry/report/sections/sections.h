@@ -51,8 +51,8 @@ struct NamedFindings {
 };
 Section finding_section(std::span<const NamedFindings> tests);
 
-/// Clause 8.1, read from the table of metadata fields.
-Section identification_section(const Subject& subject, const Options& options);
+/// Clause 8.1, read from the table of metadata fields. It refers to Table 2 where the document lists the targets there.
+Section identification_section(const Subject& subject, bool lists_targets, const Options& options);
 
 /// Table 2: every reading, before and after a correction where there was one, and the results at every target.
 Section position_section(const Subject& subject, const Options& options);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/standards/iso230_2/rules/claims.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
 #include "axiometry/standards/iso230_2/rules/rules.h"
 
@@ -50,17 +51,29 @@ std::optional<Finding> warning(const AxisRule& rule, const ComparedFigure& compa
   using iso230_2::rules::message;
   const iso230_2::rules::Message said =
       look_equal ? message("for this axis {} and {} are both {}, and yet not the same figure ({})", own_name,
-                               other_name, shown(own), evidence_words(figure.evidence))
+                           other_name, shown(own), evidence_words(figure.evidence))
                  : message("for this axis {} is {}, but {} is {}: they are not the same figure ({})", own_name,
-                               shown(own), other_name, shown(other), evidence_words(figure.evidence));
+                           shown(own), other_name, shown(other), evidence_words(figure.evidence));
   return iso230_2::rules::note("not-the-same-figure", std::string(rule.name), said);
 }
 
-std::vector<Finding> findings_of_edition(const iso230_2::Assessment& assessment) {
-  std::vector<Finding> all;
+/// What speaks against the readings, and so against figures of every rule.
+bool is_of_readings(const Finding& finding) {
+  constexpr std::string_view ids[] = {"outlying-reading",         "uneven-scatter",  "shifted-runs",
+                                      "ordered-progression",      "readings-copied", "readings-repeat-exactly",
+                                      "readings-coarsely-rounded"};
+  return std::ranges::find(ids, finding.id) != std::end(ids);
+}
+
+std::vector<Finding> findings_of_edition(const Test& test, const iso230_2::Assessment& assessment) {
+  std::vector<Finding> all = iso230_2::errors_known_of(test, assessment);
+  std::erase_if(all, [](const Finding& finding) { return finding.clause == iso230_2::source_clause; });
+  for (Finding& finding : all) finding.clause = fmt::format("{}, {}", iso230_2::edition, finding.clause);
   for (const Finding& finding : assessment.findings) {
     if (finding.clause == iso230_2::source_clause) all.push_back(finding);
-    if (finding.clause == iso230_2::source_clause || finding.severity != Severity::departure) continue;
+    if (finding.clause == iso230_2::source_clause ||
+        (finding.severity != Severity::departure && !is_of_readings(finding)))
+      continue;
     all.push_back(finding);
     all.back().clause = fmt::format("{}, {}", iso230_2::edition, finding.clause);
   }
@@ -83,7 +96,7 @@ Result<RuleComparison> compare_rules(const Test& test, std::span<const AxisRule*
   if (is_diagonal(test.metadata.axis))
     return fail("found a diagonal, expected a test of one axis: other rules know no diagonals");
   RuleComparison result{.iso230_2 = iso230_2::assess(test)};
-  result.findings = findings_of_edition(result.iso230_2);
+  result.findings = findings_of_edition(test, result.iso230_2);
   const RuleCase c{test.metadata, test.series, result.iso230_2.evaluation};
   for (const AxisRule* rule : rules.empty() ? axis_rule_table() : rules) {
     ComparedRule& compared = result.rules.emplace_back(ComparedRule{rule, {}});

@@ -277,8 +277,9 @@ class Course {
       std::string message;
       if (path.tied) {
         message = fmt::format(
-            "{} readings from reading {} on have their own dead path, {} mm more than the first; {} of "
-            "them tie it (u = {} µm){}",
+            "{} readings from reading {} on have their own dead path, which differs from the first by {} mm; {} of "
+            "them "
+            "tie it (u = {} µm){}",
             path.readings, path.first_reading + 1, format_fixed(fit_.stretches[s].shift_mm, 4), path.ties,
             format_fixed(um_per_mm * path.uncertainty_mm, 2),
             fit_.by_approach ? "" : ", taking the reversal error for alike at all targets");

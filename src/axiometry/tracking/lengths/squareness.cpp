@@ -176,6 +176,9 @@ ScalesAndSquareness estimate_squareness(std::span<const LineSlope> slopes, doubl
     for (Eigen::Index i = 0; i < count; ++i)
       parts.push_back({std::abs(gains(k, i)), slopes[static_cast<std::size_t>(i)].degrees_of_freedom});
     term.coverage_factor = error_motions::coverage_of(error_motions::combined_scatter(parts).degrees);
+    // How much the lines contradict each other is known with ν only.
+    if (few_residuals_finding(result.chi_squared, result.degrees_of_freedom))
+      term.coverage_factor = std::max(term.coverage_factor, error_motions::coverage_of(nu));
     for (Eigen::Index m = 0; m < unknowns; ++m)
       if (subspaces.tells(m))
         result.covariance_um2_per_m2[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] = covariance(k, m);

@@ -83,18 +83,33 @@ std::vector<std::size_t> ErrorModel::unseen_errors() const { return touched_erro
 
 /// A displacement that all places share with this tool, as squareness gives that is counted from the machine's zero, is
 /// the place of the whole machine.
-bool ErrorModel::is_told_but_for_a_constant(const BeamRow& row, Vector3 tool_mm, std::size_t component) const {
+bool ErrorModel::is_told_but_for_a_constant(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches,
+                                            std::size_t component) const {
   if (parts_.unseen.empty()) return true;
   Vector3 middle, along{};
+  along[component] = 1.0;
   for (std::size_t a = 0; a < axis_count; ++a)
     middle[a] = 0.5 * (parts_.coefficients.basis(a).lower_mm() + parts_.coefficients.basis(a).upper_mm());
-  along[component] = 1.0;
   BeamRow there(parts_.coefficients, parts_.machine, middle, tool_mm);
   there.along(along);
-  const double limit = told_most * std::sqrt(row.squares() + there.squares());
-  return std::ranges::all_of(parts_.unseen, [&](const std::vector<double>& direction) {
-    return std::abs(row.times(direction) - there.times(direction)) <= limit;
-  });
+  const auto is_same = [&](Vector3 place) {
+    BeamRow row(parts_.coefficients, parts_.machine, place, tool_mm, approaches);
+    row.along(along);
+    const double limit = told_most * std::sqrt(row.squares() + there.squares());
+    return std::ranges::all_of(parts_.unseen, [&](const std::vector<double>& direction) {
+      return std::abs(row.times(direction) - there.times(direction)) <= limit;
+    });
+  };
+  if (!is_same(axes_mm)) return false;
+  // In the middle nothing differs from the middle: what is told there is told beside it too.
+  constexpr double beside = 0.01;  // of the range
+  for (std::size_t a = 0; a < axis_count; ++a) {
+    const auto& basis = parts_.coefficients.basis(a);
+    Vector3 place = axes_mm;
+    place[a] += (place[a] < middle[a] ? beside : -beside) * (basis.upper_mm() - basis.lower_mm());
+    if (!is_same(place)) return false;
+  }
+  return true;
 }
 
 ToolPointError ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches) const {
@@ -108,7 +123,7 @@ ToolPointError ErrorModel::at(Vector3 axes_mm, Vector3 tool_mm, Approaches appro
   const std::array<const BeamRow*, 3> rows = {&x, &y, &z};
   ToolPointError field;
   for (std::size_t i = 0; i < 3; ++i)
-    if (is_told_but_for_a_constant(*rows[i], tool_mm, i)) field.error_um[i] = rows[i]->times(parts_.values);
+    if (is_told_but_for_a_constant(axes_mm, tool_mm, approaches, i)) field.error_um[i] = rows[i]->times(parts_.values);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = i; k < 3; ++k) {
       if (!field.error_um[i] || !field.error_um[k]) continue;

@@ -75,7 +75,7 @@ class ErrorModel {
  private:
   std::optional<Estimate> estimate(const std::vector<std::pair<std::size_t, double>>& row) const;
   std::vector<std::size_t> touched_errors(std::size_t first_place, std::size_t end_place) const;
-  bool is_told_but_for_a_constant(const BeamRow& row, Vector3 tool_mm, std::size_t component) const;
+  bool is_told_but_for_a_constant(Vector3 axes_mm, Vector3 tool_mm, Approaches approaches, std::size_t component) const;
 
   Parts parts_;
 };

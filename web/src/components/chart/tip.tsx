@@ -2,6 +2,7 @@
 import { fixed, shortest } from '../../numbers';
 import { Swatch } from './legend';
 import type { ChartModel, ChartPlace } from './model';
+import { colon, semicolon } from '../../i18n/colon';
 
 /** An x as it is written in tips: a date, or a number with no more decimals than it needs. */
 export function x_text(model: ChartModel, index: number): string {
@@ -37,6 +38,6 @@ export function PlainTip({ model, place }: { model: ChartModel; place: ChartPlac
 export function plain_words(model: ChartModel, place: ChartPlace): string {
   const all = shown(model, place.index);
   const wanted = place.series === null ? all : all.filter(({ i }) => i === place.series);
-  const said = wanted.map(({ series, value }) => `${series.label} ${fixed(value, model.y_decimals ?? 2)}`).join('; ');
-  return `${model.x_label} ${x_text(model, place.index)}: ${said}`;
+  const said = wanted.map(({ series, value }) => `${series.label} ${fixed(value, model.y_decimals ?? 2)}`).join(semicolon());
+  return `${model.x_label} ${x_text(model, place.index)}${colon()} ${said}`;
 }

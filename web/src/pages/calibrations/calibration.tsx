@@ -20,6 +20,7 @@ import { CalibrationHistory } from './history';
 import { told_options } from './told_options';
 import { CalibrationResult } from './result';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 /** One calibration at one of its versions: figures, findings, files, versions, and what may be done with it. */
 export function CalibrationPage({ parts }: { parts: Record<string, string> }) {
@@ -104,7 +105,7 @@ function Files({ calibration }: { calibration: KeptCalibration }) {
         { key: 'name', head: t('file'), cell: ({ role, name }) => <a href={`/api/calibrations/${calibration.id}/files/${role}`} download>{name}</a> },
         { key: 'sha256', head: 'SHA-256', cell: ({ sha256 }) => <Hash hash={sha256} /> },
       ]} />
-      <p class="small quiet">{t('options')}: {told_options(calibration.kind, calibration.options as Options) || t('as_usual')}</p>
+      <p class="small quiet">{t('options')}{colon()} {told_options(calibration.kind, calibration.options as Options) || t('as_usual')}</p>
     </section>
   );
 }

@@ -7,6 +7,7 @@ import { DataTable } from '../../components/table';
 import { place, set_query } from '../../router';
 import { figure_name, figure_text, sign_of } from './figures';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 /** This calibration beside another of its kind, which stands in the address. */
 export function ComparePanel({ calibration }: { calibration: KeptCalibration }) {
@@ -44,8 +45,8 @@ function Compared({ before, after }: { before: string; after: number }) {
   return (
     <DataTable<Row> caption={t('comparison')} rows={found.rows} row_key={(row) => `${row.parameter} ${row.of}`} columns={[
       { key: 'figure', head: t('figure'), row_head: true, cell: (row) => figure_name(row.parameter, row.of) },
-      { key: 'before', head: <>{t('before')}: {found.before.title}</>, number: true, cell: (row) => value(row, row.before, row.before_u) },
-      { key: 'after', head: <>{t('after')}: {found.after.title}</>, number: true, cell: (row) => value(row, row.after, row.after_u) },
+      { key: 'before', head: <>{t('before')}{colon()} {found.before.title}</>, number: true, cell: (row) => value(row, row.before, row.before_u) },
+      { key: 'after', head: <>{t('after')}{colon()} {found.after.title}</>, number: true, cell: (row) => value(row, row.after, row.after_u) },
       { key: 'difference', head: t('difference'), number: true, cell: (row) => value(row, row.difference) },
       { key: 'unit', head: t('unit'), cell: (row) => sign_of(row.unit) },
     ]} />

@@ -4,6 +4,7 @@ import type { CalibrationFigure, CalibrationRow } from '../../api/types';
 import { fixed } from '../../numbers';
 import { is_motion_kind } from '../motions/form';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 const signs: Record<CalibrationFigure['unit'], string> = { um: 'µm', arcsec: '″', urad: 'µrad', '': '' };
 
@@ -86,6 +87,6 @@ export function headline(row: Pick<CalibrationRow, 'kind' | 'figures'>): string 
     largest && `${t('largest')} ${fixed(largest.value, 1)} µm (${t('worst_tool', { tool: largest.of })})`,
     mean && `${t('mean')} ${fixed(mean.value, 1)} µm`,
     chi2 && `χ²/ν ${fixed(chi2.value, 2)}`,
-    unseen && unseen.value > 0 && `${t('unseen')}: ${unseen.value}`,
+    unseen && unseen.value > 0 && `${t('unseen')}${colon()} ${unseen.value}`,
   ].filter(Boolean).join(', ');
 }

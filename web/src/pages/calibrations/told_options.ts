@@ -6,6 +6,7 @@ import { typed } from '../../numbers';
 import { is_motion_kind } from '../motions/form';
 import { kept_motion_option } from '../motions/words';
 import { t } from './texts';
+import { colon, semicolon } from '../../i18n/colon';
 
 function value_text(value: unknown): string {
   if (typeof value === 'boolean') return t(value ? 'yes' : 'no');
@@ -20,6 +21,6 @@ export function told_options(kind: CalibrationKind, options: Options): string {
   return Object.entries(options).flatMap(([key, value]) => {
     const of_lengths = is_motion_kind(kind) ? undefined : kept_option(key, value);
     const pairs = (is_motion_kind(kind) ? kept_motion_option(key, value) : of_lengths && [of_lengths]) ?? [[key, value] as const];
-    return pairs.map(([label, one]) => `${label}: ${value_text(one)}`);
-  }).join('; ');
+    return pairs.map(([label, one]) => `${label}${colon()} ${value_text(one)}`);
+  }).join(semicolon());
 }

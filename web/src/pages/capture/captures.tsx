@@ -10,11 +10,12 @@ import { has_table, table_of } from './table_ending';
 import { t } from './texts';
 import { t as t_dynamic } from '../dynamic/texts';
 import './capture.css';
+import { colon } from '../../i18n/colon';
 
 export function CapturesPage() {
   const captures = use_get<CaptureList>('/api/captures');
   const plans = use_get<PlanList>('/api/plans');
-  const title = ({ plan: id, lengths }: Capture) => lengths ? `${t(lengths.kind === 'lines' ? 'of_lines' : 'of_volume')}: ${lengths.title}`
+  const title = ({ plan: id, lengths }: Capture) => lengths ? `${t(lengths.kind === 'lines' ? 'of_lines' : 'of_volume')}${colon()} ${lengths.title}`
     : plans.data?.plans.find((plan) => plan.id === id)?.title ?? `${t('plan')} ${id ?? ''}`;
   return (
     <ListPage<Capture>

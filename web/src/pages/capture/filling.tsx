@@ -9,6 +9,7 @@ import type { Direction, Reading } from './live';
 import { t as t_motion } from './motion_texts';
 import { arrow } from './readout';
 import { t } from './texts';
+import { semicolon } from '../../i18n/colon';
 
 interface Props { readings: Reading[]; targets: number[]; runs: number; unit: string; deviation_unit: string; due: Capture['due'] }
 
@@ -88,7 +89,7 @@ export function LiveTable({ readings, targets, runs, unit, deviation_unit, due, 
                   const is_due = due !== null && due.target === i + 1 && due.run === run && due.direction === direction;
                   return (
                     <td key={`${direction}${run}`} class={`number ${is_due ? 'due' : ''} ${cell !== undefined && cell === latest ? 'latest' : ''}`}
-                      title={cell && cell.remarks.length > 0 ? cell.remarks.join('; ') : undefined}>
+                      title={cell && cell.remarks.length > 0 ? cell.remarks.join(semicolon()) : undefined}>
                       {cell ? fixed(cell.deviation, 2) : is_due ? '…' : <span class="quiet">{absent}</span>}
                       {cell && cell.remarks.length > 0 && <sup>*</sup>}
                     </td>

@@ -16,6 +16,7 @@ import { is_over } from './live';
 import { sent, SourceChoice, SourceOptions, type SourceForm } from './source_fields';
 import { has_table } from './table_ending';
 import { t as t_capture } from './texts';
+import { colon } from '../../i18n/colon';
 
 const often_ms = 1500;
 
@@ -154,7 +155,7 @@ function Begin({ part, captures, busy, begin, is_next }: BeginProps) {
   if (live) return <a class="button" href={`/captures/${live.id}`}>{t('watch')}</a>;
   if (part.stops === 0) return null;
   return (
-    <button type="button" class={is_next ? 'primary' : ''} disabled={busy} aria-label={`${t(captures.length > 0 ? 'begin_again' : 'begin')}: ${part.title}`} onClick={() => begin(part.part)}>
+    <button type="button" class={is_next ? 'primary' : ''} disabled={busy} aria-label={`${t(captures.length > 0 ? 'begin_again' : 'begin')}${colon()} ${part.title}`} onClick={() => begin(part.part)}>
       {t(captures.length > 0 ? 'begin_again' : 'begin')}
     </button>
   );

@@ -17,6 +17,7 @@ import { Progress, Where } from './readout';
 import { StopButton } from './stop';
 import { TableEnding } from './table_ending';
 import { t as t_capture } from './texts';
+import { colon } from '../../i18n/colon';
 
 interface Props { live: Live; capture: Capture; lengths: CapturedLengths; again: () => void }
 
@@ -32,7 +33,7 @@ export function LengthsCapture({ live, capture, lengths, again }: Props) {
     <>
       <header class="page-head">
         <div>
-          <h1 tabIndex={-1}>{t(lengths.kind === 'lines' ? 'part_of_lines' : 'part_of_volume')}: {lengths.title}</h1>
+          <h1 tabIndex={-1}>{t(lengths.kind === 'lines' ? 'part_of_lines' : 'part_of_volume')}{colon()} {lengths.title}</h1>
           <p class="crumb">{capture.source.title} · {t_capture('started')} {when(capture.started)}{running && ` · ${t_capture(capture.state)}`}</p>
         </div>
         {running && <StopButton capture={capture} what={t('stop_what', { n: capture.taken, all: capture.approaches })} stopped={live.set} />}
@@ -60,7 +61,7 @@ export function LengthsCapture({ live, capture, lengths, again }: Props) {
         <div class="wide"><LengthPartsPanel subject={subject} own={capture} /></div>
         <Notices notices={capture.notices} />
       </div>
-      <p class="visually-hidden" aria-live="polite">{running && live.caught.length > 0 && `${name_of(live.caught[live.caught.length - 1]?.stop ?? 0)}: ${fixed(live.caught[live.caught.length - 1]?.length_mm ?? 0, 3)} mm`}</p>
+      <p class="visually-hidden" aria-live="polite">{running && live.caught.length > 0 && `${name_of(live.caught[live.caught.length - 1]?.stop ?? 0)}${colon()} ${fixed(live.caught[live.caught.length - 1]?.length_mm ?? 0, 3)} mm`}</p>
     </>
   );
 }

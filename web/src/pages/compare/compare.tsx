@@ -20,6 +20,7 @@ import { SideBySide } from './side_by_side';
 import { use_tests } from './use_tests';
 import './compare.css';
 import '../test/test.css';
+import { colon, semicolon } from '../../i18n/colon';
 
 const t = texts({
   title: 'Compare tests',
@@ -195,5 +196,5 @@ function Tip({ model, tests, at }: { model: Curves; tests: readonly Test[]; at: 
 function spoken(model: Curves, tests: readonly Test[], at: ChartPlace): string {
   const kind = tests[0]?.result.axis.kind ?? 'linear';
   const rows = values_at(model, at).filter(({ i }) => at.series === null || i === at.series);
-  return `${shortest(model.x[at.index])} ${position_unit(kind)}: ${rows.map(({ series, value, exact }) => `${series.label} ${exact ? '' : '≈ '}${fixed(value, 2)}`).join('; ')}`;
+  return `${shortest(model.x[at.index])} ${position_unit(kind)}${colon()} ${rows.map(({ series, value, exact }) => `${series.label} ${exact ? '' : '≈ '}${fixed(value, 2)}`).join(semicolon())}`;
 }

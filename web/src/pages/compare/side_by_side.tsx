@@ -26,6 +26,8 @@ const t = texts({
   better: 'smaller',
   worse: 'larger',
   several: 'These tests state their uncertainties by different methods: {list}. Each is held against the other as its own method states it.',
+  uncorrected: 'An effect that was neither corrected nor is in the uncertainty acts on {list}: what differs may be that effect, however it is marked.',
+  other_travel: 'The targets of {list} do not span what those of the first test span: A, E and M of an axis grow with its travel.',
   incomplete: 'The uncertainty of {list} is incomplete and too small, since nothing was given of some of its contributors: differences held against it may be marked as larger than the combined uncertainty that are not.',
   no_method: 'no uncertainty',
   with_interval: 'Value, interval',
@@ -48,6 +50,12 @@ function cell_of(test: Test, parameter: Parameter): Cell | null {
 
 const head_of = (method: Method | null): string => t(method === null ? 'value_only' : method === 'monte_carlo' ? 'with_interval' : 'value');
 
+/** From the first target to the last, mm or °. */
+function span_of({ result: { positions } }: Test): number {
+  const targets = positions.map(({ target }) => target);
+  return Math.max(...targets) - Math.min(...targets);
+}
+
 /** The parameters of all tests, with differences to the first one and whether they mean anything. */
 export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; vocabulary: Vocabulary | null }) {
   const present = all_parameters.filter((parameter) => tests.some((test) => cell_of(test, parameter) !== null));
@@ -61,6 +69,8 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
   const several = new Set(methods.filter((method) => method !== null)).size > 1;
   const incomplete = tests.filter((test) => test.result.findings.some((finding) => finding.id === 'uncertainty-stated') &&
     test.shown.some((row) => row.low !== null));
+  const uncorrected = tests.filter(({ result }) => result.claims?.some(({ missing }) => missing.some(({ id }) => id === 'uncorrected-effect')));
+  const other_travel = tests.filter((test) => Math.abs(span_of(test) - span_of(reference)) > 0.01 * span_of(reference));
   const stacked = narrow.value || (printing.value && tests.length > most_beside_on_paper);
   return (
     <section class={`panel flush parameters-table ${tests.length > 5 ? 'many' : ''}`}>
@@ -105,6 +115,8 @@ export function SideBySide({ tests, vocabulary }: { tests: readonly Test[]; voca
         </table>
       </div>
       {several && <p class="small foot several">{t('several', { list: [...new Set(named)].join(', ') })}</p>}
+      {tests.length > 1 && uncorrected.length > 0 && <p class="small foot uncorrected">{t('uncorrected', { list: uncorrected.map((test) => test.title).join(', ') })}</p>}
+      {other_travel.length > 0 && <p class="small foot other-travel">{t('other_travel', { list: other_travel.map((test) => test.title).join(', ') })}</p>}
       {tests.length > 1 && incomplete.length > 0 && <p class="small foot incomplete">{t('incomplete', { list: incomplete.map((test) => test.title).join(', ') })}</p>}
       {tests.length > 1 && <p class="small quiet foot">{t('legend')}</p>}
     </section>

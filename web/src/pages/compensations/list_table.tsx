@@ -6,6 +6,7 @@ import { absent, when } from '../../numbers';
 import { effect_line } from './lines';
 import { StandingTags } from './standing';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 /** Rows of tables that were kept: in the list of all, and of an axis. */
 export function CompensationTable({ rows, with_axis = true }: { rows: readonly CompensationHead[]; with_axis?: boolean }) {
@@ -14,7 +15,7 @@ export function CompensationTable({ rows, with_axis = true }: { rows: readonly C
     ...(with_axis ? [{ key: 'axis', head: t('machine_axis'), class: 'wide-only', cell: (row: CompensationHead) => <Place row={row} /> }] : []),
     { key: 'test', head: t('measured'), class: 'wide-only', cell: (row) => <TestLink test={row.test} /> },
     { key: 'effect', head: t('effect_head'), class: 'effect', cell: (row) => <>{effect_line(row)}{row.serious > 0 && <> <span class="tag bad">{t('serious', { n: row.serious })}</span></>}
-      {row.retest && <span class="only-narrow small">{t('retest')}: <TestLink test={row.retest} /></span>}</> },
+      {row.retest && <span class="only-narrow small">{t('retest')}{colon()} <TestLink test={row.retest} /></span>}</> },
     { key: 'retest', head: t('retest'), class: 'wide-only', cell: (row) => (row.retest ? <TestLink test={row.retest} /> : <span class="quiet">{t('open')}</span>) },
     { key: 'made', head: t('made_at'), class: 'number-text wide-only', cell: (row) => when(row.made_at) },
   ];

@@ -5,6 +5,7 @@ import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { VersionList } from '../../components/versions';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 /** The versions of a machine, an axis or an instrument, and the way to its lines in the audit trail. */
 export function EntityHistory({ path, subject, version }: { path: string; subject: string; version: number }) {
@@ -13,7 +14,7 @@ export function EntityHistory({ path, subject, version }: { path: string; subjec
   useEffect(() => { if (seen.current !== version) { seen.current = version; versions.reload(); } }, [version]);
   return (
     <details class="panel history">
-      <summary>{t('history')} <span class="quiet small">({t('versions')}: {version})</span></summary>
+      <summary>{t('history')} <span class="quiet small">({t('versions')}{colon()} {version})</span></summary>
       {versions.error && <FailureNotice error={versions.error} retry={versions.reload} />}
       {versions.data && <VersionList versions={versions.data.versions.map((one) => ({ ...one.change, version: one.version }))} />}
       <p class="small"><a href={`/audit?subject=${encodeURIComponent(subject)}`}>{t('audit')}</a></p>

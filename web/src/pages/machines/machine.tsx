@@ -14,6 +14,7 @@ import { MachineDialog } from './machine_dialog';
 import { plain_symbol } from './parameters';
 import { t } from './texts';
 import { AxisTrend } from './trend';
+import { colon } from '../../i18n/colon';
 
 /** One machine: what it is, its axes with their limits, and how they have changed. */
 export function MachinePage({ parts }: { parts: Record<string, string> }) {
@@ -66,7 +67,7 @@ function AxisPanel({ axis, edit }: { axis: Axis; edit: () => void }) {
     <section class="panel">
       <header>
         <h2><a href={`/axes/${axis.id}`}>{t('axis')} {axis.name}</a> <LimitsLine axis={axis} /></h2>
-        <button type="button" class="no-print" onClick={edit} aria-label={`${t('axis')} ${axis.name}: ${t('limits_edit')}`}>{t('limits_edit')}</button>
+        <button type="button" class="no-print" onClick={edit} aria-label={`${t('axis')} ${axis.name}${colon()} ${t('limits_edit')}`}>{t('limits_edit')}</button>
       </header>
       {tables.error && <FailureNotice error={tables.error} retry={tables.reload} />}
       <AxisTrend axis={axis.id} version={axis.version} height={260} tables={tables.data?.compensations ?? no_tables} />

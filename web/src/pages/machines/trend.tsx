@@ -15,6 +15,7 @@ import { differ, method_of, named_method, record_note } from '../../components/u
 import { short_control } from '../compensations/lines';
 import { look, parameters, plain_symbol, verdict_of } from './parameters';
 import { t } from './texts';
+import { colon, semicolon } from '../../i18n/colon';
 
 type Point = Trend['points'][number];
 const most_named = 3;
@@ -165,7 +166,7 @@ function TrendChart({ trend, wanted, height, tables }: { trend: Trend; wanted: r
     });
     const method = named_method(method_of(point?.figures ?? []));
     const further = [...(point ? [...table_words(tables, point), ...same_bytes_words(point)] : []), ...(method === '' ? [] : [t('by_method', { method })])];
-    return `${point ? day_of(point) : ''}, ${point?.title}: ${[said.join('; '), ...further].join('; ')}`;
+    return `${point ? day_of(point) : ''}, ${point?.title}${colon()} ${[said.join(semicolon()), ...further].join(semicolon())}`;
   };
   return (
     <Chart

@@ -8,6 +8,7 @@ import { absent, when } from '../../numbers';
 import { ImportPlans, type Refused } from './import';
 import { t } from './texts';
 import './plan.css';
+import { colon } from '../../i18n/colon';
 
 export function PlansPage() {
   const plans = use_get<PlanList>('/api/plans');
@@ -40,7 +41,7 @@ export function PlansPage() {
           <><span class="number-text">{when(plan.change.at)}</span>{plan.change.actor !== '' && <span class="quiet"> · {plan.change.actor}</span>}</>
         ) },
         { key: 'capture', head: <span class="visually-hidden">{t('capture_with')}</span>, cell: (plan) => (
-          <a href={`/captures/new?plan=${plan.id}`} aria-label={`${t('capture_with')}: ${plan.title}`}>{t('capture')}</a>
+          <a href={`/captures/new?plan=${plan.id}`} aria-label={`${t('capture_with')}${colon()} ${plan.title}`}>{t('capture')}</a>
         ) },
       ]}
     >

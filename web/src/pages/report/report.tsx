@@ -13,6 +13,7 @@ import { place } from '../../router';
 import { decimal, language, type Decimal, type Language } from '../../settings';
 import { t, units } from './texts';
 import './report.css';
+import { colon } from '../../i18n/colon';
 
 /** What is mostly wanted comes first. */
 const usual = ['pdf', 'html', 'csv', 'svg', 'png'];
@@ -37,7 +38,7 @@ export function ReportPage({ parts }: { parts: Record<string, string> }) {
     <>
       <header class="page-head">
         <div>
-          <h1 tabIndex={-1}>{t('report')}: {shown.title} <Withdrawn test={shown} /></h1>
+          <h1 tabIndex={-1}>{t('report')}{colon()} {shown.title} <Withdrawn test={shown} /></h1>
           <p class="crumb">
             <a href={`/tests/${id}`}>{t('to_test')}</a> · {t('version')} {shown.version}
             {shown.version !== shown.latest && ` (${t('not_latest', { n: shown.latest })})`}

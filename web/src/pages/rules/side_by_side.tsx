@@ -7,6 +7,7 @@ import { absent, unit_sign } from '../../numbers';
 import { all_parameters } from '../test/figures_text';
 import { RuleSymbol } from './symbol';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 /** A row for each parameter that a chosen rule has something taken for, and one for what is taken for none. */
 type Row = Parameter | null;
@@ -73,7 +74,7 @@ function Figure({ figure }: { figure: ComparedFigure }) {
   const apart = figure.departs_by === null ? [] : [shown.difference, shown.relative_difference && `(${shown.relative_difference})`];
   const below = [travel, ...apart].filter((part) => part !== '').join(' ');
   return (
-    <div class="rule-figure" title={`${figure.title}: ${figure.evidence_text}`}>
+    <div class="rule-figure" title={`${figure.title}${colon()} ${figure.evidence_text}`}>
       <span class="what">{symbol === null ? <span class="small">{figure.title}</span> : <RuleSymbol symbol={symbol} />}</span>
       <span class="number">{figure.value === null ? absent : shown.value}</span>
       {figure.absent_because !== null && <span class="line small quiet">{figure.absent_because}</span>}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import type { ComponentChildren } from 'preact';
+import { semicolon } from '../../i18n/colon';
 
 export interface Bar { key: string; title: string; detail: ComponentChildren; size: number | null; value: string; share: string | null }
 
@@ -36,7 +37,7 @@ export function Bars({ head, absent, bars }: Props) {
         </tbody>
       </table>
     </div>
-    {others.length > 0 && <p class="small quiet others">{absent} {others.map((bar) => bar.title).join('; ')}</p>}
+    {others.length > 0 && <p class="small quiet others">{absent} {others.map((bar) => bar.title).join(semicolon())}</p>}
     </>
   );
 }

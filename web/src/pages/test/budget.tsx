@@ -14,6 +14,7 @@ import { Histogram } from './histogram';
 import { record_method } from './record_choice';
 import { ResolvedInputs } from './resolved_inputs';
 import type { TestState } from './state';
+import { colon } from '../../i18n/colon';
 
 const t = texts({
   title: 'Uncertainty budget',
@@ -117,7 +118,7 @@ function AnnexA({ evaluated }: { evaluated: Evaluated }) {
   if (!budget) return null;
   const bars = budget.contributors.map((one): Bar => ({
     key: one.key, title: one.title, size: one.U, value: fixed(one.U, 2), share: null,
-    detail: <Formula text={`${one.symbol} (${one.formula}): ${one.inputs.map((input) => `${input.symbol} = ${shortest(input.value, 6)} ${input.unit}`.trim()).join(', ')}`} />,
+    detail: <Formula text={`${one.symbol} (${one.formula})${colon()} ${one.inputs.map((input) => `${input.symbol} = ${shortest(input.value, 6)} ${input.unit}`.trim()).join(', ')}`} />,
   })).sort(by_size);
   const first = bars[0];
   return (

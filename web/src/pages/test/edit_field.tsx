@@ -9,6 +9,7 @@ import { EditRecords } from './edit_records';
 import { field_unit, is_recording, plain_text, same_value, stated_text, typed_text } from './field_value';
 import { value_words } from './field_words';
 import type { TestState } from './state';
+import { colon, semicolon } from '../../i18n/colon';
 
 const t = texts({
   not_given: 'not given',
@@ -74,7 +75,7 @@ function origin_of(state: TestState, field: FieldInfo, stated: string, changed: 
   const instrument = taken?.instruments.find((one) => one.inputs[field.key] !== undefined);
   if (instrument && !changed) return t('instrument_says', { name: instrument.name, value: value_words(field, instrument.inputs[field.key] as string, vocabulary) });
   const calibrations = field.key === 'equipment' ? (taken?.calibrations ?? []) : [];
-  if (calibrations.length > 0) return t('archive_says', { value: calibrations.map(calibration_text).join('; ') });
+  if (calibrations.length > 0) return t('archive_says', { value: calibrations.map(calibration_text).join(semicolon()) });
   const limit = taken?.axis?.limits.find((one) => field.key === `tolerance.${one.parameter}`);
   if (limit && stated === '' && !changed) return t('axis_says', { value: value_words(field, String(limit.value), vocabulary) });
   if (!changed) return null;
@@ -85,7 +86,7 @@ function origin_of(state: TestState, field: FieldInfo, stated: string, changed: 
 /** "1: VI-2026-0113, 2026-01-13 – 2027-01-13", of the first component. */
 function calibration_text({ component, certificate, calibrated_on, calibration_due }: Calibration): string {
   const days = [calibrated_on, calibration_due].some((day) => day !== '') ? `${calibrated_on || '…'} – ${calibration_due || '…'}` : '';
-  return `${component}: ${[certificate, days].filter((part) => part !== '').join(', ')}`;
+  return `${component}${colon()} ${[certificate, days].filter((part) => part !== '').join(', ')}`;
 }
 
 type Ids = { id: string; 'aria-describedby': string | undefined; 'aria-invalid': 'true' | undefined };

@@ -4,6 +4,7 @@ import type { Field } from '../../api/types';
 import { texts } from '../../i18n/texts';
 import { marked, parsed } from '../../numbers';
 import { records_of, records_text } from './field_value';
+import { colon } from '../../i18n/colon';
 
 const t = texts({
   add: 'Add a row',
@@ -46,7 +47,7 @@ export function EditRecords({ ids, field, text, change }: Props) {
           <button type="button" class="plain" aria-label={t('remove', { row: r + 1 })} onClick={() => put(rows.filter((_, i) => i !== r))}>×</button>
         </div>
       ))}
-      <button {...ids} type="button" class="small" aria-label={`${t('add')}: ${field.title}`} onClick={() => set_rows([...rows, field.columns.map(() => '')])}>{t('add')}</button>
+      <button {...ids} type="button" class="small" aria-label={`${t('add')}${colon()} ${field.title}`} onClick={() => set_rows([...rows, field.columns.map(() => '')])}>{t('add')}</button>
     </div>
   );
 }

@@ -9,6 +9,7 @@ import { arrow, chart_model, drawable_limits, limit_colour, mean_uncertainty, po
 import { plain_symbol, position_decimals, type Quantity } from './figures_text';
 import { record_method } from './record_choice';
 import type { TestState } from './state';
+import { colon } from '../../i18n/colon';
 
 const t = texts({
   title: 'Deviations',
@@ -148,7 +149,7 @@ function reading_here(model: Model, place: ChartPlace): string | null {
   const series = place.series === null ? undefined : model.series[place.series];
   const value = series?.values[place.index];
   return series === undefined || typeof value !== 'number' || series.key.startsWith('mean_') || series.key === 'mean' ? null
-    : `${series.label}: ${fixed(value, 2)}`;
+    : `${series.label}${colon()} ${fixed(value, 2)}`;
 }
 
 const told: readonly (readonly [string, Quantity])[] = [
@@ -181,7 +182,7 @@ function spoken(evaluated: Evaluated, model: Model, place: ChartPlace): string {
   if (!position) return '';
   const target = t('target', { target: shortest(position.target), unit: position_unit(evaluated.result.axis.kind) });
   const reading = reading_here(model, place);
-  if (reading !== null) return `${target}: ${reading}`;
+  if (reading !== null) return `${target}${colon()} ${reading}`;
   const number = (quantity: Quantity) => fixed(position[quantity], position_decimals(evaluated, quantity));
   return t('spoken', {
     target, up: number('mean_up'), down: number('mean_down'), reversal: number('reversal'),

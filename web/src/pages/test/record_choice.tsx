@@ -4,6 +4,7 @@ import type { Evaluated, Method, Vocabulary } from '../../api/types';
 import { all_methods, method_title, method_word } from '../../components/uncertainty';
 import { texts } from '../../i18n/texts';
 import { method_field, type TestState } from './state';
+import { colon } from '../../i18n/colon';
 
 const t = texts({
   of_record: 'Uncertainty of record',
@@ -26,7 +27,7 @@ export function RecordLine({ state, vocabulary }: { state: TestState; vocabulary
   const chosen = field ? state.text_of(field) : '';
   return (
     <div class="record-line small">
-      <span class={editable ? 'only-print' : ''}>{t('of_record')}: {name}.</span>
+      <span class={editable ? 'only-print' : ''}>{t('of_record')}{colon()} {name}.</span>
       {editable && (
         <label class="no-print">{t('of_record')}
           <select value={chosen} onChange={(event) => { state.edit(); state.put(field, event.currentTarget.value); }}>

@@ -19,6 +19,7 @@ import { HowRead } from './asked_columns';
 import { Contents } from './contents';
 import { can_be_kept, incoming, is_asked, is_new, keep, keep_all, may_retry, remove, remove_all, retry, type Incoming } from './incoming';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 /** The chosen files, each with what is in it or why it is refused. */
 export function Previews({ on_formats }: { on_formats: () => void }) {
@@ -46,11 +47,12 @@ export function Previews({ on_formats }: { on_formats: () => void }) {
 function hint(files: readonly Incoming[]): string {
   const kept = files.filter((one) => one.state === 'kept').length;
   const asked = files.filter(is_asked).length;
-  const refused = files.filter((one) => one.preview?.refused || (one.error && one.state !== 'kept' && !may_retry(one))).length - asked;
-  const waiting = files.length - kept - refused - asked;
+  const elsewhere = files.filter((one) => one.preview?.instead).length;
+  const refused = files.filter((one) => one.preview?.refused || (one.error && one.state !== 'kept' && !may_retry(one))).length - asked - elsewhere;
+  const waiting = files.length - kept - refused - asked - elsewhere;
   return [
     kept > 0 && t('files_kept', { n: kept }), waiting > 0 && t('files_waiting', { n: waiting }), asked > 0 && t('files_asked', { n: asked }),
-    refused > 0 && t('files_refused', { n: refused }),
+    elsewhere > 0 && t('files_elsewhere', { n: elsewhere }), refused > 0 && t('files_refused', { n: refused }),
   ].filter(Boolean).join(', ');
 }
 
@@ -86,12 +88,13 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
         ? <Refusal one={one} message={one.error.message} place={one.error.place} on_formats={on_formats} />
         : <FailureNotice error={one.error} {...(may_retry(one) ? { retry: () => retry(one.key) } : {})} />)}
       {preview?.refused && (preview.instead === 'plan' ? <PlanFound one={one} why={why} /> : preview.instead === 'error-motion' ? <MotionFound one={one} />
-        : preview.instead === 'recording' ? <RecordingFound one={one} /> : !is_asked(one) && (
+        : preview.instead === 'recording' ? <RecordingFound one={one} />
+        : preview.instead === 'temperatures' ? <p class="notice">{t('is_temperatures')}</p> : !is_asked(one) && (
         <Refusal one={one} message={preview.refused.message} place={place_of(preview.refused)} on_formats={on_formats} />
       ))}
       {preview?.table && one.state !== 'kept' && <HowRead one={one} table={preview.table} />}
       {one.received
-        ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: {one.received.tests.map((test, i) => (
+        ? <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}{colon()} {one.received.tests.map((test, i) => (
             <span key={test.id}>
               {i > 0 && ', '}<a href={`/tests/${test.id}`}>{test.title || t('test_number', { id: test.id })}</a>
               {test.same_content.length > 0 && <span class="quiet"> ({t('same_bytes_as')} <TestLinks ids={test.same_content} />)</span>}
@@ -101,7 +104,7 @@ function FileEntry({ one, why, alone, on_formats }: { one: Incoming; why: string
             <p class="notice caution">{t('same')} <TestLinks ids={preview.same_content} /></p>
           )}
       {one.received?.tests.flatMap((test) => test.remarks).map((remark) => <p key={remark} class="notice caution">{sentence(remark)}</p>)}
-      {one.error?.receipt?.id && <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}: <TestLinks ids={[one.error.receipt.id]} /></p>}
+      {one.error?.receipt?.id && <p class="links"><VerdictMark verdict="conforms" short /> {t('kept')}{colon()} <TestLinks ids={[one.error.receipt.id]} /></p>}
       {preview && preview.tests.length > 0 && one.state !== 'kept' && <Contents preview={preview} />}
     </li>
   );

@@ -15,6 +15,8 @@ export const t = texts({
   is_plan: 'This is a test plan, not a test.',
   keep_plan: 'Keep it as a plan',
   files_refused: '{n} refused',
+  files_elsewhere: '{n} for another page',
+  is_temperatures: 'This is no test, but a log of temperatures. Drop it on the page of the test that it belongs to.',
   files_asked: '{n} with an open question',
   keep: 'Keep',
   keep_again: 'Keep again',

@@ -12,6 +12,7 @@ import { CoordinatesResult } from './coordinates_result';
 import { file_of, multilateration_options, new_coordinates, polar_options, type CoordinatesFile, type CoordinatesForm } from './coordinates_form';
 import { t } from './coordinates_texts';
 import { t as t_page } from './texts';
+import { colon } from '../../i18n/colon';
 
 const most_bytes = { multilateration: 7_500_000, polar: 1_900_000 };  // of all files together, as the server takes
 
@@ -89,7 +90,7 @@ export function CoordinatesPanel({ vocabulary }: { vocabulary: Vocabulary | null
             {files.map(({ file, kind }) => (
               <li key={file.name}>
                 <span class="mono small">{file.name}</span> <span class="quiet small">{t(kind === 'angles' ? 'with_angles' : kind === 'ranges' ? 'readings_of' : 'nominal')}</span>
-                <button type="button" class="plain small" aria-label={`${t('remove')}: ${file.name}`} onClick={() => set_files(files.filter((one) => one.file !== file))}>{t('remove')}</button>
+                <button type="button" class="plain small" aria-label={`${t('remove')}${colon()} ${file.name}`} onClick={() => set_files(files.filter((one) => one.file !== file))}>{t('remove')}</button>
               </li>
             ))}
           </ul>

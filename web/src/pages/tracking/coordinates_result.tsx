@@ -13,6 +13,7 @@ import { coordinates_scene } from './coordinates_scene';
 import { t } from './coordinates_texts';
 import { TrackingFindings } from './findings';
 import { axes } from './form';
+import { semicolon } from '../../i18n/colon';
 
 const most_rows = 200;
 const is_polar = (result: Coordinates): result is PolarResult => result.result === 'polar';
@@ -73,7 +74,7 @@ function Figures({ result }: { result: Coordinates }) {
 function Picture({ result }: { result: Coordinates }) {
   const { model, enlarged, most_um, farthest } = useMemo(() => coordinates_scene(result, t('off')), [result, language.value]);
   const told = [
-    t('picture_told', { points: count(result.points.length), stations: result.stations.map(({ name, position_mm }) => `${name} (${position_mm.map((mm) => shortest(mm, 1)).join('; ')})`).join(', ') }),
+    t('picture_told', { points: count(result.points.length), stations: result.stations.map(({ name, position_mm }) => `${name} (${position_mm.map((mm) => shortest(mm, 1)).join(semicolon())})`).join(', ') }),
     ...(most_um > 0 ? [t('picture_off', { n: count(enlarged), name: farthest, most: fixed(most_um, decimals_for(most_um, 3)) })] : []),
   ].join(' ');
   return (
@@ -111,7 +112,7 @@ function Stations({ result }: { result: Coordinates }) {
       { key: 'name', head: t('station'), row_head: true, cell: ({ name }) => name },
       ...axes.map((axis, c) => ({ key: axis, head: `${axis} / mm`, number: true, cell: ({ position_mm }: AnyStation) => fixed(position_mm[c], 4) })),
       ...axes.map((axis, c) => ({ key: `u${axis}`, head: `u(${axis}) / µm`, number: true, cell: ({ covariance_mm2 }: AnyStation) => fixed(u_um(covariance_mm2, c), 2) })),
-      { key: 'dead', head: t('dead_path'), number: true, cell: ({ dead_paths }) => (dead_paths.length === 0 ? absent : dead_paths.map(({ dead_path_mm }) => fixed(dead_path_mm, 4)).join('; ')) },
+      { key: 'dead', head: t('dead_path'), number: true, cell: ({ dead_paths }) => (dead_paths.length === 0 ? absent : dead_paths.map(({ dead_path_mm }) => fixed(dead_path_mm, 4)).join(semicolon())) },
       ...(has_scale ? [{ key: 'scale', head: t('scale_of'), number: true, cell: (one: AnyStation) => ('scale' in one ? `${fixed(1e6 * (one.scale - 1), 3)} ± ${fixed(1e6 * one.scale_u, 3)}` : absent) }] : []),
     ]} />
   );

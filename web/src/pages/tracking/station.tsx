@@ -12,6 +12,7 @@ import { axes, bounds_of, is_aligned, located_station, station_u, type LocatedSt
 import { MoreFields } from './more';
 import { t } from './texts';
 import { station_place } from './station_place';
+import { colon } from '../../i18n/colon';
 
 export const look = () => query({ language: language.value, decimal: decimal.value });
 export const place_text = (place: readonly number[], decimals = 1): string => axes.map((axis, k) => `${axis} ${shortest(place[k], decimals)}`).join(', ');
@@ -115,7 +116,7 @@ function Locate({ form, request, locate, points, set_points, asking, busy }: Pro
   const path = (of: string, asked: string) => `/api/tracking/station${of}${query({ language: language.value, decimal: decimal.value, options: asked })}`;
   const take = (file: File) => void asking(async () => {
     set_found(null);
-    if (sigma_fault !== null) throw new ApiError('refused', `${t('sigma')}: ${sigma_fault}`, 0);
+    if (sigma_fault !== null) throw new ApiError('refused', `${t('sigma')}${colon()} ${sigma_fault}`, 0);
     if (file.size > most_points) throw new ApiError('refused', t('too_large', { n: Math.round(file.size / 1000), most: most_points / 1000 }), 0);
     const asked = options();
     const station = (await (await made_of_files(path('', asked), file)).json()) as TrackingStation;

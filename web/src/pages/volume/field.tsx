@@ -15,6 +15,7 @@ import { field_scene, grid_of, largest_of, place_of, slice_range, usual_enlargem
 import { VolumeFindings } from './findings';
 import { given_model, type Modelled } from './model_parts';
 import { t } from './result_texts';
+import { colon } from '../../i18n/colon';
 
 const most_bytes = 30_000_000;  // as the server takes
 const nodes = 11;
@@ -175,7 +176,7 @@ function FieldPicture({ name, grid, field, look, place, tool, kind, most, view }
     <div class="field-picture">
       {name && <h3>{name}</h3>}
       {field.error_um.every((error) => error === null) ? <p class="notice caution">{t('no_field')}</p>
-        : <Scene model={scene} name={name ? `${t('field_name')}: ${name}` : t('field_name')} description={told} height={name ? 380 : 460} shared={view} />}
+        : <Scene model={scene} name={name ? `${t('field_name')}${colon()} ${name}` : t('field_name')} description={told} height={name ? 380 : 460} shared={view} />}
       <p class="small quiet" aria-live="polite">{told}</p>
       {sizes && (
         <dl class="figures">

@@ -4,6 +4,7 @@ import { NumberField, TripleFields } from '../tracking/fields';
 import type { Faults } from '../tracking/form';
 import type { PlaceForm, TextKey, VolumeForm } from './form';
 import { t } from './texts';
+import { colon } from '../../i18n/colon';
 
 export interface VolumeFormProps { form: VolumeForm; change: (part: Partial<VolumeForm>) => void; faults: Faults }
 
@@ -42,7 +43,7 @@ export function Places({ legend, hint, add, told, kind, places, least, most, fau
             <Field label={t('machine_name')} fault={faults[`${kind}.${k}.name`] ?? null}>
               {(ids) => <input {...ids} value={place.name} autocomplete="off" onInput={(event) => change(k, { name: event.currentTarget.value })} />}
             </Field>
-            {places.length > least && <button type="button" aria-label={`${t('remove')}: ${place.name}`} onClick={() => set(places.filter((_, i) => i !== k))}>{t('remove')}</button>}
+            {places.length > least && <button type="button" aria-label={`${t('remove')}${colon()} ${place.name}`} onClick={() => set(places.filter((_, i) => i !== k))}>{t('remove')}</button>}
           </div>
           <TripleFields legend={t(told, { name: place.name })} unit="" name={`${kind}.${k}`} values={place.at} faults={faults} set={(at) => change(k, { at })} />
         </div>

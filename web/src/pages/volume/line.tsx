@@ -14,6 +14,7 @@ import { axes } from './error_names';
 import { VolumeFindings } from './findings';
 import { given_model, machine_of, type Modelled } from './model_parts';
 import { t } from './result_texts';
+import { colon } from '../../i18n/colon';
 
 const is_axis = (line: string): boolean => (axes as readonly string[]).includes(line);
 
@@ -76,7 +77,7 @@ function Predicted({ line, name }: { line: PredictedLine; name: string }) {
         <div><dt>{t('slope')}</dt><dd class="number">{with_u(line.slope_um_per_m, line.slope_u_um_per_m, 'µm/m')}</dd></div>
         <div><dt>{t('reversal')}</dt><dd class="number">{line.reversal_um === null ? <span class="unit">{t('no_reversal')}</span> : <>{fixed(line.reversal_um, 2)} <span class="unit">µm</span></>}</dd></div>
       </dl>
-      <Chart {...chart} name={`${t('predicted')}: ${name}`} height={240} />
+      <Chart {...chart} name={`${t('predicted')}${colon()} ${name}`} height={240} />
       <p class="quiet small">{t('line_note')}</p>
     </>
   );

@@ -20,6 +20,7 @@ import { VolumeFindings } from './findings';
 import type { PlaceForm } from './form';
 import { plan_scene, reach_of } from './plan_scene';
 import { t } from './texts';
+import { colon, semicolon } from '../../i18n/colon';
 
 interface Props extends VolumeFormProps {
   draft: VolumetricDraft | null;
@@ -87,8 +88,8 @@ function MorePlan(props: Props) {
       <div class="tracking-form">
         {form.propose && (
           <>
-            <TripleFields legend={`${t('room')}: ${t('from', { axis: '' }).trim()}`} name="room_low" values={form.room_low} faults={faults} set={(room_low) => change({ room_low })} />
-            <TripleFields legend={`${t('room')}: ${t('to')}`} hint={t('room_hint')} name="room_high" values={form.room_high} faults={faults} set={(room_high) => change({ room_high })} />
+            <TripleFields legend={`${t('room')}${colon()} ${t('from', { axis: '' }).trim()}`} name="room_low" values={form.room_low} faults={faults} set={(room_low) => change({ room_low })} />
+            <TripleFields legend={`${t('room')}${colon()} ${t('to')}`} hint={t('room_hint')} name="room_high" values={form.room_high} faults={faults} set={(room_high) => change({ room_high })} />
           </>
         )}
         <Field label={t('reflector')}>
@@ -170,7 +171,7 @@ function told_of({ plan }: VolumetricDraft, run: number): string {
   const { low, high } = reach_of(plan, tool);
   const ends = (k: 0 | 1 | 2) => `${shortest(low[k], 1)} … ${shortest(high[k], 1)}`;
   const stations = Object.entries(plan.machine.stations_mm as Record<string, number[]>)
-    .map(([name, at]) => `${name} (${at.map((mm) => shortest(mm, 0)).join('; ')})`).join(', ');
+    .map(([name, at]) => `${name} (${at.map((mm) => shortest(mm, 0)).join(semicolon())})`).join(', ');
   return t('picture_told', { tool, x: ends(0), y: ends(1), z: ends(2), stations, n: stops.length, run: t('run_of', { n: run + 1, station, tool }) });
 }
 
@@ -200,7 +201,7 @@ interface Row { name: string; kind: string; unit: string; u_mean: number | null;
 
 function Expected({ expected }: { expected: VolumetricExpectation }) {
   const rows: Row[] = [
-    ...motions.map((motion) => ({ name: motion.name, kind: `${motion.axis}: ${kind_of(motion)}`, unit: motion.unit as string })),
+    ...motions.map((motion) => ({ name: motion.name, kind: `${motion.axis}${colon()} ${kind_of(motion)}`, unit: motion.unit as string })),
     ...squarenesses.map(([name, a, b]) => ({ name, kind: `${a} ⟂ ${b}`, unit: 'µrad' })),
   ].map((row) => ({ ...row, ...(expected.errors[row.name] ?? { u_mean: null, u_max: null }) }));
   const number = (key: 'u_mean' | 'u_max', head: string) =>

@@ -27,7 +27,9 @@ export function ResidualChart({ csv }: { csv: string }) {
 
 function chart_of(list: Residual[]): ChartModel {
   const taken = list.map(({ value, aside }) => (aside ? null : value));
-  const set_aside = list.map(({ value, aside }) => (aside ? value : null));
+  // They do not count, and would press all that do onto the line of zero.
+  const edge = 1.25 * list.reduce((most, { value, sigma, aside }) => Math.max(most, 2 * sigma, aside ? 0 : Math.abs(value)), 0);
+  const set_aside = list.map(({ value, aside }) => (aside ? Math.min(edge, Math.max(-edge, value)) : null));
   return {
     x: list.map((_, k) => k + 1), x_label: t('reading'), y_label: t('residual'), y_zero: true,
     bands: [{ key: 'sigma', colour: '--series-1', opacity: 0.12, upper: list.map(({ sigma }) => 2 * sigma), lower: list.map(({ sigma }) => -2 * sigma) }],

@@ -14,6 +14,7 @@ import { axes, kind_of, motions, squarenesses, type Axis } from './error_names';
 import { t as t_result } from './result_texts';
 import { error_names, errors_of, is_motion, new_singles, read_singles, unit_of, type SingleRow, type SinglesForm, type SinglesRead } from './singles_form';
 import { t } from './singles_texts';
+import { colon } from '../../i18n/colon';
 
 const most_bytes = 7_500_000;  // of all files, as the server takes
 
@@ -132,8 +133,8 @@ function FileRow({ row, faults, change, remove, also }: { row: SingleRow; faults
       <div class="single-file">
         <span class="mono small">{file.name}</span>
         <span class="row">
-          <button type="button" class="plain small" aria-label={`${t('also')}: ${file.name}`} onClick={also}>{t('also')}</button>
-          <button type="button" class="plain small" aria-label={`${t('remove')}: ${error} ${file.name}`} onClick={remove}>{t('remove')}</button>
+          <button type="button" class="plain small" aria-label={`${t('also')}${colon()} ${file.name}`} onClick={also}>{t('also')}</button>
+          <button type="button" class="plain small" aria-label={`${t('remove')}${colon()} ${error} ${file.name}`} onClick={remove}>{t('remove')}</button>
         </span>
       </div>
       <div class="single-fields">

@@ -120,6 +120,6 @@ export const t = texts({
   residuals_how: 'What the errors do not explain of each length, in the order of measurement: without a pattern where all is well.',
   reading: 'Length, in the order of measurement',
   residual: 'Residual / µm',
-  aside: 'set aside',
+  aside: 'set aside, at the edge where beyond it',
   taken_reading: 'taken',
 });

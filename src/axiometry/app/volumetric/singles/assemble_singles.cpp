@@ -20,6 +20,7 @@
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
 #include "axiometry/report/figures/error_motions.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::app {
@@ -133,7 +134,8 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
     add(shown ? std::optional(shown->u) : std::nullopt);
     if (by_direction) add(shown ? shown->reversal : std::nullopt);
     row.push_back(word_cell(error && !error->is_rotation() ? "µm" : "µrad"));
-    row.push_back({report::verbatim(item.file)});
+    row.push_back(item.file.empty() ? report::TableCell{plain("–"), report::Tone::quiet}
+                                    : report::file_cell(item.file));
     if (named) row.push_back({report::verbatim(item.equipment)});
   }
   table.notes = {
@@ -196,17 +198,26 @@ Experiment present(const Assembled& a, const report::Options& options) {
   document.kind = "Measurement";
   document.running_head = report::translated(document.title, options);
   document.running_status = document.edition;
-  document.identity = {{plain("Machine"), {report::verbatim(a.request.machine)}}};
+  const std::string& machine = a.made.model.machine().name;
+  document.identity = {
+      {plain("Machine"), machine.empty() ? report::file_cell(a.request.machine) : report::TableCell{report::verbatim(machine)}},
+      {plain("Kinematic chain"), {report::verbatim(a.made.model.machine().chain.text())}}};
   report::Section section{"errors", "Errors", true, {}};
   section.blocks.emplace_back(singles_table(a, options));
   document.sections.push_back(std::move(section));
   document.sections.push_back(curves_section(a, options));
-  if (a.made.findings.empty() && a.remarks.empty()) return experiment;
-  report::Section findings{"findings", "Findings", false, {}};
-  for (const NamedFinding& finding : a.made.findings)
-    findings.blocks.emplace_back(report::Paragraph{report::sentence(finding.message)});
-  for (const std::string& remark : a.remarks) findings.blocks.emplace_back(report::Paragraph{report::sentence(remark)});
-  document.sections.push_back(std::move(findings));
+  if (!a.made.findings.empty() || !a.remarks.empty()) {
+    report::Section findings{"findings", "Findings", false, {}};
+    for (const NamedFinding& finding : a.made.findings)
+      findings.blocks.emplace_back(report::Paragraph{report::sentence(finding.message)});
+    for (const std::string& remark : a.remarks)
+      findings.blocks.emplace_back(report::Paragraph{report::sentence(remark)});
+    document.sections.push_back(std::move(findings));
+  }
+  std::vector<report::SourceFile> files = {{"Machine", a.request.machine, a.machine_sha256}};
+  for (const AssembledItem& item : a.items)
+    if (!item.file.empty()) files.push_back({item.name, item.file, item.sha256});
+  document.sections.push_back(report::provenance_of_files(files));
   return experiment;
 }
 

@@ -171,8 +171,10 @@ void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
   ask(rules::impossible_date(c));
 }
 
-/// Values that hold what is known to be wrong with them, or lack what the machine did.
-void add_known_errors(Against& against, const Test& test, const Assessment& assessment) {
+}  // namespace
+
+std::vector<Finding> errors_known_of(const Test& test, const Assessment& assessment) {
+  std::vector<Finding> against;
   if (auto why = simulated_by_purpose(test.metadata.conditions.purpose))
     against.push_back(rules::missing("simulated", "1", *std::move(why)));
   if (has_swapped_labels(test))
@@ -183,7 +185,10 @@ void add_known_errors(Against& against, const Test& test, const Assessment& asse
         "found readings from which a drift was taken, of which nobody can tell that the machine had no part in it"));
   for (const UncorrectedEffect& effect : assessment.uncorrected)
     against.push_back(rules::missing("uncorrected-effect", "4.1", effect.reason()));
+  return against;
 }
+
+namespace {
 
 Against against_tested(const Case& c, const Test& test, const Assessment& assessment) {
   Against against;
@@ -200,7 +205,7 @@ Against against_tested(const Case& c, const Test& test, const Assessment& assess
   for (const auto& [clause, key] : items_of_the_test) add_unless_given(against, clause, key, c.metadata);
   add_impossible(against, c.metadata);
   add_doubts(against, c, assessment);
-  add_known_errors(against, test, assessment);
+  std::ranges::move(errors_known_of(test, assessment), std::back_inserter(against));
   const std::string& artefact = c.metadata.artefact.type;
   const bool by_artefact = !text::says_nothing(artefact) && !text::says_none(artefact);
   if (!by_artefact) add_unless_given(against, "5.3.1", "equipment", c.metadata);

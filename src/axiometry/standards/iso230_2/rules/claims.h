@@ -36,6 +36,10 @@ using Claims = std::array<Claim, 3>;
 /// Of an assessment of either depth.
 Claims claims_of(const Test& test, const Assessment& assessment);
 
+/// What is known to be wrong with the values, or to lack of what the machine did: simulated readings, swapped labels, a
+/// drift taken out, effects neither corrected nor in the uncertainty.
+std::vector<Finding> errors_known_of(const Test& test, const Assessment& assessment);
+
 inline const Claim& claim(const Claims& claims, ClaimKind kind) { return claims[static_cast<std::size_t>(kind)]; }
 
 /// "contradicted by 2 points, 3 points open"; empty where it holds.
