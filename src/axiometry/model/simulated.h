@@ -16,10 +16,14 @@ inline constexpr std::string_view simulated_date = "None: simulated";
 /// A line that says it, above a recording or a table.
 inline constexpr std::string_view simulated_note = "Simulated, not measured";
 
+/// The machine of a simulation that no plan names one for.
+inline constexpr std::string_view virtual_machine = "Virtual machine";
+
 /// The machine that they belong to, one of its own, so that no trend of the measured one shows them.
 inline std::string simulated_machine(const std::string& name) {
   constexpr std::string_view mark = " (simulated)";
   if (name.empty()) return "Simulator";
+  if (name == virtual_machine) return name;
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 

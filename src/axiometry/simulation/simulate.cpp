@@ -92,7 +92,7 @@ Metadata metadata_of(const Request& request) {
                                                      : "In the axis of motion, without offset";
   if (m.axis.scale_type.empty()) m.axis.scale_type = "Simulated";
   if (m.axis.compensation.empty()) m.axis.compensation = "none";
-  m.machine.name = plan.machine.empty() ? "Virtual machine" : simulated_machine(plan.machine);
+  m.machine.name = plan.machine.empty() ? std::string(virtual_machine) : simulated_machine(plan.machine);
   m.machine.type = "Simulated axis";
   m.machine.axes_travel = travels_of(plan, m.axis.name);
   m.conditions = conditions_of(request);

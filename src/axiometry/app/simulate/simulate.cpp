@@ -43,7 +43,7 @@ Plan standard_plan() {
   request.axis.travel_end = Position::native(500.0);
   request.axis.expected_period = Position::native(10.0);
   request.axis.scale_type = "Ball screw and rotary encoder, pitch 10 mm (simulated)";
-  request.machine = "Virtual machine";
+  request.machine = virtual_machine;
   request.count = 11;
   request.feed = 3000.0;
   request.seed = 1;
