@@ -280,7 +280,9 @@ Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, Po
   if (position.unit != nullptr && position.unit->kind != kind)
     return fail(fmt::format("found positions in {}, expected {} for a {} axis", position.unit->symbol,
                             kind == AxisKind::linear ? "a unit of length" : "a unit of angle", axis_kind_name(kind)));
-  if (const std::string_view unread = position.unit == nullptr ? unit_not_read(position.name) : ""; !unread.empty())
+  const std::string_view unread =
+      position.unit != nullptr || choice.in_any_unit ? std::string_view() : unit_not_read(position.name);
+  if (!unread.empty())
     return fail(fmt::format("found positions in {}, expected one of {}", text::quoted(unread), unit_names()));
   if (!choice.stated && position.unit == nullptr && names_other(position.name))
     return fail(fmt::format("found the column {}, expected positions", text::quoted(cells[columns.position])));
