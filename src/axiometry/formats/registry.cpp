@@ -5,6 +5,7 @@
 #include "axiometry/formats/csv/csv_columns.h"
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/motions/motion_csv.h"
+#include "axiometry/formats/passed_over.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/other_tables.h"
@@ -66,6 +67,19 @@ Result<const Format*> recognise(std::string_view head) {
                           "begins with a header such as {}",
                           text::quoted(first_line(text)), format_table().size(), long_table_head(AxisKind::linear)),
               {1, 1});
+}
+
+Result<void> check_passed_over(std::string_view head) {
+  const auto readable = readable_text(head);
+  if (!readable && is_packed(head)) return std::unexpected(readable.error());
+  if (!check_no_other_error(head)) return {};
+  const auto decoded = readable ? DecodedText{} : decoded_text(head.substr(0, head.size() / 2 * 2));
+  if (!decoded) return {};
+  const std::string_view text = readable ? *readable : decoded->text;
+  if (!check_no_other_table(text)) return {};
+  const auto best = best_for(text);
+  if (!best) return std::unexpected(best.error());
+  return *best == nullptr ? check_table(text) : Result<void>();
 }
 
 }  // namespace axiometry::formats

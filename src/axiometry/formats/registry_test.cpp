@@ -7,6 +7,7 @@
 
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/formats/passed_over.h"
 #include "tests/support/manual_example.h"
 
 namespace axiometry::formats {
@@ -85,6 +86,21 @@ TEST(Registry, SaysWhatStandsInTheWayOfATableThatIsNotRecognised) {
   EXPECT_EQ(answer(in_utf16(longer)), answer(longer));
   EXPECT_EQ(answer(in_utf16(longer)), "line 3:15: found 4 fields, expected 3 as in the rest of the table");
   EXPECT_TRUE(answer("Dear Sir,\nours of 4 5\nwith 1 2 3\n").contains("found text that begins with \"Dear Sir,\""));
+}
+
+TEST(Registry, PassesOverNoTableWithAQuestionAndNothingPacked) {
+  const auto said = [](std::string_view bytes) {
+    const auto passed = check_passed_over(bytes);
+    return passed ? std::string() : passed.error().to_string();
+  };
+  std::string table = "unit = mm\n[X]\n";
+  for (int i = -4; i <= 4; ++i) table += fmt::format("{}.000, 0.0{}08, -0.0{}04\n", 5 * i, 5 + i, 6 + i);
+  EXPECT_TRUE(said(table).contains("found an open question")) << said(table);
+  EXPECT_TRUE(said("\x1F\x8B\x08").contains("a gzip archive"));
+  EXPECT_TRUE(said(std::string_view("PK\x03\x04\0", 5)).contains("a ZIP archive or a spreadsheet"));
+  EXPECT_EQ(said("Dear Sir,\nours of 4 5\nwith 1 2 3\n"), "");
+  EXPECT_EQ(said("%PDF-1.7\n"), "");
+  EXPECT_EQ(said("# error: EYX\nposition_mm,direction,run,reading_um\n0,up,1,1\n"), "");
 }
 
 TEST(Registry, KnowsNoOtherFormat) { EXPECT_EQ(find_format("xlsx"), nullptr); }

@@ -18,6 +18,12 @@ namespace axiometry::nc {
 enum class LengthUnit { mm, inch };
 
 /// How the program is to be written; the plan says what it does.
+/// What speaks against calling a plan one after its standard, told in a comment.
+struct PlanStanding {
+  std::size_t departures = 0;
+  std::size_t missing = 0;  ///< points that are open
+};
+
 struct ProgramOptions {
   LengthUnit unit = LengthUnit::mm;             ///< unit of linear axes; angles are in degrees always
   bool unrolled = false;                        ///< no loops and variables even where the control has them
@@ -28,9 +34,11 @@ struct ProgramOptions {
   bool stop_at_start = false;             ///< a stop for the operator to set the instrument, before the first target
   bool stop_at_lines = false;             ///< likewise before the first target of each plan: the beam is to be found
   std::optional<Duration> duration = {};  ///< time that all plans take, as their sheets estimate it, told in a comment
-  std::string_view title = {};            ///< title of a program of several plans, told in a comment
-  std::string frame = "active";           ///< name of the frame that positions are coordinates of (nc/work_frame.h)
-  bool rollover = false;                  ///< whether the rotary axis knows its position within one turn only
+  std::optional<double> acceleration = {};  ///< acceleration that this holds for, mm/s² or °/s²
+  PlanStanding standing = {};               ///< of a single plan
+  std::string_view title = {};              ///< title of a program of several plans, told in a comment
+  std::string frame = "active";             ///< name of the frame that positions are coordinates of (nc/work_frame.h)
+  bool rollover = false;                    ///< whether the rotary axis knows its position within one turn only
 };
 
 struct Dialect {

@@ -38,8 +38,18 @@ constexpr char axis_letters[] = {'X', 'Y', 'Z'};
 /// "X 0.707107 Y 0.707107 Z 0"
 std::string xyz(Vector3 v) { return fmt::format("X {} Y {} Z {}", native(v.x), native(v.y), native(v.z)); }
 
+/// A standard for positions says nothing of other errors.
 std::string test_line(const Plan& plan) {
+  if (!measures_positions(plan)) return "READINGS OF " + errors_text(plan);
   return plan.clause.empty() ? "TEST " + plan.standard : fmt::format("TEST {}, {}", plan.standard, plan.clause);
+}
+
+void add_standing(std::vector<std::string>& lines, const PlanStanding& standing) {
+  const auto counted = [](std::size_t n, std::string_view word) {
+    return fmt::format("{} {}{}", n, word, n == 1 ? "" : "S");
+  };
+  if (standing.departures > 0) lines.push_back("NOT IN ACCORDANCE, " + counted(standing.departures, "DEPARTURE"));
+  if (standing.missing > 0) lines.push_back("NOT YET IN ACCORDANCE, " + counted(standing.missing, "POINT") + " OPEN");
 }
 
 /// Of a plan without and with a line in space.
@@ -98,6 +108,9 @@ void add_once(std::vector<std::string>& lines, const Plan& plan) {
 void add_end(std::vector<std::string>& lines, const ProgramOptions& options, std::string_view frame,
              const Plan& first) {
   if (options.duration) lines.push_back("DURATION ABOUT " + duration_text(*options.duration));
+  if (options.duration && options.acceleration)
+    lines.push_back(fmt::format("AT AN ACCELERATION OF {} {}/S2", format_exact(*options.acceleration),
+                                first.axis.kind == AxisKind::linear ? "MM" : "DEG"));
   lines.emplace_back(frame);
   const auto line = spatial_line(first.axis);
   if (!line) return;
@@ -115,6 +128,7 @@ std::vector<std::string> headlines(const Plan& plan, const ProgramOptions& optio
   std::vector<std::string> lines;
   if (in_space && !plan.axis.name.empty()) lines.push_back(line_name(plan));
   lines.push_back(test_line(plan));
+  add_standing(lines, options.standing);
   if (!cycle_label(plan.cycle).empty()) lines.emplace_back(cycle_label(plan.cycle));
   if (!plan.title.empty()) lines.push_back("TITLE " + plan.title);
   add_once(lines, plan);

@@ -44,6 +44,8 @@ class Coordinates {
   /// What fewer decimals, where they were asked for, would move: "TARGETS" or "WAYS".
   std::string_view moved() const { return moved_; }
   bool in_inch() const { return in_inch_; }
+  /// Behind a coordinate that a person reads: a control shows mm unless told otherwise.
+  std::string_view unit_word() const { return in_inch_ ? " INCH" : ""; }
 
   /// A coordinate of one axis in mm or degrees, as it is printed: "-12.5000"; "12." without decimals.
   std::string text(double mm_or_deg) const;

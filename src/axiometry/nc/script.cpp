@@ -153,9 +153,9 @@ Result<Spelling> make_spelling(const Plan& plan, const ProgramOptions& options, 
 }
 
 /// The block before tells where several axes are, which would be too long for a display.
-std::string stop_message(const Move& last) {
-  if (last.axes.size() > 1) return "SET THE INSTRUMENT, THE AXES ARE AT THE START OF THE LINE";
-  return fmt::format("SET THE INSTRUMENT, {} IS AT {}", last.axes[0].axis, last.axes[0].coordinate);
+OperatorStop stop_at(const Move& last, std::string_view unit) {
+  if (last.axes.size() > 1) return {"SET THE INSTRUMENT, THE AXES ARE AT THE START OF THE LINE"};
+  return {fmt::format("SET THE INSTRUMENT, {} IS AT {}{}", last.axes[0].axis, last.axes[0].coordinate, unit)};
 }
 
 /// What follows on a move to a reading: dwell, trigger, and its end where it would stay on.
@@ -182,7 +182,7 @@ class ScriptWriter {
     const bool stops = options_.stop_at_lines || (options_.stop_at_start && !std::exchange(started_, true));
     for (std::size_t k = 0; k < stretches.size(); ++k) {
       stretch(stretches[k]);
-      if (k == 0 && stops) list_.push_back(OperatorStop{stop_message(std::get<Move>(list_.back()))});
+      if (k == 0 && stops) list_.push_back(stop_at(std::get<Move>(list_.back()), spelling.coordinates.unit_word()));
     }
     for (Vector3 point : plan.way_out_mm) way(point, "WAY OUT");
   }

@@ -186,6 +186,19 @@ Result<CaseComparison> check_quantity(const Statement& s, const OperationOutcome
   return unmet(s, expected, got, fmt::format("{:.3g} {}", difference, deviation_unit_key(context.kind)));
 }
 
+/// Of ISO 230-2:2014, and what findings about files and diagonals have in its place.
+bool is_known_clause(std::string_view clause) {
+  constexpr std::string_view known[] = {"1",       "2",       "4.1",   "4.2",   "4.3",   "5.1",   "5.2",     "5.3",
+                                        "5.3.1",   "5.3.2",   "5.3.3", "5.3.4", "5.3.5", "6.1",   "6.2",     "6.3",
+                                        "7",       "8",       "8.1",   "8.2",   "8.2.1", "8.2.2", "8.2.3",   "8.2.4",
+                                        "A.2.1",   "A.2.2",   "A.2.3", "A.2.4", "A.2.5", "A.2.6", "Annex A", "Annex B",
+                                        "Annex C", "Annex D", "230-6", "source"};
+  constexpr unsigned long long terms = 24;  // 3.1 to 3.24
+  if (text::is_one_of(clause, known)) return true;
+  const auto term = clause.starts_with("3.") ? parse_count(clause.substr(2)) : std::nullopt;
+  return term && *term >= 1 && *term <= terms;
+}
+
 /// expect [no] finding [CLAUSE] [SEVERITY] ["TEXT"]
 Result<CaseComparison> check_finding(const Statement& s, const OperationOutcome& outcome) {
   const bool wanted = !s.words[1].is("no");
@@ -196,8 +209,14 @@ Result<CaseComparison> check_finding(const Statement& s, const OperationOutcome&
   // Annexes are cited in two words: Annex B.
   std::string annex;
   if (clause == "Annex" && index < s.words.size()) clause = annex = fmt::format("Annex {}", s.words[index++].text);
+  if (!wanted && !clause.empty() && !is_known_clause(clause))
+    return unexpected_word(s, index - 1,
+                           "a clause of ISO 230-2:2014 that findings cite, such as 5.3.2, 'Annex B' or source");
   if (index < s.words.size() && is_severity(s.words[index])) severity = s.words[index++].text;
-  if (index < s.words.size() && s.words[index].quoted) part = s.words[index++].text;
+  if (index < s.words.size() && s.words[index].quoted) {
+    if (s.words[index].text.empty()) return unexpected_word(s, index, "a \"text\" that is not empty");
+    part = s.words[index++].text;
+  }
   if (index < s.words.size()) return unexpected_word(s, index, "departure, missing, note or a \"text\"");
   const auto& findings = outcome.assessment.findings;
   const auto match = std::ranges::find_if(findings, [&](const iso230_2::Finding& f) {
@@ -231,7 +250,8 @@ Result<CaseComparison> check_label(const Statement& s, const OperationOutcome& o
 }
 
 Result<CaseComparison> check_error(const Statement& s, const Result<OperationOutcome>& outcome) {
-  if (s.words.size() != 3 || !s.words[2].quoted) return unexpected_word(s, 2, "a \"text\" of the message");
+  if (s.words.size() != 3 || !s.words[2].quoted || s.words[2].text.empty())
+    return unexpected_word(s, 2, "a \"text\" of the message");
   if (outcome) return unmet(s, "an error", "a result");
   const std::string message = outcome.error().to_string();
   if (message.find(s.words[2].text) != std::string::npos) return met(s, message);

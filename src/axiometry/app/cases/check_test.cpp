@@ -62,6 +62,16 @@ TEST(CheckCase, SaysWhatWasExpectedAndWhatCame) {
                                  HasSubstr("line 13: no finding 8.1: got 8.1: not given")));
 }
 
+TEST(CheckCase, RefusesWhatIsMetWhateverComes) {
+  EXPECT_THAT(error_of(small_with("expect no finding 5.9.9\n")),
+              HasSubstr("line 6:19: found \"5.9.9\", expected a clause"));
+  EXPECT_THAT(error_of(small_with("expect no finding \"\"\n")), HasSubstr("expected a \"text\" that is not empty"));
+  EXPECT_THAT(error_of(small_with("expect finding 8.1 \"\"\n")), HasSubstr("expected a \"text\" that is not empty"));
+  EXPECT_THAT(error_of(small_with("expect error \"\"\n")), HasSubstr("expected a \"text\" of the message"));
+  EXPECT_EQ(error_of(small_with("expect no finding 3.17\nexpect no finding Annex D\nexpect no finding source\n")),
+            "no error");
+}
+
 TEST(CheckCase, NamesTheWordItDoesNotUnderstand) {
   EXPECT_EQ(error_of("expect A = 1 um\n"),
             "line 1:1: found \"expect\", expected 'operation iso230-2' or 'operation model' first");

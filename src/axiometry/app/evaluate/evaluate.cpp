@@ -17,6 +17,7 @@
 #include "axiometry/app/recordings/read_recording.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/motions/motion_csv.h"
+#include "axiometry/formats/passed_over.h"
 #include "axiometry/formats/table/generic_delimited.h"
 #include "axiometry/formats/temperatures/temperature_log.h"
 #include "axiometry/model/fields.h"
@@ -369,7 +370,10 @@ Result<bool> evaluate_input(const InputFile& input, const EvaluateOptions& optio
     if (input.from_folder && options.profile.empty()) {
       AXIOMETRY_TRY(const std::string_view head, source.head());
       known = recognised(head);
-      if (!known->format) return false;
+      if (!known->format) {
+        if (known->recording == nullptr) AXIOMETRY_TRY_VOID(formats::check_passed_over(head));
+        return false;
+      }
     }
     AXIOMETRY_TRY_VOID(evaluate_source(source, options, threads, sink, std::move(known)));
     return true;

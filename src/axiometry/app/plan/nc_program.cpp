@@ -32,7 +32,17 @@ struct Programme {
   /// For each plan: the interferometer is aligned with one line after the other, so that the program always waits for
   /// the operator before each.
   bool set_up_anew = false;
+  nc::PlanStanding standing{};  ///< of the plan that a single test is of, with those that belong to it
 };
+
+nc::PlanStanding standing_of(const Plan& plan) {
+  nc::PlanStanding standing;
+  for (const iso230_2::Finding& finding : iso230_2::plan_findings(plan)) {
+    if (finding.severity == iso230_2::Severity::departure) ++standing.departures;
+    if (finding.severity == iso230_2::Severity::missing) ++standing.missing;
+  }
+  return standing;
+}
 
 Result<Programme> programme_of_part(const Plan& plan, const NcRequest& request) {
   if (!request.line.empty())
@@ -43,7 +53,8 @@ Result<Programme> programme_of_part(const Plan& plan, const NcRequest& request) 
   if (request.part < 1 || request.part > plan.further.size() + 1)
     return fail(fmt::format("found part {} asked for, expected {}", request.part,
                             plan.further.empty() ? "1" : fmt::format("1 to {}", plan.further.size() + 1)));
-  return Programme{"", {request.part == 1 ? plan : plan.further[request.part - 2]}};
+  return Programme{
+      .title = "", .plans = {request.part == 1 ? plan : plan.further[request.part - 2]}, .standing = standing_of(plan)};
 }
 
 /// What a comment in the program can say.
@@ -105,9 +116,16 @@ Duration duration_of(std::span<const Plan> plans) {
   return sum;
 }
 
+/// The axis follows each of them as fast as is usual: a plan does not tell its acceleration.
+double usual_acceleration_of(const Programme& programme) {
+  return iso230_2::usual_acceleration(programme.plans.front().axis.kind);
+}
+
 Result<std::string> program_of(const Programme& programme, const nc::Dialect& dialect, nc::ProgramOptions options) {
   options.title = programme.title;
   options.duration = duration_of(programme.plans);
+  options.acceleration = usual_acceleration_of(programme);
+  options.standing = programme.standing;
   options.stop_at_lines = options.stop_at_lines || programme.set_up_anew;
   return dialect.write(programme.plans, options);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/plan/nc_program.h"
+#include "axiometry/standards/iso230_2/plan/plan.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +33,28 @@ TEST_F(NcProgram, WalksThePartOfThePlanThatIsAskedFor) {
   ASSERT_TRUE(second);
   EXPECT_NE(first->find("AXIS X"), std::string::npos);
   EXPECT_NE(second->find("AXIS Y"), std::string::npos);
+}
+
+TEST_F(NcProgram, SaysWhatSpeaksAgainstThePlan) {
+  const auto program = nc_program({.plan = plan_, .dialect = "grbl"});
+  ASSERT_TRUE(program);
+  EXPECT_NE(program->find("NOT IN ACCORDANCE, "), std::string::npos) << *program;
+  EXPECT_NE(program->find("AT AN ACCELERATION OF 1000 MM/S2"), std::string::npos) << *program;
+  iso230_2::PlanRequest request;
+  request.axis.name = "X";
+  request.axis.travel_begin = Position::native(0);
+  request.axis.travel_end = Position::native(500);
+  request.seed = 7;
+  Plan plan = iso230_2::make_plan(request).value();
+  const auto sound = nc_program_of(plan, {.dialect = "grbl"});
+  ASSERT_TRUE(sound);
+  EXPECT_NE(sound->find("(TEST ISO 230-2-2014, 5.3.2)"), std::string::npos) << *sound;
+  EXPECT_EQ(sound->find("ACCORDANCE"), std::string::npos) << *sound;
+  plan.errors = {motion_name("EYX").value()};
+  const auto other = nc_program_of(plan, {.dialect = "grbl"});
+  ASSERT_TRUE(other);
+  EXPECT_NE(other->find("READINGS OF EYX"), std::string::npos) << *other;
+  EXPECT_EQ(other->find("TEST ISO"), std::string::npos);
 }
 
 TEST_F(NcProgram, SaysWhatThereIsInsteadOfWhatIsNot) {

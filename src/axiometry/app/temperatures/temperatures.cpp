@@ -72,6 +72,8 @@ json::Value to_json(const EvaluatedTemperatures& evaluated) {
   object.add("sensors", sensors_to_json(log));
   Value& remarks = object.add("remarks", Value::array());
   for (const std::string& remark : log.remarks) remarks.push(remark);
+  Value& gaps = object.add("gaps", Value::array());
+  for (const std::string& gap : iso230_2::gaps_of(evaluated.environment)) gaps.push(gap);
   Value& source = object.add("source", Value::object());
   source.add("file", evaluated.file);
   source.add("sha256", evaluated.sha256);

@@ -18,9 +18,11 @@
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
+#include "axiometry/formats/text/simulated_note.h"
 #include "axiometry/formats/tracking/station_json.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
 #include "axiometry/model/aligned.h"
+#include "axiometry/model/simulated.h"
 #include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/tracking.h"
 #include "axiometry/tracking/lengths/reading_order.h"
@@ -131,12 +133,14 @@ void note_provenance(EvaluatedLines& evaluated, const formats::TrackingLengths& 
 }
 
 /// Lengths at approaches, out of a continuous recording.
-Result<Assigned> recorded(Source& source, const TrackingEvaluateOptions& options, EvaluatedLines& evaluated) {
+Result<Assigned> recorded(Source& source, const TrackingEvaluateOptions& options, EvaluatedLines& evaluated,
+                          Metadata& metadata) {
   CaptureOptions recording = options.recording;
   recording.matcher.reversed = options.reversed;
   AXIOMETRY_TRY(CapturedLengths lengths, read_length_recording(source, evaluated.plan, recording));
   evaluated.lengths = {source.name(), lengths.sha256};
   evaluated.recording = lengths.layout;
+  if (lengths.simulated) metadata.conditions.purpose = simulation_purpose;
   for (std::string& note : lengths.notes)
     evaluated.evaluation.findings.push_back({"lines-recording", false, std::move(note)});
   return Assigned{std::move(lengths.readings), std::move(lengths.times_s)};
@@ -147,7 +151,7 @@ Result<Assigned> read_lengths(Source& source, const TrackingEvaluateOptions& opt
                               formats::TrackingLengths& table) {
   AXIOMETRY_TRY(const std::string_view head, source.head());
   if (!options.recording.stream.empty() || formats::is_length_recording(head, evaluated.plan))
-    return recorded(source, options, evaluated);
+    return recorded(source, options, evaluated, table.metadata);
   AXIOMETRY_TRY_VOID(check_no_recording_stated(options.recording));
   AXIOMETRY_TRY(const std::string bytes, source.read_all(read_budget::file_bytes));
   evaluated.lengths = {source.name(), sha256(bytes)};
@@ -165,6 +169,8 @@ Result<EvaluatedLines> evaluate_source(Source& source, const TrackingFiles& file
   formats::TrackingLengths read;
   AXIOMETRY_TRY(Assigned readings, in_file(read_lengths(source, options, evaluated, read), lengths));
   evaluated.lengths.file = lengths;
+  if (read.metadata.conditions.purpose == simulation_purpose)
+    evaluated.evaluation.findings.push_back({"lines-simulated", false, std::string(formats::simulated_lengths)});
   AXIOMETRY_TRY_VOID(set_metadata(read.metadata, options.metadata));
   tracking::LineEvaluationOptions of_lines;
   of_lines.metadata = read.metadata;

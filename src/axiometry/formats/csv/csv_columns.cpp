@@ -81,12 +81,32 @@ constexpr std::string_view numbering_words[] = {"no", "nr", "number", "index", "
 constexpr std::string_view filler_words[] = {"positioning", "of", "point", "x",      "the",
                                              "reading",     "at", "axis",  "travel", "value"};
 constexpr std::string_view ignored_words[] = {
-    "time", "timestamp", "date", "comment", "comments", "note", "notes", "remark", "remarks", "temperature", "temp",
-    "pressure", "humidity", "operator", "sequence", "no", "nr", "index", "point", "row", "line", "i", "zeit", "uhrzeit",
-    "datum", "kommentar", "bemerkung", "temperatur", "luftdruck", "luftfeuchte", "prüfer", "bediener", "zeile",
-    // Computed from the readings: computed again here.
-    "mean", "average", "avg", "std", "stdev", "stddev", "sigma", "s", "min", "max", "minimum", "maximum", "median",
-    "range", "sum", "total", "mittel", "mittelwert", "standardabweichung", "streuung", "summe"};
+    "time",        "timestamp", "date",        "comment",  "comments", "note",     "notes", "remark",    "remarks",
+    "temperature", "temp",      "pressure",    "humidity", "operator", "sequence", "no",    "nr",        "index",
+    "point",       "row",       "line",        "i",        "zeit",     "uhrzeit",  "datum", "kommentar", "bemerkung",
+    "temperatur",  "luftdruck", "luftfeuchte", "prüfer",   "bediener", "zeile"};
+// Computed from the readings: computed again here.
+constexpr std::string_view computed_words[] = {"mean",
+                                               "average",
+                                               "avg",
+                                               "std",
+                                               "stdev",
+                                               "stddev",
+                                               "sigma",
+                                               "s",
+                                               "min",
+                                               "max",
+                                               "minimum",
+                                               "maximum",
+                                               "median",
+                                               "range",
+                                               "sum",
+                                               "total",
+                                               "mittel",
+                                               "mittelwert",
+                                               "standardabweichung",
+                                               "streuung",
+                                               "summe"};
 constexpr std::string_view up_header_words[] = {"up",        "forward", "fwd", "positive", "auf",       "aufwärts",
                                                 "aufwaerts", "hin",     "vor", "vorwärts", "vorwaerts", "positiv"};
 constexpr std::string_view down_header_words[] = {
@@ -97,7 +117,7 @@ constexpr std::string_view down_header_words[] = {
 using Meanings = unsigned;
 namespace meaning {
 constexpr Meanings deviation = 1, measured = 2, target = 4, position = 8, direction_column = 16, run = 32, test = 64,
-                   numbering = 128, filler = 256, ignored = 512, up = 1024, down = 2048;
+                   numbering = 128, filler = 256, ignored = 512, up = 1024, down = 2048, computed = 4096;
 constexpr Meanings known =
     deviation | measured | target | position | direction_column | run | test | numbering | filler | up | down;
 }  // namespace meaning
@@ -119,6 +139,7 @@ Meanings meanings_of(std::string_view word) {
     add(numbering_words, meaning::numbering);
     add(filler_words, meaning::filler);
     add(ignored_words, meaning::ignored);
+    add(computed_words, meaning::ignored | meaning::computed);
     add(up_header_words, meaning::up);
     add(down_header_words, meaning::down);
     return made;
@@ -185,6 +206,15 @@ bool names_a_difference(const Words& words) {
   return any_may_be(words, meaning::target) && any_may_be(words, meaning::measured);
 }
 
+/// Comments, temperatures, what is computed from readings; but nothing that may be a second column of readings, such as
+/// "Time corrected error" or a number in µm.
+bool may_be_passed_over(const Column& column, const Words& words) {
+  if (any_may_be(words, meaning::computed)) return true;
+  constexpr Meanings readings = meaning::deviation | meaning::measured | meaning::position;
+  const bool of_readings = column.unit != nullptr && column.unit_text != "in" && column.unit_text != "m";  // "Temp_in"
+  return any_may_be(words, meaning::ignored) && !any_may_be(words, readings) && !of_readings;
+}
+
 /// The role of a name without numbers and directions; Measured::position marks the undecided "position".
 void read_as_long(Column& column, const Words& words) {
   const bool all_known = std::ranges::all_of(words, [](const Word& w) { return w.may_be(meaning::known); });
@@ -193,7 +223,7 @@ void read_as_long(Column& column, const Words& words) {
   } else if (names_a_difference(words)) {
     column.role = ColumnRole::unknown;
   } else if (!all_known) {
-    column.role = any_may_be(words, meaning::ignored) ? ColumnRole::ignored : ColumnRole::unknown;
+    column.role = may_be_passed_over(column, words) ? ColumnRole::ignored : ColumnRole::unknown;
   } else if (any_may_be(words, meaning::deviation)) {
     column.role = ColumnRole::reading;
   } else if (any_may_be(words, meaning::measured)) {
@@ -210,7 +240,7 @@ void read_as_long(Column& column, const Words& words) {
     column.role = ColumnRole::direction;
   } else if (any_may_be(words, meaning::test)) {
     column.role = ColumnRole::test;
-  } else if (any_may_be(words, meaning::ignored)) {
+  } else if (may_be_passed_over(column, words)) {
     column.role = ColumnRole::ignored;
   }
 }
@@ -272,6 +302,20 @@ std::vector<Column> columns_from(const std::vector<CsvCell>& header) {
     for (Column& c : columns)
       if (plain(c, Measured::position)) c.role = ColumnRole::ignored;
   return columns;
+}
+
+std::optional<std::string> passed_over_text(const std::vector<Column>& columns) {
+  std::string list;
+  std::size_t count = 0;
+  for (const Column& c : columns) {
+    // A measured position beside a deviation is compared with it.
+    if (c.role != ColumnRole::ignored || c.measured == Measured::position || text::trim(c.name).empty()) continue;
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", text::quoted(c.name));
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return count == 1 ? fmt::format("nothing was read of the column {}", list)
+                    : fmt::format("nothing was read of the columns {}", list);
 }
 
 std::size_t needed_columns(const std::vector<Column>& columns) {

@@ -50,6 +50,9 @@ struct DefaultUnits {
   const Unit* target = nullptr;
 };
 
+/// Which columns were passed over by their names, a sentence without full stop; nothing where none was.
+std::optional<std::string> passed_over_text(const std::vector<Column>& columns);
+
 /// The common checks: known columns only, exactly one target, units where they are needed, one unit for
 /// all readings and of the same kind as that of the targets. Fails with the place in the header.
 Result<void> check_columns(std::vector<Column>& columns, const DefaultUnits& defaults, std::size_t line);

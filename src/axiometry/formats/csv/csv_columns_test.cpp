@@ -79,6 +79,22 @@ INSTANTIATE_TEST_SUITE_P(Computed, ColumnNames,
                          testing::Values(Name{"Mean (um)", "ignored um"}, Name{"mean up_um", "ignored um"},
                                          Name{"Std dev", "ignored"}, Name{"Max error (um)", "ignored um"}));
 
+INSTANTIATE_TEST_SUITE_P(SecondReadings, ColumnNames,
+                         testing::Values(Name{"Temp compensated error [um]", "unknown um"},
+                                         Name{"Time corrected error [um]", "unknown um"},
+                                         Name{"Note deviation [um]", "unknown um"}, Name{"Index [um]", "unknown um"},
+                                         Name{"Temp in", "ignored in"}, Name{"Remark on the beam", "ignored"}));
+
+TEST(CsvColumns, NameWhatIsPassedOver) {
+  const auto told = [](std::vector<CsvCell> header) { return passed_over_text(columns_from(header)).value_or(""); };
+  EXPECT_EQ(told({{"target_mm", 1}, {"measured_mm", 1}, {"deviation_um", 1}, {"", 1}}), "")
+      << "a position beside a deviation is compared with it";
+  EXPECT_EQ(told({{"target_mm", 1}, {"deviation_um", 1}, {"Bemerkung", 1}}),
+            "nothing was read of the column \"Bemerkung\"");
+  EXPECT_EQ(told({{"target_mm", 1}, {"deviation_um", 1}, {"time", 1}, {"Mean [um]", 1}}),
+            "nothing was read of the columns \"time\", \"Mean [um]\"");
+}
+
 /// Each dash of such a name was once looked at as the beginning of a unit, one within the other, until the stack ended.
 TEST(CsvColumns, DoNotLookForWordsInAParagraph) {
   for (const std::string& name : {"aa bb" + std::string(20'000, '-'), "target " + std::string(100'000, 'x')}) {

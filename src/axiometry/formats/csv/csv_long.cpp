@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include "axiometry/base/text/number_text.h"
@@ -44,6 +45,7 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY_VOID(rows.finish());
   Test test{std::move(only->metadata), std::move(only->series), {}};
   test.provenance.remarks = encoding_remarks(decoded);
+  std::ranges::move(only->remarks, std::back_inserter(test.provenance.remarks));
   test.provenance.remarks.insert(test.provenance.remarks.end(), rows.remarks().begin(), rows.remarks().end());
   return test;
 }
@@ -192,9 +194,11 @@ target_mm,direction,run,deviation_um
 - Lines `# key: value` above the header are metadata. Keys are those of the metadata table, such as `machine.name`;
   `machine`, `axis`, `date`, `inspector`, `serial number`, `feed` and the like are understood. A text that a line
   cannot hold as it is stands in quotation marks as in JSON: `# machine.name: "two\nlines"`.
+- `# source_remark:` holds what was told when the readings were first read out of another file, such as guesses.
 - Columns named time, timestamp, date, comment, note, remark, temperature, pressure, humidity, operator, sequence, no,
-  index, point, row or line are ignored, and so are a measured position beside a deviation and what is computed from
-  readings (mean, std, min, max, range, sum). Any other column is refused.
+  index, point, row or line are passed over and named, and so is what is computed from readings (mean, std, min, max,
+  range, sum). Any other column is refused, also one of these that may hold readings too: `time corrected error`,
+  `index [um]`.
 - A measured position beside a deviation is compared with it: deviations of the other sign are refused, others that
   differ are a finding. So are labels ↑ and ↓ that run the other way than the targets of a single test.
 - Targets within 0.5 nm (or 5e-7°) of one another are one target: computed positions carry float noise.

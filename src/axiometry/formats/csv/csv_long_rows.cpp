@@ -71,6 +71,8 @@ LongRows::LongRows(Preamble preamble, LongLayout layout, NamedTestSink sink, Pat
       rows_repeat_(layout.test == 0u && layout.reading + 1 == preamble_.columns.size()),
       line_(preamble_.header_line) {
   for (const Column& column : preamble_.columns) roles_.push_back(column.role);
+  told_ = preamble_.remarks;
+  if (auto passed_over = passed_over_text(preamble_.columns)) told_.push_back({false, *std::move(passed_over)});
 }
 
 Result<void> LongRows::take(std::string_view lines, const char* readable_end) {
@@ -355,7 +357,7 @@ Result<void> LongRows::end_test() {
   approaches_.clear();
   targets_.restart();
   in_test_ = false;
-  return sink_({test_name_, test_line_, *metadata_, std::move(series)});
+  return sink_({test_name_, test_line_, *metadata_, std::move(series), told_});
 }
 
 }  // namespace axiometry::formats

@@ -121,6 +121,7 @@ class LongRows {
   TargetIndex targets_;
   std::vector<RowReading> readings_;
   Comparison comparison_;
+  std::vector<SourceRemark> told_;  // of every test
   std::vector<SourceRemark> remarks_;
   std::vector<std::size_t> approaches_;  // approaches so far by target and direction, where no column states the run
 };

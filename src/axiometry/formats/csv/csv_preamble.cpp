@@ -137,6 +137,10 @@ Result<std::optional<std::string>> field_key(const std::string& key, TextPositio
 Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::size_t number) {
   const auto pair = key_and_value(line);
   if (!pair) return {};
+  if (pair->key == source_remark_key) {
+    if (!pair->value.empty()) preamble.remarks.push_back({false, std::string(pair->value)});
+    return {};
+  }
   AXIOMETRY_TRY(auto key, field_key(pair->key, {number, line.find_first_not_of("\"# \t") + 1}));
   if (!key) return {};
   const TextPosition at{number, pair->value_column};

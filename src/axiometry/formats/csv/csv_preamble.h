@@ -10,9 +10,13 @@
 #include "axiometry/formats/csv/csv_columns.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/model/metadata.h"
+#include "axiometry/model/test.h"
 
 /// What stands above the readings of a CSV file: `# key: value` lines and the header.
 namespace axiometry::formats {
+
+/// A remark of the reader that took the readings out of another file, kept where they are written again.
+inline constexpr std::string_view source_remark_key = "source_remark";
 
 struct MetadataLine {
   std::string key;  ///< key of a field
@@ -22,7 +26,8 @@ struct MetadataLine {
 
 struct Preamble {
   std::vector<MetadataLine> metadata;
-  DefaultUnits default_units;  ///< `# unit: um`, `# target unit: mm`
+  std::vector<SourceRemark> remarks;  ///< `# source_remark: …`: what was told when the readings were first read
+  DefaultUnits default_units;         ///< `# unit: um`, `# target unit: mm`
   char delimiter = ',';
   std::vector<Column> columns;  ///< columns of the header; empty when there is none
   std::size_t header_line = 0;

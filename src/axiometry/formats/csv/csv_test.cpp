@@ -274,6 +274,19 @@ TEST(Csv, ARowOfMoreFieldsThanAnyTableHasIsRefusedBeforeItIsKept) {
   EXPECT_EQ(read.error().at.line, 1u);
 }
 
+TEST(Csv, KeepsWhatWasToldWhenTheReadingsWereFirstRead) {
+  auto test = read_as("csv-long", "target_mm,direction,run,deviation_um,note\n0,up,1,1,\n5,up,1,2,lost\n");
+  ASSERT_EQ(test.provenance.remarks.size(), 1u);
+  test.provenance.remarks.insert(test.provenance.remarks.begin(),
+                                 {false, "the columns were guessed: column 1, \"a\nb\";"});
+  for (const char* format : {"csv-long", "csv-wide"}) {
+    const auto again = read_as(format, find_format(format)->write(test));
+    ASSERT_EQ(again.provenance.remarks.size(), 2u) << format;
+    EXPECT_EQ(again.provenance.remarks[0].message, "the columns were guessed: column 1, \"a b\"");
+    EXPECT_EQ(again.provenance.remarks[1].message, "nothing was read of the column \"note\"");
+  }
+}
+
 TEST(Csv, HeadersMayHaveGoneThroughAWrongCodePage) {
   const auto test =
       read_as("csv-long", "Target (\u00C2\u00B0),Direction,Run,Deviation (\u00C2\u00B5rad)\n0,up,1,1\n90,up,1,2\n");

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "axiometry/base/json/json.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/csv_columns.h"
@@ -114,6 +116,14 @@ std::string metadata_lines(const Test& test) {
     lines += text::no_formula(fmt::format("# taken from {}, read as {}{}{}", text::quoted(source.file), source.format,
                                           source.sha256.empty() ? "" : ", SHA-256 ", source.sha256)) +
              "\n";
+  for (const SourceRemark& remark : source.remarks) {
+    // Those that say what the readings themselves say are found in them again.
+    if (remark.departs || remark.of_swapped_labels) continue;
+    std::string line = fmt::format("# {}: {}", source_remark_key, remark.message);
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    lines += text::no_formula(line) + "\n";
+  }
   const AxisKind kind = test.metadata.axis.kind;
   for (const Field& field : metadata_fields()) {
     const FieldValue value = field.get(test.metadata);

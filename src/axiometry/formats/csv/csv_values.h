@@ -16,7 +16,8 @@ namespace axiometry::formats {
 /// set_field_text() does.
 Result<void> set_line_value(Metadata& metadata, const Field& field, std::string_view value);
 
-/// The lines above the header of a CSV file: where the test comes from, as a comment, and all its metadata.
+/// The lines above the header of a CSV file: where the test comes from, as a comment, what its reader told of it, and
+/// all its metadata.
 std::string metadata_lines(const Test& test);
 
 }  // namespace axiometry::formats

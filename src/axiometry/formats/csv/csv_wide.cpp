@@ -238,6 +238,9 @@ Result<Test> read(std::string_view bytes) {
                 metadata_of(preamble, kind, rows.mark().value_or(preamble.delimiter == ',' ? '.' : ',')));
   Test test{std::move(metadata), std::move(series), {}};
   test.provenance.remarks = encoding_remarks(decoded);
+  test.provenance.remarks.insert(test.provenance.remarks.end(), preamble.remarks.begin(), preamble.remarks.end());
+  if (auto passed_over = passed_over_text(preamble.columns))
+    test.provenance.remarks.push_back({false, *std::move(passed_over)});
   return test;
 }
 

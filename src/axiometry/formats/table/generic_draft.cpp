@@ -68,6 +68,8 @@ bool may_be_seconds(const ColumnFacts& column) {
   return step >= shortest_s && step <= longest_s;
 }
 
+constexpr NameWord words_of_beams[] = {{"status"}, {"quality", WordPlace::anywhere}, {"signal"}, {"beam"}};
+
 bool is_nameless(const Draft& draft, std::size_t c) { return draft.heads[c].role == HeadRole::unknown; }
 
 class Roles {
@@ -84,20 +86,27 @@ class Roles {
     for (std::size_t c = 0; c < draft_.shape.columns; ++c) {
       if (taken_[c]) continue;
       draft_.give_role(c, ImportRole::ignore, by_numbers, "nothing of it is needed");
-      if (may_part_rows(c))
-        draft_.ask("columns", fmt::format("found the words {} in {}; do they part axes, or tell readings left out?",
-                                          spellings(c), draft_.called(c)));
+      if (!may_part_rows(c)) continue;
+      const std::string_view question =
+          draft_.facts[c].numeric() ? "found the numbers {} in {}; do they part axes, or tell readings left out?"
+                                    : "found the words {} in {}; do they part axes, or tell readings left out?";
+      draft_.ask("columns", fmt::format(fmt::runtime(question), spellings(c), draft_.called(c)));
     }
   }
 
  private:
-  /// A few words that change from row to row under an unknown name: "X" and "Y", "ok" and "lost". Each row its own word
-  /// parts nothing.
+  /// A few words or whole numbers that change from row to row under an unknown name, or one of the beam: "X" and "Y",
+  /// "ok" and "lost", 1 and 0. Each row its own parts nothing.
   bool may_part_rows(std::size_t c) const {
     constexpr std::size_t few = 4;
     const ColumnFacts& f = draft_.facts[c];
-    if (draft_.shape.names.empty() || draft_.shape.names[c].empty() || !is_nameless(draft_, c)) return false;
-    if (f.words == 0 || f.numeric()) return false;
+    if (draft_.shape.names.empty() || draft_.shape.names[c].empty()) return false;
+    if (!is_nameless(draft_, c) && !has_any_word(draft_.shape.names[c], words_of_beams)) return false;
+    if (f.numeric()) {
+      const std::size_t kinds = f.distinct + (f.missing > 0 ? 1 : 0);
+      return f.whole && kinds >= 2 && kinds <= few && kinds < f.values.size();
+    }
+    if (f.words == 0) return false;
     if (clock_seconds(f.spellings.front(), draft_.shape.decimal_mark)) return false;
     const std::size_t kinds = f.spellings.size() + (f.missing > 0 ? 1 : 0);
     return kinds >= 2 && kinds <= few;

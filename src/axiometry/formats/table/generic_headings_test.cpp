@@ -117,6 +117,21 @@ TEST(GenericHeadings, WordsThatMayPartTheRowsAreAskedFor) {
   expect_headed(with("Axe", "X", "X"));
 }
 
+TEST(GenericHeadings, NumbersThatMayTellReadingsLeftOutAreAskedFor) {
+  const auto with = [](const std::string& name, const std::string& usual, const std::string& once) {
+    std::size_t row = 0;
+    return headed("Lauf;Soll [mm];Abweichung [µm];" + name + "\n", [&](const HeadedRow& r) {
+      return fmt::format("{};{};{};{}\n", r.run + 1, r.target, r.deviation, ++row == 4 ? once : usual);
+    });
+  };
+  for (const auto& bytes :
+       {with("Status", "OK", "Fehler"), with("Valide", "1", "0"), with("Signal %", "96", "0"), with("Gut", "1", "")}) {
+    const std::string answer = answer_under(bytes);
+    EXPECT_TRUE(answer.contains("do they part axes, or tell readings left out")) << answer << "\n" << bytes;
+  }
+  expect_headed(with("Valide", "1", "1"));
+}
+
 /// Two axes of one file, one run each, are not two runs of one axis.
 TEST(GenericHeadings, NumbersOfAxesAreAskedForAndAreNoRuns) {
   const auto with = [](const std::string& head, const std::string& first, const std::string& other) {

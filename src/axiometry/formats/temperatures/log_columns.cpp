@@ -190,6 +190,7 @@ std::optional<LogColumns> time_columns(const std::vector<std::string_view>& cell
     if (named == heads.end()) return std::nullopt;
     columns.time = static_cast<std::size_t>(named - heads.begin());
     columns.seconds_per_unit = named->seconds.value_or(1.0);
+    columns.seconds_told = named->seconds || seconds_per_unit(named->name) == 1.0;
   }
   if (columns.time >= cells.size() || !number_of(cells[columns.time], delimiter)) return std::nullopt;
   return columns;

@@ -34,6 +34,7 @@ struct LogColumns {
   std::size_t time = 0;
   std::size_t time_of_day = 0;    ///< column of the time of day, of date_and_day
   double seconds_per_unit = 1.0;  ///< seconds of a number
+  bool seconds_told = false;      ///< the head tells the unit of a number; else seconds
   std::vector<LogColumn> temperatures;
   std::vector<std::string> passed_over;    ///< heads of columns that are neither
   std::vector<std::string> other_numbers;  ///< heads above a number, of these

@@ -16,6 +16,7 @@
 #include "axiometry/formats/temperatures/sensor_role.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_lines.h"
+#include "axiometry/model/sensor_extremes.h"
 
 namespace axiometry::formats {
 namespace {
@@ -234,7 +235,8 @@ class LogReader {
     const std::string& name = columns_->temperatures[k].name;
     const auto stated = std::ranges::find(roles, name, &SensorRoles::value_type::first);
     if (stated != roles.end() && text::equal_ignoring_case(stated->second, "none")) return;
-    if (stated == roles.end() && names_no_role(name)) {
+    const bool extremes = names_extremes(name);
+    if (stated == roles.end() && (names_no_role(name) || (extremes && !tells_air(name)))) {
       remarks_.push_back(
           fmt::format("column {} of the temperature log is by its name no temperature of the machine, the equipment or "
                       "the air and is left out",
@@ -268,7 +270,21 @@ class LogReader {
       remarks_.push_back(fmt::format("temperature sensor {} does not say what it is of and is taken for one of the air",
                                      text::quoted(name)));
     }
+    if (extremes && course.role == "air")
+      remarks_.push_back(
+          fmt::format("temperature sensor {} tells extremes of the air by its name: they count for the lowest and the "
+                      "highest temperature, and the change per hour is known in part only",
+                      text::quoted(name)));
     log.sensors.push_back(std::move(course));
+  }
+
+  /// Whether a column of extremes is one of the air: by its name, or beside another column of a sensor of the air.
+  bool tells_air(std::string_view name) const {
+    if (const auto role = sensor_role(name)) return *role == "air";
+    const std::string alone = sensor_alone(name);
+    return std::ranges::any_of(columns_->temperatures, [&](const LogColumn& other) {
+      return !names_extremes(other.name) && !alone.empty() && sensor_alone(other.name) == alone;
+    });
   }
 
   /// A sensor that hangs shows what it last measured, and no change; so does one of coarse steps in a steady room.
@@ -315,6 +331,8 @@ class LogReader {
     for (const auto& [head, unit] : columns_->letter_units)
       remarks_.push_back(fmt::format("column {} of the temperature log is taken to be in {} by its last letter",
                                      text::quoted(head), unit));
+    if (columns_->kind == LogTime::number && !columns_->seconds_told && !since_1970_)
+      remarks_.emplace_back("times of the temperature log tell no unit and are taken to be in seconds");
     if (since_1970_) remarks_.emplace_back("times of the temperature log are taken to count from 1970-01-01 UTC");
     for (const std::string& name : columns_->passed_over)
       remarks_.push_back(

@@ -9,6 +9,7 @@
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/formats/text/simulated_note.h"
 #include "axiometry/formats/text/table_heads.h"
 
 namespace axiometry::formats {
@@ -135,8 +136,12 @@ Result<void> for_named_rows(std::string_view text, NamedColumns& columns, const 
                             std::span<const std::size_t> required, std::string_view example,
                             const std::function<Result<void>(const NamedRow&)>& take) {
   NamedRow row(columns);
+  bool simulated = false;
   AXIOMETRY_TRY_VOID(for_table_lines(text, [&](const TableLine& line) -> Result<void> {
-    if (line.content.starts_with('#')) return {};
+    if (line.content.starts_with('#')) {
+      simulated = simulated || is_simulated_note(line.content);
+      return {};
+    }
     if (columns.count == 0) {
       AXIOMETRY_TRY(columns, named_columns(line.text, line.number, words, required));
       return {};
@@ -144,6 +149,7 @@ Result<void> for_named_rows(std::string_view text, NamedColumns& columns, const 
     AXIOMETRY_TRY_VOID(row.take(line.text, line.number, line.has_break));
     return take(row);
   }));
+  columns.simulated = simulated;
   if (columns.count != 0) return {};
   return fail(fmt::format("found no header, expected one as {}", example));
 }

@@ -40,6 +40,7 @@ struct NamedColumns {
   std::size_t line = 0;
   char delimiter = ',';
   std::vector<std::string> passed_over;
+  bool simulated = false;  ///< a comment says that nobody measured what stands below (simulated_note.h)
 
   bool has(std::size_t role) const { return at[role].has_value(); }
 };

@@ -16,14 +16,15 @@ struct Signature {
   std::string_view bytes;
   std::string_view what;
   std::string_view advice;
+  bool packed = false;
 };
 
 constexpr Signature signatures[] = {
-    {"PK\x03\x04"sv, "a ZIP archive or a spreadsheet", "; save a spreadsheet as CSV"},
-    {"\xD0\xCF\x11\xE0"sv, "an old Office document", "; save a spreadsheet as CSV"},
+    {"PK\x03\x04"sv, "a ZIP archive or a spreadsheet", "; save a spreadsheet as CSV", true},
+    {"\xD0\xCF\x11\xE0"sv, "an old Office document", "; save a spreadsheet as CSV", true},
     {"%PDF"sv, "a PDF document", ""},
     {"\x89PNG"sv, "a PNG picture", ""},
-    {"\x1F\x8B"sv, "a gzip archive", "; unpack it first"},
+    {"\x1F\x8B"sv, "a gzip archive", "; unpack it first", true},
     {"<!DOCTYPE html"sv, "a web page (HTML)", "; save its table as CSV"},
     {"<!doctype html"sv, "a web page (HTML)", "; save its table as CSV"},
     {"<html"sv, "a web page (HTML)", "; save its table as CSV"},
@@ -39,6 +40,10 @@ TextPosition place(std::string_view text, std::size_t offset, std::size_t first_
 }
 
 }  // namespace
+
+bool is_packed(std::string_view bytes) {
+  return std::ranges::any_of(signatures, [&](const Signature& s) { return s.packed && bytes.starts_with(s.bytes); });
+}
 
 Result<std::string_view> readable_text(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv) || bytes.starts_with("\0\0\xFE\xFF"sv))

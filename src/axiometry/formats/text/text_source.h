@@ -14,6 +14,10 @@ namespace axiometry::formats {
 /// picture), and on text whose lines end in CR alone. Works on a head cut anywhere; does not check UTF-8.
 Result<std::string_view> readable_text(std::string_view bytes);
 
+/// Whether bytes begin as an archive does, or as a spreadsheet: what it holds nobody knows before it is unpacked or
+/// saved as text.
+bool is_packed(std::string_view bytes);
+
 /// readable_text() for a whole file; fails also on the first byte that is not UTF-8.
 Result<std::string_view> utf8_text(std::string_view bytes);
 

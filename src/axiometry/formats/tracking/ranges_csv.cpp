@@ -10,6 +10,7 @@
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/named_rows.h"
+#include "axiometry/formats/text/simulated_note.h"
 #include "axiometry/formats/text/table_heads.h"
 
 namespace axiometry::formats {
@@ -62,6 +63,7 @@ class RangesReader {
     file_.points = points_.take();
     file_.stations = stations_.take();
     for (NameNumbers& names : segments_) file_.segments.push_back(names.take());
+    if (columns_.simulated) file_.remarks.emplace_back(simulated_lengths);
     if (!columns_.passed_over.empty()) file_.remarks.push_back(passed_over(columns_.passed_over));
     if (missing_ > 0)
       file_.remarks.push_back(fmt::format("passed over {} row{} without a length", missing_, missing_ == 1 ? "" : "s"));

@@ -17,8 +17,10 @@
 #include "axiometry/formats/csv/csv_values.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
+#include "axiometry/formats/text/simulated_note.h"
 #include "axiometry/formats/text/table_heads.h"
 #include "axiometry/formats/text/text_source.h"
+#include "axiometry/model/simulated.h"
 
 namespace axiometry::formats {
 namespace {
@@ -234,8 +236,14 @@ class Reader {
   std::map<std::pair<Place, std::size_t>, std::size_t> seen_;
 };
 
-/// `# key: value`; other comments are none of ours.
-Result<void> take_comment(std::string_view content, std::size_t line, Metadata& metadata) {
+/// `# key: value`, and that nobody measured; other comments are none of ours.
+Result<void> take_comment(std::string_view content, std::size_t line, TrackingLengths& lengths) {
+  Metadata& metadata = lengths.metadata;
+  if (is_simulated_note(content)) {
+    lengths.remarks.push_back({false, std::string(simulated_lengths)});
+    if (metadata.conditions.purpose.empty()) metadata.conditions.purpose = simulation_purpose;
+    return {};
+  }
   const std::string_view plain = text::trim(content.substr(1));
   const std::size_t colon = plain.find(':');
   if (colon == std::string_view::npos) return {};
@@ -252,7 +260,7 @@ Result<TrackingLengths> read_tracking_lengths(std::string_view bytes, const Trac
   lengths.remarks = encoding_remarks(decoded);
   std::optional<Reader> reader;
   AXIOMETRY_TRY_VOID(for_table_lines(decoded.text, [&](const TableLine& line) -> Result<void> {
-    if (line.content.starts_with('#')) return take_comment(line.content, line.number, lengths.metadata);
+    if (line.content.starts_with('#')) return take_comment(line.content, line.number, lengths);
     if (reader) return reader->row(line, lengths);
     AXIOMETRY_TRY(LengthsColumns columns, lengths_columns_of(line.text, line.number));
     lengths.in_program_order = !columns.labelled();

@@ -32,6 +32,16 @@ std::string error(std::string_view text) {
   return lengths ? "" : lengths.error().to_string();
 }
 
+TEST(TrackingLengthsCsv, SayThatTheyWereSimulated) {
+  const std::string table = "line,target,direction,run,length_difference_mm\nx,1,up,1,-0.25\n";
+  const auto simulated = read_lengths("# Simulated, not measured; seed 1\n" + table);
+  EXPECT_EQ(simulated.metadata.conditions.purpose, "simulation");
+  ASSERT_EQ(simulated.remarks.size(), 1u);
+  EXPECT_EQ(simulated.remarks[0].message, "the lengths are simulated, not measured, as their file says");
+  EXPECT_EQ(read_lengths(table).metadata.conditions.purpose, "");
+  EXPECT_TRUE(read_lengths("# not simulated\n" + table).remarks.empty());
+}
+
 TEST(TrackingLengthsCsv, ReadsOneReadingInARow) {
   const auto lengths = read_lengths(
       "# machine.name: Mill 5\n# a comment\nline,target,direction,run,length_difference_mm,segment,time_s,note\n"

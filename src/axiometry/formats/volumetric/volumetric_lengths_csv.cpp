@@ -10,6 +10,7 @@
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/named_rows.h"
+#include "axiometry/formats/text/simulated_note.h"
 #include "axiometry/formats/text/table_heads.h"
 
 namespace axiometry::formats {
@@ -37,6 +38,7 @@ constexpr ColumnWord words[] = {{"station", role_station},
 constexpr TableWords table = {canonical, words, role_x};
 
 void add_remarks(const NamedColumns& columns, const DecodedText& decoded, std::vector<std::string>& remarks) {
+  if (columns.simulated) remarks.emplace_back(simulated_lengths);
   if (!columns.passed_over.empty()) remarks.push_back(passed_over(columns.passed_over));
   for (const SourceRemark& remark : encoding_remarks(decoded)) remarks.push_back(remark.message);
 }

@@ -47,6 +47,13 @@ TEST(VolumetricLengthsCsv, RowsWithoutALengthArePassedOverAndTold) {
   EXPECT_THAT(lengths->remarks, ElementsAre("passed over 1 row without a length"));
 }
 
+TEST(VolumetricLengthsCsv, SayThatTheyWereSimulated) {
+  const std::string table = "station,tool,x_mm,y_mm,z_mm,length_mm\nA,T,1,2,3,4\n";
+  EXPECT_THAT(read_volumetric_lengths("# Simulated, not measured; seed 1\n" + table)->remarks,
+              ElementsAre("the lengths are simulated, not measured, as their file says"));
+  EXPECT_THAT(read_volumetric_lengths(table)->remarks, ElementsAre());
+}
+
 TEST(VolumetricLengthsCsv, NamesWithCommasQuotesAndMarksAreReadBack) {
   volumetric::VolumetricLengths lengths{{"#1", "A, left", "say \"B\""}, {"T,1"}, {"1"}, {}, {}};
   for (std::size_t s = 0; s < 3; ++s) lengths.readings.push_back({s, 0, 0, {1.5, 2, 3}, 100.0 + 0.125, 0});

@@ -29,6 +29,13 @@ Tone tone_of(EnvironmentStanding standing) {
   return Tone::normal;
 }
 
+Table gap_table(const std::vector<std::string>& gaps) {
+  Table table;
+  table.columns = {{plain("What is not known"), Align::start, true, true}};
+  for (const std::string& gap : gaps) table.rows.push_back({{sentence(gap)}});
+  return table;
+}
+
 }  // namespace
 
 Table environment_table(const iso230_2::TestEnvironment& environment, const Options& options) {
@@ -112,8 +119,8 @@ Document compose(const TemperatureSubject& subject, const Options& options) {
                              : Tone::normal,
                 plain(status),
                 {}};
-  for (const std::string& gap : iso230_2::gaps_of(subject.environment, options.numbers))
-    notice.lines.push_back(sentence(gap));
+  const std::vector<std::string> gaps = iso230_2::gaps_of(subject.environment, options.numbers);
+  for (const std::string& gap : gaps) notice.lines.push_back(sentence(gap));
   document.status.push_back(std::move(notice));
   const auto as_said = [](const std::string& text) {
     return text.empty() ? quiet_cell("not stated") : verbatim_cell(text);
@@ -124,6 +131,8 @@ Document compose(const TemperatureSubject& subject, const Options& options) {
       {plain("Log begins"), subject.log.begin ? text_cell(moment_text(*subject.log.begin)) : quiet_cell("not stated")}};
   document.sections.push_back(
       {"quantities", "What was measured and what was agreed", true, {environment_table(subject.environment, options)}});
+  // Also for tables for spreadsheets, which have no notices.
+  if (!gaps.empty()) document.sections.back().blocks.emplace_back(gap_table(gaps));
   document.sections.push_back({"course", "Course", true, {temperature_figure(subject, options)}});
   document.sections.push_back({"sensors", "Temperature sensors", false, {sensor_table(subject.log, options)}});
   Facts facts;

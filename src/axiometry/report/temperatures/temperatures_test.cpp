@@ -9,6 +9,7 @@
 #include "axiometry/report/figures/figure_rules_test_support.h"
 #include "axiometry/report/figures/parts/ink.h"
 #include "axiometry/report/translated.h"
+#include "axiometry/report/writer.h"
 
 namespace axiometry::report {
 namespace {
@@ -138,6 +139,20 @@ TEST(TemperatureDocument, ShowsALimitThatIsExceededByLittle) {
   item.lower_limit = true;
   item.agreed = 18.5;
   EXPECT_EQ(agreed_text(item, {.numbers = {','}}), "at least 18,5 °C");
+}
+
+TEST(TemperatureDocument, SaysInItsTablesForSpreadsheetsWhatIsNotKnown) {
+  Logged logged = day();
+  const auto written = [&] {
+    return find_writer("csv")->set(translated(compose(logged.subject(), logged.options), logged.options), {}).value();
+  };
+  EXPECT_THAT(written(), ::testing::Not(HasSubstr("What is not known")));
+  logged.test = TimeStretch{12 * hour, 15 * hour};
+  EXPECT_THAT(written(), HasSubstr("What is not known\r\n"));
+  EXPECT_THAT(written(),
+              HasSubstr("The temperature of the air was recorded in 1.00 h of the 3.00 h of the test; what"));
+  logged.options.language = language::Language::german;
+  EXPECT_THAT(written(), HasSubstr("Die Lufttemperatur ist in 1.00 h der 3.00 h der Prüfung aufgezeichnet"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "axiometry/base/text/text.h"
+#include "axiometry/model/sensor_extremes.h"
 
 namespace axiometry {
 namespace {
@@ -61,6 +62,15 @@ double range_of(const Piece& piece) {
   return high.celsius - low.celsius;
 }
 
+/// The piece with a point at a time within it.
+Piece with_time(Piece piece, double time_s) {
+  const auto after = std::ranges::lower_bound(piece, time_s, {}, &Point::time_s);
+  if (after == piece.begin() || after == piece.end() || after->time_s == time_s) return piece;
+  const Point own{time_s, between(*std::prev(after), *after, time_s)};
+  piece.insert(after, own);
+  return piece;
+}
+
 /// The piece with a point an hour before and an hour after each of its points: between neighbours the greatest change
 /// within an hour can only lie at one of these.
 Piece with_hours(const Piece& piece) {
@@ -78,9 +88,10 @@ Piece with_hours(const Piece& piece) {
   return all;
 }
 
-/// The greatest range over windows of an hour; of time in proportion to the points.
-double greatest_change(const Piece& piece) {
-  const Piece all = with_hours(piece);
+/// The greatest change between two moments at most an hour apart, the later not before `from_s`; of time in proportion
+/// to the points.
+double greatest_change(const Piece& piece, double from_s) {
+  const Piece all = with_hours(with_time(piece, from_s));
   std::deque<std::size_t> lowest, highest;  // candidates of the window that ends at `k`
   double greatest = 0.0;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -91,12 +102,15 @@ double greatest_change(const Piece& piece) {
     const double from = all[k].time_s - hour_s * (1.0 + 1e-12);
     while (all[lowest.front()].time_s < from) lowest.pop_front();
     while (all[highest.front()].time_s < from) highest.pop_front();
-    greatest = std::max(greatest, all[highest.front()].celsius - all[lowest.front()].celsius);
+    if (all[k].time_s < from_s) continue;
+    greatest = std::max(
+        {greatest, all[highest.front()].celsius - all[k].celsius, all[k].celsius - all[lowest.front()].celsius});
   }
   return greatest;
 }
 
-std::optional<double> rate_of(const std::vector<Piece>& pieces) {
+/// Of changes that end at `from_s` or later.
+std::optional<double> rate_of(const std::vector<Piece>& pieces, double from_s) {
   std::optional<double> rate;
   const auto see = [&](double x) { rate = std::max(rate.value_or(0.0), x); };
   constexpr double whole = hour_s * (1.0 - 1e-9);
@@ -104,7 +118,7 @@ std::optional<double> rate_of(const std::vector<Piece>& pieces) {
   const bool any_hour = std::ranges::any_of(pieces, [&](const Piece& piece) { return length(piece) >= whole; });
   for (const Piece& piece : pieces) {
     if (any_hour)
-      see(greatest_change(piece));
+      see(greatest_change(piece, from_s));
     else if (length(piece) >= shortest_for_a_rate_s)
       see(range_of(piece) * hour_s / length(piece));
   }
@@ -164,7 +178,7 @@ std::optional<TemperatureExtremes> extremes_at(std::span<const TemperatureCourse
                                                double time_s) {
   std::optional<TemperatureExtremes> all;
   for (const TemperatureCourse& course : sensors) {
-    if (!is_of(course, role) || course.times_s.empty()) continue;
+    if (!is_of(course, role) || course.times_s.empty() || names_extremes(course.location)) continue;
     std::size_t at = 0;
     const double own = value_at(course, at, time_s);
     if (std::isnan(own)) continue;
@@ -212,7 +226,7 @@ std::optional<TimeStretch> test_in_log(const std::optional<Moment>& began, const
 AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const std::optional<TimeStretch>& test) {
   const TimeStretch during = test.value_or(stretch_of(sensors));
   TimeStretch for_rate = during;
-  if (test) for_rate.begin_s = std::min(during.begin_s, during.end_s - hour_s);
+  if (test) for_rate.begin_s = during.begin_s - hour_s;
   const TimeStretch before{during.begin_s - hours_before_test * hour_s, during.begin_s};
   AmbientTemperatures found;
   std::vector<const TemperatureCourse*> on_machine;
@@ -228,13 +242,18 @@ AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const
         if (!found.lowest || own.in_celsius() < found.lowest->in_celsius()) found.lowest = own;
         if (!found.highest || own.in_celsius() > found.highest->in_celsius()) found.highest = own;
       }
+    // Of extremes between readings nobody knows when they were: they have no rate.
+    if (names_extremes(course.location)) {
+      found.rate_of_every_sensor = false;
+      continue;
+    }
     // The time before stands in for no test: only what goes on into it tells its rate.
     auto for_its_rate = pieces_within(course, for_rate);
     std::erase_if(for_its_rate, [&](const Piece& piece) { return piece.back().time_s <= during.begin_s; });
-    const auto own_rate = rate_of(for_its_rate);
+    const auto own_rate = rate_of(for_its_rate, during.begin_s);
     found.rate = larger(found.rate, own_rate);
     found.rate_of_every_sensor = found.rate_of_every_sensor && own_rate.has_value();
-    if (test) found.rate_before = larger(found.rate_before, rate_of(pieces_within(course, before)));
+    if (test) found.rate_before = larger(found.rate_before, rate_of(pieces_within(course, before), before.begin_s));
   }
   if (on_machine.size() > 1)
     if (const auto difference = greatest_difference(on_machine, during))

@@ -14,10 +14,11 @@
 /// What recorded temperatures tell of the surroundings of a test (clauses 4.1 and 7).
 ///
 /// Between two readings at most half an hour apart a temperature is taken to go straight; what lies farther apart is
-/// not recorded. The rate in °C/h is the greatest change between any two moments at most an hour apart. Where nothing
-/// of an hour was recorded in one piece, it is the range of a piece of ten minutes or more, divided by its length; of
-/// shorter ones there is none, and pieces that end before the test count for none of it. Of several sensors of the air
-/// the extremes and the largest rate count, and the shortest recording.
+/// not recorded. The rate in °C/h is the greatest change within an hour, the later of both moments in the test. Without
+/// an hour in one piece it is the range of a piece of ten minutes or more, divided by its length; of shorter ones there
+/// is none, and pieces that end before the test count for none of it. Of several sensors of the air the extremes and
+/// the largest rate count, and the shortest recording. Of extremes between readings (sensor_extremes.h) there is no
+/// rate.
 namespace axiometry {
 
 /// Absent means not measured.
@@ -43,8 +44,8 @@ inline constexpr double hours_before_test = 12.0;  ///< hours before the test of
 inline constexpr double shortest_for_a_rate_s = 600.0;
 
 /// Of the sensors of role "air" within the test; machine_gradient of those of role "machine", of which it takes two.
-/// Without a test all that was recorded counts as it, and nothing is known of before. A test shorter than an hour is
-/// looked at together with the time before it, to an hour, for its rate.
+/// Without a test all that was recorded counts as it, and nothing is known of before. For its rate a test is looked at
+/// together with the hour before it.
 AmbientTemperatures ambient_of(std::span<const TemperatureCourse> sensors, const std::optional<TimeStretch>& test);
 
 struct LeastRecorded {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -94,6 +95,48 @@ TEST(AmbientCourse, AShortTestIsLookedAtWithTheTimeBeforeItToAnHour) {
   const auto all = found({course("air", 0, 13 * hour, 60, rise)}, TimeStretch{12 * hour, 12.5 * hour});
   EXPECT_NEAR(*all.rate, 0.5, 1e-9) << "half an hour of quiet and half an hour of 1 °C/h";
   EXPECT_EQ(*all.rate_before, 0.0);
+}
+
+TEST(AmbientCourse, BeginsAnHourBeforeTheTestHoweverLongThatIs) {
+  const auto ramp = [](double t) { return 20.0 + 0.9 * std::clamp((t - 11.5 * hour) / hour, 0.0, 1.0); };
+  const auto all = found({course("air", 0, 15 * hour, 600, ramp)}, TimeStretch{12 * hour, 14 * hour});
+  EXPECT_NEAR(*all.rate, 0.9, 1e-9) << "half of it in the test, half of it in the hour before";
+  EXPECT_NEAR(*all.rate_before, 0.45, 1e-9);
+  EXPECT_NEAR(all.lowest->in_celsius(), 20.45, 1e-9) << "the extremes are those of the test";
+  const auto spike = [](double t) { return std::abs(t - 11.5 * hour) < 300 ? 23.0 : 20.0; };
+  const auto before = found({course("air", 0, 15 * hour, 60, spike)}, TimeStretch{12 * hour, 14 * hour});
+  EXPECT_NEAR(*before.rate, 3.0, 1e-9) << "from 23 before the test to 20 in it";
+  const auto early = [](double t) { return t < 10 * hour ? 23.0 : 20.0; };
+  EXPECT_EQ(*found({course("air", 0, 15 * hour, 60, early)}, TimeStretch{12 * hour, 14 * hour}).rate, 0.0);
+}
+
+TEST(AmbientCourse, KnowsNoRateBesideExtremesBetweenReadings) {
+  auto mean = course("air", 0, 15 * hour, 600, [](double) { return 20.3; }), peak = mean;
+  std::ranges::fill(peak.celsius, 26.0);
+  peak.location = "Air max";
+  const TimeStretch test{12 * hour, 14 * hour};
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  agreed.lowest = Temperature::celsius(19);
+  agreed.rate = 0.5;
+  const TemperatureLog log{moment_of("2026-03-02T00:00"), {mean, peak}, {}};
+  const auto environment = iso230_2::test_environment(log, test, agreed);
+  EXPECT_EQ(environment.items[0].standing, EnvironmentStanding::kept);
+  EXPECT_EQ(environment.items[1].standing, EnvironmentStanding::exceeded);
+  EXPECT_EQ(environment.items[2].standing, EnvironmentStanding::known_in_part);
+  EXPECT_EQ(environment.items[3].standing, EnvironmentStanding::known_in_part);
+}
+
+TEST(AmbientCourse, OfHalfAnHourInSixtyIsNotKnown) {
+  auto hall = course("air", 0, 40 * hour, 300, [](double) { return 20.0; });
+  const auto later = course("air", 40 * hour + 2100, 90 * hour, 300, [](double) { return 20.0; });
+  hall.times_s.insert(hall.times_s.end(), later.times_s.begin(), later.times_s.end());
+  hall.celsius.insert(hall.celsius.end(), later.celsius.begin(), later.celsius.end());
+  iso230_2::AgreedEnvironment agreed;
+  agreed.highest = Temperature::celsius(22);
+  const auto environment = iso230_2::test_environment({moment_of("2026-03-02T00:00"), {hall}, {}},
+                                                      TimeStretch{20 * hour, 80 * hour}, agreed);
+  EXPECT_EQ(environment.items[1].standing, EnvironmentStanding::known_in_part) << "a gap of 35 minutes";
 }
 
 TEST(AmbientCourse, ExtrapolatesLessThanAnHourToTheSafeSideAndSaysNothingOfMinutes) {

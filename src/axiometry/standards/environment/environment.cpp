@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "axiometry/base/text/text.h"
+#include "axiometry/model/sensor_extremes.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -181,7 +182,7 @@ std::string_view standing_text(EnvironmentStanding standing) {
 
 bool RecordedShare::gapless() const {
   constexpr double minute_h = 1.0 / 60.0;
-  return recorded_h > 0.0 && whole_h - recorded_h <= std::max(minute_h, 0.01 * whole_h);
+  return recorded_h > 0.0 && whole_h - recorded_h <= minute_h;
 }
 
 bool TestEnvironment::exceeded() const {
@@ -204,13 +205,17 @@ TestEnvironment test_environment(const TemperatureLog& log, const std::optional<
   // Where the test was is not known: what was recorded may not be all of it.
   Completeness complete{false, false, false};
   if (test) complete = find_shares(environment, log, *test);
+  // What a sensor of the air tells of its highest and lowest temperature between readings tells no change per hour.
+  const bool any_extremes = std::ranges::any_of(log.sensors, [](const TemperatureCourse& course) {
+    return text::equal_ignoring_case(course.role, "air") && names_extremes(course.location);
+  });
   const auto measured = values_of(found), certain = values_of(certain_of(found, log.sensors, test));
   for (std::size_t k = 0; k < measured.size(); ++k) {
     EnvironmentItem& item = environment.items[k];
     item.measured = measured[k];
     const bool during = complete.during && (item.key != rate_key || found.rate_of_every_sensor);
     judge_item(item, certain[k],
-               item.key == before_key     ? complete.before
+               item.key == before_key     ? complete.before && !any_extremes
                : item.key == gradient_key ? complete.gradient
                                           : during);
   }

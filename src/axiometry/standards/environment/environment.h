@@ -51,7 +51,7 @@ struct RecordedShare {
   bool end_told = true;  ///< whether the end of the stretch is told; else whole_h is only what is known of it
   std::string sensor{};  ///< name of the sensor that recorded no more than this, where others did
 
-  /// All of what is known of the stretch, but for a minute, or a hundredth.
+  /// All of what is known of the stretch, but for a minute.
   bool gapless() const;
   /// All of the stretch: never where nobody told its end.
   bool complete() const { return end_told && gapless(); }

@@ -425,6 +425,27 @@ TEST(Plan230, FindsWhatPeopleEditedAwayFromTheStandard) {
   EXPECT_THAT(messages(plan), Contains(HasSubstr("Normal working area, 2000 to 4000 mm: found 4 approaches")));
 }
 
+TEST(Plan230, FindsRestsAndOverrunsInWhichNothingCanBeRead) {
+  Plan plan = make_plan(request(0, 500)).value();
+  plan.dwell = Duration::s(0.001);
+  plan.overrun = at(0.002);
+  EXPECT_THAT(kinds(plan), ::testing::IsSupersetOf({"5.1 missing", "3.2 missing"}));
+  EXPECT_THAT(messages(plan), Contains("found a dwell of 0.001 s at the targets, expected a rest long enough to reach "
+                                       "and record each: 0.1 s at least"));
+  EXPECT_THAT(messages(plan),
+              Contains("found overruns of 0.002 mm, expected more than an axis loses on reversal: 0.1 mm at least"));
+}
+
+TEST(Plan230, SaysWhichTargetsNothingApproaches) {
+  Plan plan = make_plan(request(0, 500)).value();
+  plan.cycle = TestCycle::user_defined;
+  plan.runs = 1;
+  plan.sequence = {{1, Direction::up, 0}, {3, Direction::down, 0}, {4, Direction::up, 0}};
+  EXPECT_THAT(messages(plan), Contains("found no approach to targets 1, 3, expected some to each target"));
+  plan.sequence.push_back({0, Direction::down, 0});
+  EXPECT_THAT(messages(plan), Contains("found no approach to target 3, expected some to each target"));
+}
+
 TEST(Plan230, OverrunsReachTheFeedOrSayThatTheyDoNot) {
   PlanRequest r = request(0, 500);
   r.feed = 6000;  // 100 mm/s: 10 mm at 1 000 mm/s²

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include "axiometry/base/text/number_text.h"
+#include "axiometry/standards/iso230_2/plan/further.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 #include "axiometry/standards/iso230_2/programme.h"
 #include "axiometry/standards/iso230_2/rules/message.h"
@@ -19,7 +22,9 @@ namespace {
 using rules::Case;
 
 constexpr std::size_t most_readings = 20'000'000;
-constexpr double position_slack = 1e-6;   // mm or °
+constexpr double position_slack = 1e-6;  // mm or °
+constexpr double dwell_least_s = 0.1;    // no control settles and no instrument averages in less
+constexpr double overrun_least_mm = 0.1, overrun_least_deg = 0.01;  // above the reversal error of a sound axis
 constexpr double least_phases = 0.25;     // of the period: fewer are missed by chance of five targets in 2 % of plans
 constexpr double periods_at_least = 2.0;  // Annex C
 constexpr double targets_per_period_least = 4.0;  // Annex C: half the period is the limit, where nothing can be told
@@ -93,9 +98,24 @@ std::optional<Finding> warm_up_planned(const Plan& plan) {
 }
 
 std::optional<Finding> rests_at_targets(const Plan& plan) {
-  if (plan.dwell.in_s() > 0.0) return std::nullopt;
+  const double dwell_s = plan.dwell.in_s();
+  if (dwell_s >= dwell_least_s) return std::nullopt;
+  if (!(dwell_s > 0.0))
+    return rules::missing("plan-rests-at-targets", "5.1",
+                          "found no dwell at the targets, expected a rest long enough to reach and record each");
   return rules::missing("plan-rests-at-targets", "5.1",
-                        "found no dwell at the targets, expected a rest long enough to reach and record each");
+                        fmt::format("found a dwell of {} s at the targets, expected a rest long enough to reach and "
+                                    "record each: {} s at least",
+                                    format_shortest(dwell_s), format_shortest(dwell_least_s)));
+}
+
+/// What the axis loses on reversal would else be lost at the target.
+std::optional<Finding> overrun_reverses(const Plan& plan) {
+  const double least = plan.axis.kind == AxisKind::linear ? overrun_least_mm : overrun_least_deg;
+  if (plan.overrun.in_native() >= least - position_slack) return std::nullopt;
+  return rules::missing("plan-overrun-reverses", "3.2",
+                        fmt::format("found overruns of {}, expected more than an axis loses on reversal: {} at least",
+                                    position_text(plan, plan.overrun.in_native()), position_text(plan, least)));
 }
 
 std::optional<Finding> period_below_interval(const Plan& plan) {
@@ -166,8 +186,11 @@ std::optional<Finding> period_resolved(const Plan& plan) {
 }
 
 /// What is said of every plan.
-constexpr PlanRule* common_rules[] = {line_of_several_axes, made_for_other_errors, travel_known,    reach_within_travel,
-                                      beyond_one_turn,      warm_up_planned,       rests_at_targets};
+constexpr PlanRule* common_rules[] = {line_of_several_axes, made_for_other_errors, travel_known,
+                                      reach_within_travel,  beyond_one_turn,       warm_up_planned,
+                                      rests_at_targets,     overrun_reverses};
+/// Of these, what is said once of the test that others belong to, whose axis and warm-up are theirs.
+constexpr PlanRule* rules_of_the_first[] = {line_of_several_axes, travel_known, beyond_one_turn, warm_up_planned};
 /// Of the test for a periodic error.
 constexpr PlanRule* period_rules[] = {period_given, period_covered, period_resolved};
 /// Of a test after clause 5.
@@ -188,6 +211,33 @@ constexpr rules::Rule* programme_rules[] = {
     rules::step_cycle,
 };
 
+std::string unvisited_targets(const Plan& plan) {
+  constexpr std::size_t named = 10;
+  std::vector<bool> visited(plan.targets.size(), false);
+  for (const Approach& a : approaches(plan)) visited[a.target] = true;
+  std::string list;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    if (visited[i] || ++count > named) continue;
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", i + 1);
+  }
+  return count > named ? list + ", …" : list;
+}
+
+/// Why there is no test that the plan could be judged as.
+Finding without_series(const Plan& plan) {
+  const std::string clause = plan.clause.empty() ? "5.3" : plan.clause;
+  if (plan.targets.size() < 2)
+    return rules::departure("plan-one-target", clause,
+                            "found one target, expected several over the measurement travel");
+  if (2 * plan.targets.size() * plan.runs > most_readings)
+    return rules::departure("plan-too-many-approaches", clause, "found more approaches than any test has");
+  const std::string unvisited = unvisited_targets(plan);
+  return rules::departure("plan-target-not-approached", clause,
+                          fmt::format("found no approach to target{} {}, expected some to each target",
+                                      unvisited.contains(',') ? "s" : "", unvisited));
+}
+
 class PlanFindings {
  public:
   void add(std::optional<Finding> finding) {
@@ -197,11 +247,7 @@ class PlanFindings {
   void add_programme(const Plan& plan, bool further) {
     const auto series = series_of(plan);
     if (!series) {
-      const std::string clause = plan.clause.empty() ? "5.3" : plan.clause;
-      add(plan.targets.size() < 2
-              ? rules::departure("plan-one-target", clause,
-                                 "found one target, expected several over the measurement travel")
-              : rules::departure("plan-too-many-approaches", clause, "found more approaches than any test has"));
+      add(without_series(plan));
       return;
     }
     Metadata metadata;
@@ -213,7 +259,7 @@ class PlanFindings {
       if (further && rule == rules::part_of_axis_travel) continue;
       add(rule(c));
     }
-    if (!further && plan.further.empty()) add(rules::additional_test(c));
+    if (!further && !has_additional_test(plan)) add(rules::additional_test(c));
     for (const Finding& unexplained : rules::unexplained(c))
       for (Finding& found : list_)
         if (found.id == unexplained.id) found.severity = unexplained.severity;
@@ -228,13 +274,17 @@ class PlanFindings {
   std::vector<Finding> list_;
 };
 
-/// Of a further plan without the acceleration, which the plan it belongs to was judged with.
-std::vector<Finding> findings_of(const Plan& plan, std::optional<double> acceleration) {
-  const bool further = !acceleration;
+/// `whole`: the plan that it is a further one of; of these the whole tells whether the feed is reached where both move
+/// alike.
+std::vector<Finding> findings_of(const Plan& plan, double acceleration, const Plan* whole = nullptr) {
+  const bool further = whole != nullptr;
   PlanFindings findings;
   for (PlanRule* rule : common_rules)
-    if (!further || rule == reach_within_travel) findings.add(rule(plan));
-  if (acceleration) findings.add(feed_reached(plan, *acceleration));
+    if (!further || std::ranges::find(rules_of_the_first, rule) == std::end(rules_of_the_first))
+      findings.add(rule(plan));
+  if (further) findings.add(of_another_axis(*whole, plan));
+  if (!further || plan.feed != whole->feed || plan.overrun != whole->overrun)
+    findings.add(feed_reached(plan, acceleration));
   if (!measures_positions(plan)) return std::move(findings).sorted();
   if (plan.clause == "Annex C") {
     for (PlanRule* rule : period_rules) findings.add(rule(plan));
@@ -258,9 +308,12 @@ std::optional<Series> series_of(const Plan& plan) {
 }
 
 std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration) {
-  std::vector<Finding> all = findings_of(plan, acceleration.value_or(usual_acceleration(plan.axis.kind)));
+  const auto judged = [&](const Plan& one, const Plan* whole) {
+    return findings_of(one, acceleration.value_or(usual_acceleration(one.axis.kind)), whole);
+  };
+  std::vector<Finding> all = judged(plan, nullptr);
   for (const Plan& part : plan.further)
-    for (Finding& finding : findings_of(part, std::nullopt)) {
+    for (Finding& finding : judged(on_the_same_axis(plan, part), &plan)) {
       if (!part.title.empty()) finding.message = fmt::format("{}: {}", part.title, finding.message);
       all.push_back(std::move(finding));
     }

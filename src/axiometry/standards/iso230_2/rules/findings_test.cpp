@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "axiometry/model/fields.h"
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "tests/support/series.h"
 
