@@ -17,12 +17,14 @@ namespace {
 
 constexpr double feed_alike = 0.05;       // share: half a step of an override
 constexpr double feed_steps_share = 0.1;  // of the step in time over the time of a way
+constexpr double coarse = 0.06;           // share, of what a feed is known to
 constexpr double rest_alike = 0.1;        // share: a control waits until the axis is in position, and calculates
 constexpr double rest_decimals = 10.0;
 
-/// To three significant figures.
-double three_figures(double x) {
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 2.0);
+/// To three significant figures, to two where it is known to so little.
+double known_figures(double x, double known_to) {
+  const double last = known_to > coarse ? 1.0 : 2.0;
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - last);
   return std::round(x / unit) * unit;
 }
 
@@ -48,9 +50,9 @@ std::optional<SourceRemark> take_feed(const Plan& plan, const CaptureResult& res
   if (!is_feed && seen < plan.feed && fastest < (1.0 - slack) * plan.feed)
     return SourceRemark{false, fmt::format("the ways between the targets are too short to show the feed, {0} {1} at "
                                            "most were seen: the {2} {1} that are stated are those of the plan",
-                                           format_exact(three_figures(fastest)), unit, format_exact(plan.feed))};
+                                           format_exact(known_figures(fastest, slack)), unit, format_exact(plan.feed))};
   if (std::abs(seen - plan.feed) <= slack * plan.feed || (!is_feed && seen < plan.feed)) return std::nullopt;
-  conditions.feed = three_figures(seen);
+  conditions.feed = known_figures(seen, slack);
   return SourceRemark{false, fmt::format("between the targets the axis moved at {0} {1}, where the plan has {2} {1}: "
                                          "the feed is that of the recording",
                                          format_exact(*conditions.feed), unit, format_exact(plan.feed))};

@@ -22,13 +22,12 @@ double middle_one(double a, double b, double c) { return std::max(std::min(a, b)
 
 /// The middle one of three neighbours, so that a false sample is no place.
 void WaySpeed::move_along(std::span<const Sample> samples) {
-  if (samples.size() < 3) return;
-  const std::size_t inner = samples.size() - 2;
-  const std::size_t every = (inner + places_of_a_cell - 1) / places_of_a_cell;
-  for (std::size_t k = 1; k <= inner; k += every) {
-    if (passed_++ % stride_ != 0) continue;
-    places_.push_back(
-        {samples[k].time_s, middle_one(samples[k - 1].position, samples[k].position, samples[k + 1].position)});
+  const std::size_t every = stride_ * ((samples.size() + places_of_a_cell - 1) / places_of_a_cell);
+  for (const Sample& sample : samples) {
+    if (before_.size() == 2 && passed_++ % every == 0)
+      places_.push_back({before_[1].time_s, middle_one(before_[0].position, before_[1].position, sample.position)});
+    if (before_.size() == 2) before_.erase(before_.begin());
+    before_.push_back(sample);
   }
   if (places_.size() < most_places) return;
   for (std::size_t k = 0; 2 * k < places_.size(); ++k) places_[k] = places_[2 * k];
@@ -54,6 +53,7 @@ void WaySpeed::turned(Direction now) {
 
 void WaySpeed::forget() {
   places_.clear();
+  before_.clear();
   stride_ = 1;
 }
 

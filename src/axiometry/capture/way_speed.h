@@ -38,6 +38,7 @@ class WaySpeed {
   std::vector<Sample> places_;
   std::size_t stride_ = 1;  // of the places that come one in so many is kept
   std::size_t passed_ = 0;
+  std::vector<Sample> before_;  // the last two samples
 };
 
 }  // namespace axiometry::capture

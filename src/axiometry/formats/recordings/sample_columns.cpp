@@ -63,21 +63,6 @@ Heading heading_of(std::string_view cell) {
   return heading;
 }
 
-/// Units of positions that are not read: what stands in them must not count as mm or °.
-constexpr std::string_view units_not_read[] = {"cm",    "dm",     "km",   "ft",   "foot",  "feet",   "yd",     "yard",
-                                               "yards", "gon",    "grad", "rev",  "revs",  "count",  "counts", "cts",
-                                               "pulse", "pulses", "mV",   "volt", "volts", "gradian"};
-
-/// The last word of a heading, in brackets or not, where it is one of them.
-std::string_view unit_not_read(std::string_view name) {
-  while (!name.empty() && (name.back() == ']' || name.back() == ')' || name.back() == ' ')) name.remove_suffix(1);
-  const std::size_t mark = name.find_last_of("[(/_ ");
-  const std::string_view word = mark == name.npos ? name : name.substr(mark + 1);
-  const bool is_unit =
-      std::ranges::any_of(units_not_read, [&](std::string_view unit) { return text::equal_ignoring_case(unit, word); });
-  return is_unit ? word : std::string_view();
-}
-
 bool is_time(const Heading& heading) {
   return heading.seconds || std::ranges::any_of(time_names, [&](std::string_view name) {
            return text::equal_ignoring_case(name, heading.name);
@@ -143,6 +128,22 @@ constexpr NameWord perhaps_other_words[] = {{"current"}, {"feed"}, {"signal"}};
 bool names_other(std::string_view name) {
   return has_any_word(name, other_words) ||
          (has_any_word(name, perhaps_other_words) && !has_any_word(name, position_words));
+}
+
+/// Units of positions that are not read: what stands in them must not count as mm or °.
+constexpr std::string_view units_not_read[] = {"cm",    "dm",     "km",   "ft",   "foot",  "feet",   "yd",     "yard",
+                                               "yards", "gon",    "grad", "rev",  "revs",  "count",  "counts", "cts",
+                                               "pulse", "pulses", "mV",   "volt", "volts", "gradian"};
+
+/// The last word of a heading, in brackets or not, where it is one of them.
+std::string_view unit_not_read(std::string_view name) {
+  while (!name.empty() && (name.back() == ']' || name.back() == ')' || name.back() == ' ')) name.remove_suffix(1);
+  const std::size_t mark = name.find_last_of("[(/_ ");
+  const std::string_view word = mark == name.npos ? name : name.substr(mark + 1);
+  if (mark == name.npos && names_other(name)) return {};  // "count" is a name too
+  const bool is_unit =
+      std::ranges::any_of(units_not_read, [&](std::string_view unit) { return text::equal_ignoring_case(unit, word); });
+  return is_unit ? word : std::string_view();
 }
 
 bool names_position(std::string_view name) {
@@ -280,7 +281,9 @@ Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, Po
   if (position.unit != nullptr && position.unit->kind != kind)
     return fail(fmt::format("found positions in {}, expected {} for a {} axis", position.unit->symbol,
                             kind == AxisKind::linear ? "a unit of length" : "a unit of angle", axis_kind_name(kind)));
-  if (const std::string_view unread = position.unit == nullptr ? unit_not_read(position.name) : ""; !unread.empty())
+  const std::string_view unread =
+      position.unit != nullptr || choice.in_any_unit ? std::string_view() : unit_not_read(position.name);
+  if (!unread.empty())
     return fail(fmt::format("found positions in {}, expected one of {}", text::quoted(unread), unit_names()));
   if (!choice.stated && position.unit == nullptr && names_other(position.name))
     return fail(fmt::format("found the column {}, expected positions", text::quoted(cells[columns.position])));

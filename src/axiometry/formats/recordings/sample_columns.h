@@ -44,6 +44,7 @@ std::optional<SampleColumns> columns_by_values(std::string_view line, std::optio
 struct PositionChoice {
   std::optional<std::size_t> stated{};  ///< 0 is the first column beside the time
   bool at_standstill = false;           ///< a deviation is as good, and some column is taken: RecordingOptions
+  bool in_any_unit = false;             ///< whether units that are not read will do too, to recognise a layout
 };
 
 /// From a header line: names such as time, t, zeit, position, x with units behind them as "_mm", "[mm]", "(mm)",

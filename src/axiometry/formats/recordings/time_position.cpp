@@ -26,8 +26,8 @@ class TimePositionReader final : public LineReader {
       : LineReader(options, StampJudge::Kind::times),
         kind_(options.kind),
         meaning_(options.meaning),
-        choice_{options.axis_stated || options.axis > 0 ? std::optional(options.axis) : std::nullopt,
-                options.at_standstill} {}
+        choice_{.stated = options.axis_stated || options.axis > 0 ? std::optional(options.axis) : std::nullopt,
+                .at_standstill = options.at_standstill} {}
 
   const Unit* unit() const override { return columns_ ? columns_->unit : nullptr; }
   std::string_view name() const override { return columns_ ? std::string_view(columns_->name) : ""; }
@@ -110,7 +110,7 @@ int recognise(std::string_view head) {
   const std::size_t beside = cells_of(lines[1], sample_delimiter(lines[0])).size();
   for (AxisKind kind : {AxisKind::linear, AxisKind::rotary})
     for (std::size_t column = 0; column + 1 < beside && column < columns_looked_at; ++column) {
-      const auto columns = columns_by_header(lines[0], kind, {.stated = column});
+      const auto columns = columns_by_header(lines[0], kind, {.stated = column, .in_any_unit = true});
       if (!columns) continue;
       const auto cells = cells_of(lines[1], columns->delimiter);
       if (cells.size() <= std::max(columns->time, columns->position)) continue;

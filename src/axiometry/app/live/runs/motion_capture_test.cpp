@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -163,18 +162,6 @@ TEST(MotionCapture, TellsOfAnInstrumentThatShowedOneValueAllTheTime) {
   capture.put("run.csv", stream);
   ASSERT_EQ(capture.refusal(), "");
   EXPECT_THAT(capture.events, testing::Contains(HasSubstr("every sample of the recording is 0 µm, to the last digit")));
-}
-
-TEST(MotionCapture, SaysOfTheDriftOfThePositionThatItIsThePositions) {
-  MotionCapture capture;
-  capture.options.motion->sign = StopSign::position;
-  capture.options.motion->stop_column = 0;
-  std::string stream = "time_s,position_mm,straightness_um,trigger\n";
-  for (const DrivenSample& s : DrivenAxis(capture.plan).samples())
-    stream += fmt::format("{:.2f},{:.5f},{:.7f},0\n", s.time_s, s.position_mm + 0.003 * std::sin(s.time_s), s.value_um);
-  capture.put("run.csv", stream);
-  ASSERT_EQ(capture.refusal(), "");
-  EXPECT_THAT(*MotionCapture::whole(capture.run.out), HasSubstr(", the position drifts by "));
 }
 
 TEST(MotionCapture, LeavesWhatWasThereBeforePositionsOfAnotherPlan) {
