@@ -138,7 +138,7 @@ Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::s
   const auto pair = key_and_value(line);
   if (!pair) return {};
   if (pair->key == source_remark_key) {
-    if (!pair->value.empty()) preamble.remarks.push_back({false, std::string(pair->value)});
+    if (!pair->value.empty()) preamble.remarks.push_back({false, std::string(first_read).append(pair->value)});
     return {};
   }
   AXIOMETRY_TRY(auto key, field_key(pair->key, {number, line.find_first_not_of("\"# \t") + 1}));

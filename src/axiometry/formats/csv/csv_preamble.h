@@ -17,6 +17,8 @@ namespace axiometry::formats {
 
 /// A remark of the reader that took the readings out of another file, kept where they are written again.
 inline constexpr std::string_view source_remark_key = "source_remark";
+/// What such a remark begins with when it is told again: it speaks of that other file.
+inline constexpr std::string_view first_read = "told when the readings were first read: ";
 
 struct MetadataLine {
   std::string key;  ///< key of a field

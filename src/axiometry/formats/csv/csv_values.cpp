@@ -119,7 +119,9 @@ std::string metadata_lines(const Test& test) {
   for (const SourceRemark& remark : source.remarks) {
     // Those that say what the readings themselves say are found in them again.
     if (remark.departs || remark.of_swapped_labels) continue;
-    std::string line = fmt::format("# {}: {}", source_remark_key, remark.message);
+    std::string_view message = remark.message;
+    if (message.starts_with(first_read)) message.remove_prefix(first_read.size());
+    std::string line = fmt::format("# {}: {}", source_remark_key, message);
     std::ranges::replace_if(
         line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
     lines += text::no_formula(line) + "\n";
