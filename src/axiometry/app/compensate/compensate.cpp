@@ -17,7 +17,6 @@
 #include "axiometry/base/text/text.h"
 #include "axiometry/base/time/iso_date.h"
 #include "axiometry/compensation/suspicions.h"
-#include "axiometry/model/simulated.h"
 #include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::app {
@@ -350,8 +349,6 @@ Result<CompensatedAxis> compensate(MeasuredAxis axis, const CompensateRequest& r
 
   std::vector<NamedFinding> findings = findings_of_state(test, s.curves, s.existing.has_value());
   if (!measures_axis) findings.push_back(finding_of_kept_table(measures_axis.error()));
-  if (simulated_by_purpose(test.metadata.conditions.purpose))
-    findings.push_back({"compensation-simulated", false, "the readings were simulated: the table is of no machine"});
   std::ranges::move(compensation::findings_of_readings(test.series, s.options.kind, s.curves),
                     std::back_inserter(findings));
   std::ranges::move(compensation::findings_of_table(test.series, fit.correction, s.control.limits.rolls_over),

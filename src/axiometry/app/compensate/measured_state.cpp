@@ -8,6 +8,7 @@
 #include <string>
 
 #include "axiometry/base/text/text.h"
+#include "axiometry/model/simulated.h"
 #include "axiometry/model/swapped_labels.h"
 #include "axiometry/standards/iso230_2/inputs/uncorrected_effects.h"
 
@@ -65,6 +66,8 @@ std::vector<NamedFinding> findings_of_state(const Test& test, TableCurves curves
   for (const iso230_2::UncorrectedEffect& effect : iso230_2::uncorrected_effects(test))
     findings.push_back({"compensation-uncorrected", true,
                         fmt::format("the table corrects what is not of the axis: {}", effect.reason())});
+  if (simulated_by_purpose(test.metadata.conditions.purpose))
+    findings.push_back({"compensation-simulated", false, "the readings were simulated: the table is of no machine"});
   const Axis& axis = test.metadata.axis;
   if (table_given || !may_be_compensated(axis)) return findings;
   const std::string said = !axis.compensation_points.empty()

@@ -87,8 +87,7 @@ Result<TargetsOfFile> targets_of_plan(const std::string& file) {
   return targets;
 }
 
-/// Targets with a mean in both directions, or in the one that there is. The spread of all is pooled: five runs tell
-/// little of their own.
+/// Targets with a mean in both directions, or in the one that there is. Runs that lie apart leave the shape alone.
 Result<TargetsOfFile> targets_of_test(const std::string& file) {
   AXIOMETRY_TRY(const Test test, read_test(file));
   if (test.metadata.axis.kind != AxisKind::linear)
@@ -101,7 +100,6 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
     targets.offset_mm = Vector3{offset[0], offset[1], offset[2]};
   targets.means->both_directions = up && down;
   targets.means->direction = up ? Direction::up : Direction::down;
-  // Runs that lie apart as a whole leave the shape alone, which is what is compared.
   double squares = 0.0, count = 0.0;
   for (const auto& p : iso230_2::evaluate_positions(iso230_2::without_shifts(test.series)))
     for (const auto& s : {p.s_up, p.s_down})
@@ -115,7 +113,7 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
                                    "more to hold against a prediction")),
         file);
   const auto n = static_cast<double>(test.series.target_count());
-  const double s = std::sqrt(squares / count * (n > 1.0 ? n / (n - 1.0) : 1.0));  // their levels are n means
+  const double s = std::sqrt(squares / count * (n > 1.0 ? n / (n - 1.0) : 1.0));  // pooled; their levels are n means
   for (const auto& p : positions) {
     if ((up && !p.mean_up) || (down && !p.mean_down)) continue;
     targets.positions_mm.push_back(p.target.in_native());

@@ -36,10 +36,8 @@ struct Roles {
 
 struct Directives {
   const Unit* unit = nullptr;  ///< null when not stated
-  std::optional<double> gain;
-  std::optional<double> offset;
-  std::optional<std::size_t> set_point;
-  std::optional<std::size_t> reference;
+  std::optional<double> gain, offset;
+  std::optional<std::size_t> set_point, reference;
 };
 
 /// An event that belongs to the test.
@@ -103,9 +101,9 @@ class Reader {
  private:
   const Unit& unit() const { return directives_.unit == nullptr ? *find_unit("mm") : *directives_.unit; }
 
-  Result<std::size_t> variable(const LogDirective& d) const {
-    const auto found = std::ranges::find(log_.variables, d.value);
-    if (found != log_.variables.end()) return static_cast<std::size_t>(found - log_.variables.begin());
+  Result<std::size_t> variable(const LogDirective& d) {
+    for (std::size_t k = numbers_.size(); k < log_.variables.size(); ++k) numbers_.emplace(log_.variables[k], k);
+    if (const auto found = numbers_.find(d.value); found != numbers_.end()) return found->second;
     return fail(fmt::format("found {} = {}, expected a variable of the log", d.key, text::quoted(d.value)), d.at);
   }
 
@@ -114,9 +112,7 @@ class Reader {
     return fail(fmt::format("found {} = {}, expected a finite number", d.key, text::quoted(d.value)), d.at);
   }
 
-  /// Of variables the last word counts, and is looked up alone.
   Result<void> take_directives() {
-    const LogDirective *reference = nullptr, *set_point = nullptr;
     for (const LogDirective& d : log_.directives) {
       if (text::equal_ignoring_case(d.key, "UNIT")) {
         directives_.unit = find_unit(d.value);
@@ -124,20 +120,14 @@ class Reader {
           return fail(fmt::format("found the unknown unit {}, expected one of {}", text::quoted(d.value), unit_names()),
                       d.at);
       } else if (text::equal_ignoring_case(d.key, "REF_PV")) {
-        reference = &d;
+        AXIOMETRY_TRY(directives_.reference, variable(d));
       } else if (text::equal_ignoring_case(d.key, "TGT_SET_PV")) {
-        set_point = &d;
+        AXIOMETRY_TRY(directives_.set_point, variable(d));
       } else if (text::equal_ignoring_case(d.key, "REF_GAIN")) {
         AXIOMETRY_TRY(directives_.gain, number(d));
       } else if (text::equal_ignoring_case(d.key, "REF_OFFSET")) {
         AXIOMETRY_TRY(directives_.offset, number(d));
       }
-    }
-    if (reference != nullptr) {
-      AXIOMETRY_TRY(directives_.reference, variable(*reference));
-    }
-    if (set_point != nullptr) {
-      AXIOMETRY_TRY(directives_.set_point, variable(*set_point));
     }
     return {};
   }
@@ -325,6 +315,7 @@ class Reader {
   }
 
   const Log& log_;
+  std::map<std::string_view, std::size_t> numbers_;  // of the variables, once one is asked for
   Directives directives_;
   std::vector<Point> points_;
   Roles roles_;

@@ -243,8 +243,8 @@ numpy.save("run.npy", numpy.column_stack([time_s, position_mm]))
 
 - `float64`, little-endian, of the shape (N, 2) in C order: time in s and position in mm (° on a rotary axis); or
   records with the fields `time` and `position`, both `float64`, in either order.
-- Refused: other types and shapes, Fortran order, numbers that are none or beyond 1e15, time that runs backwards, a file whose
-  length is not what its header says.
+- Refused: other types and shapes, Fortran order, numbers that are none or beyond 1e15, time that runs backwards, a
+  file whose length is not what its header says.
 )";
 
 }  // namespace

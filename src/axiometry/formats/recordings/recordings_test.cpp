@@ -328,8 +328,8 @@ TEST(Npy, RefusesWhatIsNotAsItsHeaderSaysAndSaysWhere) {
       from_npy(npy(plain, {0, 1, 0.5, nan, 1, 3})).starts_with("found a number beyond 1e15, or none, in sample 2"));
   EXPECT_TRUE(
       from_npy(npy(plain, {nan, 1, 0.5, 2, 1, 3})).starts_with("found a number beyond 1e15, or none, in sample 1"));
-  EXPECT_TRUE(
-      from_npy(npy(plain, {0, 1, 0.5, 2, HUGE_VAL, 3})).starts_with("found a number beyond 1e15, or none, in sample 3"));
+  EXPECT_TRUE(from_npy(npy(plain, {0, 1, 0.5, 2, HUGE_VAL, 3}))
+                  .starts_with("found a number beyond 1e15, or none, in sample 3"));
   EXPECT_TRUE(
       from_npy(npy(plain, {0, 1, 0.5, 2, 1, 1e300})).starts_with("found a number beyond 1e15, or none, in sample 3"));
   EXPECT_TRUE(

@@ -182,8 +182,8 @@ EOF::
 - Machine, axis, location and date are told as remarks; of a date such as 10/02/2025 it is not known whether the day
   or the month stands first.
 - A trigger interval that is not one over the rate is told: the samples may have been triggered by position.
-- Refused: fewer or more numbers than the header says, numbers that are none or beyond 1e15, a header without a number of
-  samples or a rate, or of more than 64 KiB.
+- Refused: fewer or more numbers than the header says, numbers that are none or beyond 1e15, a header without a
+  number of samples or a rate, or of more than 64 KiB.
 - `axiometry dynamic` tells velocity, acceleration, vibrations and how evenly the axis moved; with stops in it
   `axiometry evaluate --plan` takes the readings out of it.
 )";

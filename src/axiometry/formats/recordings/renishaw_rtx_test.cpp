@@ -121,7 +121,8 @@ TEST(RenishawRtx, RefusesInWordsWhatIsNotWhole) {
                 HasSubstr("as sample rate of an .rtx recording, expected 1e-6 to 1e9 Hz"))
         << rate;
   const double bad[] = {1.0, std::numeric_limits<double>::quiet_NaN()};
-  EXPECT_EQ(rtx_text(rtx_file(bad, 1)), "found a number beyond 1e15, or none, in sample 2, expected time and position 0:1");
+  EXPECT_EQ(rtx_text(rtx_file(bad, 1)),
+            "found a number beyond 1e15, or none, in sample 2, expected time and position 0:1");
   EXPECT_THAT(read_samples("renishaw-rtx", "HEADER::\n" + std::string(70'000, 'x')).refusal,
               HasSubstr("found no Data: in the first 65536 bytes"));
   RecordingOptions options;

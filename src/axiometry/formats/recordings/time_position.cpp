@@ -142,9 +142,10 @@ time_s,position_mm
   `--unit` names, of several columns from that of `--stream-axis`.
 - The time may be a point in time: `2026-11-21T12:34:56.789Z`, `2026-11-21 12:34:56,789`; it counts from the first.
 - Lines that begin with `#` or `%` and empty lines are passed over.
-- Refused: lines with other columns than those before, numbers that are none or beyond 1e15, time that runs backwards, positions
-  in a unit of the other kind of axis. Of a live stream and with `--skip-damaged` such lines are counted and left out,
-  also a line whose time ran ahead; five in order behind the time before are a clock that was set, and are taken.
+- Refused: lines with other columns than those before, numbers that are none or beyond 1e15, time that runs backwards,
+  positions in a unit of the other kind of axis. Of a live stream and with `--skip-damaged` such lines are counted and
+  left out, also a line whose time ran ahead; five in order behind the time before are a clock that was set, and are
+  taken.
 )";
 
 }  // namespace

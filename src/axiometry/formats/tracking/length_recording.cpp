@@ -15,7 +15,6 @@
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/table_heads.h"
 #include "axiometry/formats/tracking/tracking_lengths_csv.h"
-#include "axiometry/numeric/median.h"
 
 namespace axiometry::formats {
 namespace {
@@ -74,7 +73,9 @@ double usual_step_s(const std::vector<double>& times_s) {
   std::vector<double> steps;
   for (std::size_t k = 1; k < times_s.size(); ++k) steps.push_back(times_s[k] - times_s[k - 1]);
   if (steps.empty()) return std::numeric_limits<double>::quiet_NaN();
-  return numeric::upper_median(std::move(steps));
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  return *middle;
 }
 
 }  // namespace

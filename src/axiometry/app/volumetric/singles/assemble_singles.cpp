@@ -199,9 +199,9 @@ Experiment present(const Assembled& a, const report::Options& options) {
   document.running_head = report::translated(document.title, options);
   document.running_status = document.edition;
   const std::string& machine = a.made.model.machine().name;
-  document.identity = {
-      {plain("Machine"), machine.empty() ? report::file_cell(a.request.machine) : report::TableCell{report::verbatim(machine)}},
-      {plain("Kinematic chain"), {report::verbatim(a.made.model.machine().chain.text())}}};
+  document.identity = {{plain("Machine"), machine.empty() ? report::file_cell(a.request.machine)
+                                                          : report::TableCell{report::verbatim(machine)}},
+                       {plain("Kinematic chain"), {report::verbatim(a.made.model.machine().chain.text())}}};
   report::Section section{"errors", "Errors", true, {}};
   section.blocks.emplace_back(singles_table(a, options));
   document.sections.push_back(std::move(section));
