@@ -15,6 +15,7 @@
 #include "axiometry/app/simulate/simulation_truth.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/format.h"
+#include "axiometry/model/simulated.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 
 namespace axiometry::app {
