@@ -72,6 +72,10 @@ std::set<std::string> of_readings() {
   up[2][1] += 25.0;
   take(make_series(five_targets, up, scattered(-4, 0)), AxisKind::linear, TableCurves::both_ways);
   take(make_series(five_targets, scattered(0, 3.5), scattered(-4, 3.5)), AxisKind::linear, TableCurves::each_way);
+  Runs rough = scattered(-4, 0);
+  for (std::size_t j = 0; j < rough.size(); ++j)
+    for (std::size_t i = 0; i < rough[j].size(); ++i) rough[j][i] += static_cast<double>((3 * i + 2 * j) % 5);
+  take(make_series(five_targets, scattered(0, 0), rough), AxisKind::linear, TableCurves::each_way);
   take(make_series(five_targets, scattered(0, 0), {}), AxisKind::linear, TableCurves::both_ways);
   take(make_series(five_targets, {}, scattered(0, 0)), AxisKind::linear, TableCurves::both_ways);
   take(make_series({0, 72.5, 145, 217.5, 290}, scattered(0, 0), scattered(0, 0)), AxisKind::rotary,

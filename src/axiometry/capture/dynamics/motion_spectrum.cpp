@@ -106,37 +106,37 @@ Band band_between(const MotionSpectrum& s, std::size_t low, std::size_t high) {
           sigma_of_one / std::sqrt(lines)};
 }
 
-/// Whether their levels differ by more than what they are known to: where noise was averaged or held it has gaps, and
-/// the median of a band that holds some is not the level between them.
+/// Whether their levels differ by more than what they are known to.
 bool differ(std::span<const Band> bands) {
-  constexpr double chance = 0.01;
+  constexpr double chance = 0.001;
+  if (bands.size() < 2) return false;
   double mean = 0.0, squares = 0.0;
   for (const Band& band : bands) mean += band.log_power / static_cast<double>(bands.size());
   for (const Band& band : bands) squares += std::pow((band.log_power - mean) / band.sigma, 2);
   return squares > numeric::chi_square_quantile(1.0 - chance, static_cast<double>(bands.size() - 1));
 }
 
-/// Of 16/T each where their levels differ; else as wide as a quarter of their lower end, which tells the level better.
+/// As wide as a quarter of their lower end, which tells the level best, or 16/T each where the parts of any differ:
+/// what was averaged or held has gaps in its spectrum, and the median of a band that holds one is not the level beside
+/// it.
 std::vector<Band> noise_bands(const MotionSpectrum& s) {
   constexpr double band_resolutions = 8.0, band_ratio = 1.25;
   const std::size_t count = s.amplitudes.size();
   const double resolution = s.resolution_hz / s.step_hz;
   const auto least = static_cast<std::size_t>(std::ceil(band_resolutions * resolution));
-  std::vector<Band> bands;
+  std::vector<Band> wide, narrow;
+  bool has_gaps = false;
   for (auto low = static_cast<std::size_t>(std::ceil(resolution)); low < count;) {
     std::size_t high = std::max(low + least, static_cast<std::size_t>(band_ratio * static_cast<double>(low)) + 1);
     if (high + least > count) high = count;
-    const std::size_t parts = std::max<std::size_t>((high - low) / least, 1);
-    std::vector<Band> narrow;
+    const std::size_t parts = std::max<std::size_t>((high - low) / least, 1), before = narrow.size();
     for (std::size_t k = 0; k < parts; ++k)
       narrow.push_back(band_between(s, low + (high - low) * k / parts, low + (high - low) * (k + 1) / parts));
-    if (parts > 1 && differ(narrow))
-      bands.insert(bands.end(), narrow.begin(), narrow.end());
-    else
-      bands.push_back(band_between(s, low, high));
+    has_gaps = has_gaps || differ(std::span(narrow).subspan(before));
+    wide.push_back(band_between(s, low, high));
     low = high;
   }
-  return bands;
+  return has_gaps ? narrow : wide;
 }
 
 /// Floors and thresholds: straight lines of log power over log frequency between the bands; below the first they go on,

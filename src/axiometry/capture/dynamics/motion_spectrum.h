@@ -24,7 +24,7 @@ struct MotionSpectrum {
   double resolution_hz = 0.0;      ///< 2/T: nearer ones cannot be told apart
   std::vector<double> amplitudes;  ///< amplitudes from 0 Hz to half the rate
   /// Root mean square of the noise about each frequency, from medians of bands as wide as 16/T, or a quarter of
-  /// their lower end if that is more and the level the same over it.
+  /// their lower end if that is more and nowhere a gap is seen.
   std::vector<double> floors;
   /// What such noise exceeds anywhere in one recording of twenty at most, white or not; and the least.
   std::vector<double> thresholds;
