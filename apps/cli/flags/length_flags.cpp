@@ -107,8 +107,7 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
 void add_length_switches(const Verb& verb, const std::function<void()>& reversed,
                          const std::function<void()>& no_breaks) {
   constexpr const char* group = "Input";
-  verb.add_flag_callback("--reversed,--reverse", reversed, "The lengths shown fall where the reflector recedes")
-      ->group(group);
+  verb.add_flag_callback("--reversed", reversed, "The lengths shown fall where the reflector recedes")->group(group);
   verb.add_flag_callback("--no-breaks", no_breaks,
                          "Look for no breaks of the beam but those that the column segment states")
       ->group(group);

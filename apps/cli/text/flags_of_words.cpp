@@ -42,7 +42,7 @@ constexpr std::array rows = {
     Row{"a smaller shortest standstill and a larger threshold of rest", "--shortest-rest, --rest-threshold"},
     Row{"or the zero or sign of the instrument differ", "--zero, --datum, --reverse"},
     Row{"expected the reflector to rest at every stop", "--rest-window, --rest-threshold"},
-    Row{"the instrument counts the other way", "--reverse"},
+    Row{"the instrument counts the other way", "--reversed, --reverse"},
     Row{"expected which one is measured", "--part"},
     Row{"a capture can go on with them", "--resume"},
     Row{"found one file for the test and for what arrives", "--out, --raw"},
