@@ -25,9 +25,9 @@ std::string_view label_of(const Metadata& metadata, const Series& series) {
 /// How the inputs of the uncertainty were resolved, where that is not plain.
 void add_input_remarks(std::vector<Finding>& findings, const ResolvedInputs& inputs) {
   for (const ResolvedRemark& remark : inputs.remarks) {
-    Finding& finding = findings.emplace_back("uncertainty-input", "8.2.1",
-                                             remark.missing ? Severity::missing : Severity::note, remark.message);
-    if (const Field* field = find_field(remark.key)) finding.fields.push_back(field->key);
+    findings.push_back(
+        {"uncertainty-input", "8.2.1", remark.missing ? Severity::missing : Severity::note, remark.message});
+    if (const Field* field = find_field(remark.key)) findings.back().fields.push_back(field->key);
   }
 }
 
