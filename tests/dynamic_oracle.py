@@ -124,7 +124,7 @@ def main():
         assert "triggered by position" in run(program, "dynamic", folder / "place.rtx").stdout
         for data, words in [(rtx(x, rate)[:-2000], "cut off"), (rtx(x[:10], rate), "expected 64 at least"),
                             (b"HEADER::\r\nSample no: 5\r\nData:\r\n", "as sample rate"),
-                            (rtx(np.where(t == 1.0, np.nan, x), rate), "not finite")]:
+                            (rtx(np.where(t == 1.0, np.nan, x), rate), "beyond 1e15, or none")]:
             (folder / "bad.rtx").write_bytes(data)
             done = run(program, "dynamic", folder / "bad.rtx", codes=(2,))
             assert words in done.stderr, (words, done.stderr)
