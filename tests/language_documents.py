@@ -121,7 +121,7 @@ SAME = set("""
     positive
     ppm    rad sin therm was Ist Mill generic time-position screw
     BACKLASH EEC SINUMERIK JIS DGQ with-backlash
-    DEVICE EVE MACHINE MISALIGNMENT PROBING STATION TOOL EXX EYY EZZ ECC xij XYZ xyz
+    XFYZ simulation DEVICE EVE MACHINE MISALIGNMENT PROBING STATION TOOL EXX EYY EZZ ECC xij XYZ xyz
     CALIBRATION RDEVICE RMISALIGNMENT UCALIBRATION UDEVICE UEVE UMISALIGNMENT UPROBING USTATION dfarthest dnearest
 """.split())
 # Words of two letters that German does not have.

@@ -18,7 +18,7 @@ namespace {
 constexpr double window_share = 0.4;  // window as a share of the dwell
 constexpr double window_without_dwell_s = 1.0;
 constexpr std::size_t most_of_a_rest = std::size_t{1} << 22;  // samples: an hour at 1 kHz; the newest count
-constexpr std::size_t most_held = 100'000;                    // readings behind one that waits for a person
+constexpr std::size_t most_held = std::size_t{1} << 17;       // readings behind one that waits for a person
 constexpr double windows_kept = 4.0;                          // of a rest that is not known to have begun
 
 std::vector<std::string> remarks_of(const StillValue& still) {
