@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// node web/tests/run.mjs PROGRAM [WORD…]: the page in Debian's Chromium, against that program. With words only the tests
-// whose name has one of them, with -WORD all but those whose name has it. Each test has an empty store of its own.
+// node web/tests/run.mjs PROGRAM [PART/PARTS] [WORD…]: the page in Debian's Chromium, against that program. With words only
+// the tests whose name has one of them, with -WORD all but those whose name has it; of these with 2/3 the second of three
+// parts. Each test has an empty store of its own.
 import { chromium } from 'playwright-core';
 import { accessibility } from './accessibility.mjs';
 import { answers } from './answers.mjs';
@@ -40,16 +41,18 @@ import { volume } from './volume.mjs';
 import { World, not_as_described, strangers } from './world.mjs';
 import { wrong_files } from './wrong_files.mjs';
 
-const [program, ...words] = process.argv.slice(2);
+const [program, ...choices] = process.argv.slice(2);
 if (!program) {
-  console.error('found no program, expected: node web/tests/run.mjs PROGRAM [WORD…]');
+  console.error('found no program, expected: node web/tests/run.mjs PROGRAM [PART/PARTS] [WORD…]');
   process.exit(2);
 }
 const all = { ...story, ...keyboard, ...accessibility, ...wrong_files, ...answers, ...conflict, ...plan, ...scene_tests, ...tracking, ...stations, ...volume, ...calibrations, ...motions, ...dynamic, ...tables, ...table_choices, ...capture, ...lengths, ...motion_captures, ...languages, ...layout, ...audit, ...calibration, ...editor, ...figures, ...receipts, ...sign_out, ...record, ...trend, ...surroundings, ...rules, ...periodic, ...claims, ...description, ...offline, ...timing };
+const words = choices.filter((choice) => !/^\d+\/\d+$/.test(choice));
+const [part, parts] = (choices.find((choice) => !words.includes(choice)) ?? '1/1').split('/').map(Number);
 const has = (name, word) => name.toLowerCase().includes(word.toLowerCase());
 const [without, only] = [words.filter((word) => word.startsWith('-')).map((word) => word.slice(1)), words.filter((word) => !word.startsWith('-'))];
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));
-const wanted = Object.entries(all).filter(([name]) => chosen(name));
+const wanted = Object.entries(all).filter(([name]) => chosen(name)).filter((_, index) => index % parts === part - 1);
 
 // Chromium's sandbox does not work for root, as which containers of tests mostly run.
 const flags = process.getuid() === 0 ? ['--no-sandbox'] : [];
@@ -63,13 +66,23 @@ const report = (name, began, error) => {
   error ? failures.push(lines.join('\n')) : (passed += 1);
 };
 
+// Of a whole test. Its steps have patience of their own; this is for what has none, such as a browser that answers no more.
+const patience_ms = 300_000;
+const in_time = (work, what) => {
+  let late;
+  const too_late = new Promise((_, reject) => {
+    late = setTimeout(() => reject(new Error(`${what} did not end within ${patience_ms / 1000} s`)), patience_ms);
+  });
+  return Promise.race([work, too_late]).finally(() => clearTimeout(late));
+};
+
 for (const [name, run] of wanted) {
   const began = Date.now();
   let world = null;
   let error = null;
   try {
-    world = await World.make(program, browser);
-    await run(world);
+    world = await in_time(World.make(program, browser), 'the start of the program');
+    await in_time(run(world), 'the test');
     if (world.faults.length > 0) throw new Error(`the page reported ${world.faults.join('; ')}`);
   } catch (thrown) {
     error = thrown;
@@ -77,7 +90,7 @@ for (const [name, run] of wanted) {
     const folder = process.env['AXIOMETRY_PICTURES'];
     if (page && folder) await page.screenshot({ path: `${folder}/${name.replace(/\W+/g, '-')}.png`, fullPage: true }).catch(() => undefined);
   }
-  await world?.end().catch((thrown) => { error ??= thrown; });
+  if (world) await in_time(world.end(), 'what came after the test').catch((thrown) => { error ??= thrown; });
   const faults = [...new Set(not_as_described.splice(0))];
   if (faults.length > 0) error = new Error([...faults, ...(error ? [error.stack] : [])].join('\n'));
   report(name, began, error);

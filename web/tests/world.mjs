@@ -48,11 +48,11 @@ export class World {
   }
 
   async end() {
-    // An answer that the page gave up in the middle ends with its context alone.
-    const heard = Promise.all(this.heard);
-    await Promise.race([heard, new Promise((later) => setTimeout(later, 3_000))]);
+    // An answer that the page gave up in the middle ends with its context alone, or not at all.
+    const heard = () => Promise.race([Promise.all(this.heard), new Promise((later) => setTimeout(later, 3_000))]);
+    await heard();
     for (const context of this.contexts) await context.close();
-    await heard;
+    await heard();
     await this.server.stop();
     await rm(this.folder, { recursive: true, force: true });
   }
