@@ -33,8 +33,9 @@ struct Cells {
   std::array<double, 2> freedom{};  ///< degrees of freedom that s of a direction is known with
 };
 
-/// `shifts_removed`: from each direction, which takes a degree of freedom for every run but one.
-Cells cells_of(const Series& series, bool each_its_own, bool shifts_removed) {
+/// `removed_of_runs`: how many numbers of each run were taken out of each direction, shifts and slopes, which takes so
+/// many degrees of freedom for every run but one.
+Cells cells_of(const Series& series, bool each_its_own, std::size_t removed_of_runs) {
   std::vector<Cell> cells;
   std::array<double, 2> known{};
   bool scatters = false;
@@ -49,8 +50,8 @@ Cells cells_of(const Series& series, bool each_its_own, bool shifts_removed) {
       squares += static_cast<double>(m.count - 1) * m.standard_deviation * m.standard_deviation;
       freedom += static_cast<double>(m.count - 1);
     }
-    if (shifts_removed && series.run_count() > 1)
-      freedom = std::max(1.0, freedom - static_cast<double>(series.run_count() - 1));
+    if (series.run_count() > 1)
+      freedom = std::max(1.0, freedom - static_cast<double>(removed_of_runs * (series.run_count() - 1)));
     known[static_cast<std::size_t>(direction)] = freedom;
     if (!each_its_own && freedom > 0.0)
       for (std::size_t k = first; k < cells.size(); ++k) cells[k].s = std::sqrt(squares / freedom);
@@ -93,6 +94,8 @@ std::size_t freedom_of(const Cell& cell) { return cell.count > 1 ? cell.count - 
 /// along two axes that are independent of each other, the columns, times their standard deviations.
 struct RunSpread {
   std::array<double, 2> common{}, against{};
+  double tilt = 0.0;       ///< standard deviation of their tilts, which both directions share …
+  double with_tilt = 0.0;  ///< … and what of their common shift goes with a tilt of 1
 };
 
 /// Of the variances and the covariance of both parts: its principal axes.
@@ -100,10 +103,18 @@ RunSpread along_axes(double common, double against, double covariance) {
   const double angle = 0.5 * std::atan2(2.0 * covariance, common - against);
   const double middle = 0.5 * (common + against), half = std::hypot(0.5 * (common - against), covariance);
   const double first = std::sqrt(middle + half), second = std::sqrt(std::max(0.0, middle - half));
-  return {{first * std::cos(angle), -second * std::sin(angle)}, {first * std::sin(angle), second * std::cos(angle)}};
+  return {.common = {first * std::cos(angle), -second * std::sin(angle)},
+          .against = {first * std::sin(angle), second * std::cos(angle)}};
 }
 
-RunSpread run_spread_of(const Series& series) {
+double product_of(std::span<const double> a, std::span<const double> b) {
+  const double mean_a = numeric::moments(a).mean, mean_b = numeric::moments(b).mean;
+  double products = 0.0;
+  for (std::size_t j = 0; j < a.size(); ++j) products += (a[j] - mean_a) * (b[j] - mean_b);
+  return products;
+}
+
+RunSpread run_spread_of(const Series& series, const std::optional<iso230_2::RunTilts>& tilts) {
   const std::size_t runs = series.run_count();
   std::array<std::vector<double>, 2> shift{std::vector<double>(runs), std::vector<double>(runs)};
   for (const Direction direction : {Direction::up, Direction::down}) {
@@ -122,11 +133,20 @@ RunSpread run_spread_of(const Series& series) {
     common[j] = 0.5 * (shift[0][j] + shift[1][j]);
     difference[j] = 0.5 * (shift[0][j] - shift[1][j]);
   }
-  const numeric::Moments both = numeric::moments(common), other = numeric::moments(difference);
-  double products = 0.0;
-  for (std::size_t j = 0; j < runs; ++j) products += (common[j] - both.mean) * (difference[j] - other.mean);
-  return along_axes(both.standard_deviation * both.standard_deviation,
-                    other.standard_deviation * other.standard_deviation, products / static_cast<double>(runs - 1));
+  auto freedom = static_cast<double>(runs - 1);
+  double with_tilt = 0.0;
+  if (tilts) {
+    std::vector<double> of_runs = iso230_2::run_tilts(series);
+    std::ranges::replace_if(
+        of_runs, [](double tilt) { return std::isnan(tilt); }, 0.0);
+    with_tilt = product_of(common, of_runs) / product_of(of_runs, of_runs);
+    for (std::size_t j = 0; j < runs; ++j) common[j] -= with_tilt * of_runs[j];
+    freedom = std::max(1.0, freedom - 1.0);
+  }
+  RunSpread spread = along_axes(product_of(common, common) / freedom, product_of(difference, difference) / freedom,
+                                product_of(common, difference) / freedom);
+  if (tilts) spread.tilt = tilts->between.in_native(), spread.with_tilt = with_tilt;
+  return spread;
 }
 
 /// The value that this share of the trials lies below.
@@ -142,14 +162,19 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
   const Series predicted = without_empty_runs(numbered);  // a number without readings is no run that was not shifted
   const iso230_2::ScatterStudy study = iso230_2::scatter_study(predicted);
   // Runs that lie higher or lower as a whole do so in all targets alike, and leave the shape of the axis alone.
-  const RunSpread spread = study.shifts ? run_spread_of(predicted) : RunSpread{};
-  const auto [cells, freedom] = cells_of(study.shifts ? iso230_2::without_shifts(predicted) : predicted,
-                                         study.uneven.has_value(), study.shifts.has_value());
+  const bool runs_differ = study.shifts || study.tilts;
+  const RunSpread spread = runs_differ ? run_spread_of(predicted, study.tilts) : RunSpread{};
+  const Series within_runs = study.tilts    ? iso230_2::without_tilts(predicted)
+                             : study.shifts ? iso230_2::without_shifts(predicted)
+                                            : predicted;
+  const auto [cells, freedom] = cells_of(within_runs, study.uneven.has_value(), study.tilts ? 2 : study.shifts ? 1 : 0);
+  const std::vector<double> levers = iso230_2::tilt_levers(predicted);
   if (cells.empty()) return std::nullopt;
   const PossibleShares shares_up(freedom[0]), shares_down(freedom[1]),
-      shares_of_runs(study.shifts ? static_cast<double>(predicted.run_count()) - 1.0 : 0.0);
+      shares_of_runs(runs_differ ? static_cast<double>(predicted.run_count()) - 1.0 : 0.0);
   const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
-  const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 2;
+  const std::size_t numbers_of_tilts = study.tilts ? runs + 1 : 0;
+  const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 2 + numbers_of_tilts;
   std::size_t numbers_of_scatter = 0;  // where each target has its own, which is known from its few readings alone
   if (study.uneven)
     for (const Cell& cell : cells) numbers_of_scatter += freedom_of(cell);
@@ -161,7 +186,7 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
   std::vector<double> s(cells.size());
   for (std::size_t trial = 0; trial < trials; ++trial) {
     numeric::fill_normal({.seed = of_retest.seed, .stream = 0, .block = trial}, normal);
-    std::array<double, 4> uniform{};
+    std::array<double, 5> uniform{};
     numeric::fill_uniform({.seed = of_retest.seed, .stream = 1, .block = trial}, uniform);
     // The scatter of the axis is known from the readings of one test: what it may be as well is drawn.
     const std::array<double, 2> share{shares_up(uniform[0]), shares_down(uniform[1])};
@@ -176,12 +201,20 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
     std::vector<iso230_2::PositionResult> positions(targets.size());
     std::vector<double> readings(2 * runs);
     const double* z = normal.data();
-    const std::span<const double> shifts = std::span(normal).last(2 * runs + 2);
+    const std::span<const double> of_runs = std::span(normal).last(2 * runs + 2 + numbers_of_tilts);
+    const std::span<const double> shifts = of_runs.first(2 * runs + 2), tilts = of_runs.last(numbers_of_tilts);
     const auto shift = [&](const std::array<double, 2>& along, std::size_t first, std::size_t second) {
       return along[0] * wide[0] * shifts[first] + along[1] * wide[1] * shifts[second];
     };
     const double of_table =
         shift(spread.against, 2 * runs, 2 * runs + 1) / std::sqrt(static_cast<double>(predicted.run_count()));
+    // The table holds the mean tilt of the test's runs.
+    const double tilt_sd = spread.tilt * shares_of_runs(uniform[4]);
+    const double tilt_of_table =
+        tilts.empty() ? 0.0 : tilts[runs] / std::sqrt(static_cast<double>(predicted.run_count()));
+    const auto tilted = [&](std::size_t run, std::size_t target) {
+      return tilts.empty() ? 0.0 : tilt_sd * (tilts[run] + tilt_of_table) * (spread.with_tilt + levers[target]);
+    };
     for (std::size_t i = 0; i < targets.size(); ++i) {
       std::array<std::span<double>, 2> of{std::span(readings).first(runs), std::span(readings).last(runs)};
       for (std::size_t d = 0; d < 2; ++d) {
@@ -192,7 +225,7 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
         for (std::size_t j = 0; j < runs; ++j, ++z)
           of[d][j] = j < approaches
                          ? cell.mean + s[d * targets.size() + i] * (table + *z) + shift(spread.common, j, runs + j) +
-                               (d == 0 ? 1.0 : -1.0) * (shift(spread.against, j, runs + j) + of_table)
+                               tilted(j, i) + (d == 0 ? 1.0 : -1.0) * (shift(spread.against, j, runs + j) + of_table)
                          : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);

@@ -59,8 +59,13 @@ std::optional<Finding> warning(const AxisRule& rule, const ComparedFigure& compa
 
 /// What speaks against the readings, and so against figures of every rule.
 bool is_of_readings(const Finding& finding) {
-  constexpr std::string_view ids[] = {"outlying-reading",         "uneven-scatter",  "shifted-runs",
-                                      "ordered-progression",      "readings-copied", "readings-repeat-exactly",
+  constexpr std::string_view ids[] = {"outlying-reading",
+                                      "uneven-scatter",
+                                      "shifted-runs",
+                                      "tilted-runs",
+                                      "ordered-progression",
+                                      "readings-copied",
+                                      "readings-repeat-exactly",
                                       "readings-coarsely-rounded"};
   return std::ranges::find(ids, finding.id) != std::end(ids);
 }

@@ -4,10 +4,18 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
+
+#include "axiometry/numeric/distributions/f_distribution.h"
+#include "axiometry/numeric/moments.h"
+#include "axiometry/standards/iso230_2/parameters.h"
+#include "axiometry/standards/iso230_2/scatter/run_tilts.h"
 
 namespace axiometry::tracking {
 namespace {
+
+constexpr double slopes_by_chance = 0.05;
 
 struct Mean {
   double position_mm = 0.0;
@@ -42,10 +50,30 @@ std::vector<Mean> means_of(std::span<const iso230_2::PositionResult> positions) 
   return means;
 }
 
+/// Of the mean of the runs' slopes, by how far these differ.
+SlopeFit between_runs(const Series& series) {
+  std::vector<double> slopes = iso230_2::run_tilts(series);
+  std::erase_if(slopes, [](double tilt) { return std::isnan(tilt); });
+  const auto runs = static_cast<double>(slopes.size());
+  if (slopes.size() < 2) return {};
+  return {0.0, 1000.0 * numeric::moments(slopes).standard_deviation / series.travel_native() / std::sqrt(runs),
+          runs - 1.0};
+}
+
+/// The larger uncertainty, that of runs where chance does not make it.
+SlopeFit with_runs(const SlopeFit& of_readings, const SlopeFit& of_runs) {
+  const double ratio = of_runs.uncertainty_um_per_m / of_readings.uncertainty_um_per_m;
+  const bool by_chance =
+      of_readings.uncertainty_um_per_m > 0.0 &&
+      numeric::f_tail(ratio * ratio, {of_runs.degrees_of_freedom, of_readings.degrees_of_freedom}) > slopes_by_chance;
+  if (by_chance || !(of_runs.uncertainty_um_per_m > of_readings.uncertainty_um_per_m)) return of_readings;
+  return {of_readings.slope_um_per_m, of_runs.uncertainty_um_per_m, of_runs.degrees_of_freedom};
+}
+
 }  // namespace
 
-SlopeFit fit_slope(std::span<const iso230_2::PositionResult> positions) {
-  const std::vector<Mean> means = means_of(positions);
+SlopeFit fit_slope(const Series& series) {
+  const std::vector<Mean> means = means_of(iso230_2::evaluate_positions(series));
   double weight = 0.0, position = 0.0, deviation = 0.0;
   for (const Mean& m : means) {
     weight += m.weight;
@@ -73,10 +101,11 @@ SlopeFit fit_slope(std::span<const iso230_2::PositionResult> positions) {
   const double repeated = repetition / (squares * squares);
   const double left = means.size() > 2 ? static_cast<double>(means.size() - 2) : 0.0;
   const double scattered = left > 0.0 ? residuals / left / squares : 0.0;
-  if (scattered > repeated) return {1000.0 * slope, 1000.0 * std::sqrt(scattered), left};
   SlopeFit fit{1000.0 * slope, 1000.0 * std::sqrt(repeated)};
   if (per_degree > 0.0) fit.degrees_of_freedom = repetition * repetition / per_degree;
-  return fit;
+  fit = with_runs(fit, between_runs(series));
+  const SlopeFit about_line{fit.slope_um_per_m, 1000.0 * std::sqrt(scattered), left};
+  return about_line.uncertainty_um_per_m > fit.uncertainty_um_per_m ? about_line : fit;
 }
 
 }  // namespace axiometry::tracking

@@ -4,23 +4,34 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
+
+#include "axiometry/numeric/distributions/normal_and_student_t.h"
+#include "tests/support/series.h"
 
 namespace axiometry::tracking {
 namespace {
 
-/// Targets measured upwards alone: means in µm every 100 mm, each of so many readings with that s in µm.
-std::vector<iso230_2::PositionResult> targets_measured(const std::vector<double>& means, std::size_t count, double s) {
-  std::vector<iso230_2::PositionResult> positions;
-  for (const double mean : means) {
-    iso230_2::PositionResult p;
-    p.target = Position::native(100.0 * static_cast<double>(positions.size()));
-    p.count_up = count;
-    p.mean_up = Deviation::native(mean);
-    if (count > 1) p.s_up = Deviation::native(s);
-    positions.push_back(p);
-  }
-  return positions;
+using testing_support::make_series;
+using testing_support::RunDeviations;
+
+/// Targets every 100 mm measured upwards alone: means in µm, each of so many readings with that s in µm, alike in all
+/// targets.
+Series targets_measured(const std::vector<double>& means, std::size_t runs, double s) {
+  std::vector<double> targets;
+  for (std::size_t i = 0; i < means.size(); ++i) targets.push_back(100.0 * static_cast<double>(i));
+  double squares = 0.0;
+  const auto from_middle = [&](std::size_t run) {
+    return static_cast<double>(run) - 0.5 * static_cast<double>(runs - 1);
+  };
+  for (std::size_t j = 0; j < runs; ++j) squares += from_middle(j) * from_middle(j);
+  std::vector<RunDeviations> up(runs), down(runs, RunDeviations(means.size(), std::nan("")));
+  for (std::size_t j = 0; j < runs; ++j)
+    for (const double mean : means)
+      up[j].push_back(mean +
+                      (runs > 1 ? s * from_middle(j) / std::sqrt(squares / static_cast<double>(runs - 1)) : 0.0));
+  return make_series(targets, up, down);
 }
 
 TEST(LineSlope, OfMeansThatScatterAboutTheLineHasTwoDegreesOfFreedomLessThanMeans) {
@@ -41,6 +52,37 @@ TEST(LineSlope, OfRepetitionHasThoseOfWelchAndSatterthwaite) {
 
 TEST(LineSlope, OfTwoTargetsWithoutRepetitionHasNoUncertainty) {
   EXPECT_EQ(fit_slope(targets_measured({0, 5}, 1, 0)).uncertainty_um_per_m, 0.0);
+}
+
+/// How many of a hundred lines hold the scale of the axis in 95 %: of five runs there and back over 500 mm with scales
+/// of their own (3 µm/m: 0.3 °C of steel), and of such with one scale.
+double held_percent(double scale_between_runs_um_per_m) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> scatter(0.0, 0.2), scale(0.0, scale_between_runs_um_per_m + 1e-12);
+  const std::vector<double> targets{0, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500};
+  constexpr int lines = 600;
+  constexpr double truth_um_per_m = 12.0;
+  int held = 0;
+  for (int line = 0; line < lines; ++line) {
+    std::vector<RunDeviations> up(5), down(5);
+    for (std::size_t j = 0; j < 5; ++j) {
+      const double own = truth_um_per_m + scale(random);
+      for (const double x : targets) {
+        up[j].push_back(1e-3 * own * x + scatter(random));
+        down[j].push_back(1e-3 * own * x + 0.8 + scatter(random));
+      }
+    }
+    const SlopeFit fit = fit_slope(make_series(targets, up, down));
+    const double k = numeric::student_t_quantile(0.975, fit.degrees_of_freedom);
+    held += std::abs(fit.slope_um_per_m - truth_um_per_m) <= k * fit.uncertainty_um_per_m;
+  }
+  return 100.0 * held / lines;
+}
+
+TEST(LineSlope, HoldsTheScaleOfTheAxisWhereItChangesBetweenRuns) {
+  EXPECT_GT(held_percent(3.0), 92.5);  // three standard deviations of the binomial below 95
+  EXPECT_GT(held_percent(1.0), 92.5);
+  EXPECT_GT(held_percent(0.0), 92.5);
 }
 
 }  // namespace

@@ -239,7 +239,7 @@ class Course {
           length_difference_bounds(line.offset, line.distances_mm, static_cast<std::size_t>(farthest));
       line.negligible_from_mm = negligible_from_mm(line.offset, in_.setup.ranging, 1.0 / 3.0);
     }
-    const SlopeFit slope = fit_slope(iso230_2::evaluate_positions(line.test.series));
+    const SlopeFit slope = fit_slope(line.test.series);
     line.slope_um_per_m = slope.slope_um_per_m;
     line.slope_uncertainty_um_per_m = slope.uncertainty_um_per_m;
     line.slope_degrees_of_freedom = slope.degrees_of_freedom;

@@ -45,6 +45,7 @@ struct SingleMotion {
   std::vector<double> values;                   ///< µm, µrad
   std::vector<double> u;                        ///< standard uncertainties, independent from one position to the next
   std::optional<SingleReversal> reversal = {};  ///< absent where nothing tells the directions apart
+  double slope_u_per_mm = 0.0;  ///< standard uncertainty of a slope that all values have in common, µm/mm, µrad/mm
 };
 
 struct SingleSquareness {

@@ -27,7 +27,8 @@ SingleInputs::SingleInputs(const SingleErrors& errors, std::vector<CurveBasis> b
     first_half_.push_back(count_);
     if (errors_.motions[k].reversal) count_ += used_[k].size();
   }
-  first_approach_ = count_;
+  first_slope_ = count_;
+  first_approach_ = count_ += used_.size();
   count_ += axis_count * axis_count;
 }
 
@@ -67,6 +68,15 @@ Eigen::MatrixXd SingleInputs::at_nodes(std::size_t motion, std::size_t behind) c
   return curve;
 }
 
+/// The slope turns about the first reading: what it moves all values by is their gauge's.
+Eigen::MatrixXd SingleInputs::means_at_nodes(std::size_t motion) const {
+  const SingleMotion& m = errors_.motions[motion];
+  Eigen::MatrixXd curve = at_nodes(motion, 0);
+  for (Eigen::Index n = 0; n < curve.rows(); ++n)
+    curve(n, slope(motion)) = node_mm(m.error.axis, static_cast<std::size_t>(n)) - m.positions_mm.front();
+  return curve;
+}
+
 Eigen::MatrixXd SingleInputs::halves_at_nodes(std::size_t motion) const {
   AXIOMETRY_CONTRACT(errors_.motions[motion].reversal.has_value());
   return at_nodes(motion, first_half_[motion] - first_[motion]);
@@ -99,6 +109,7 @@ Eigen::MatrixXd SingleInputs::covariance(const Eigen::MatrixXd& sums) const {
       spread.col(mean) += m.reversal->covariances[k] * sums.col(half);
       spread.col(half) += m.reversal->covariances[k] * sums.col(mean);
     }
+    spread.col(slope(item)) = m.slope_u_per_mm * m.slope_u_per_mm * sums.col(slope(item));
   }
   for (std::size_t k = 0; k < errors_.squareness.size(); ++k) {
     const double u = errors_.squareness[k].u_urad;

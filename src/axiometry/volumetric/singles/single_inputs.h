@@ -10,7 +10,8 @@
 
 /// What a model of single measurements is a sum of: readings beside the nodes of its curves, however many there are,
 /// all of a straightness line longer than its curve, and squareness; behind these the halves of reversal at the
-/// readings, and the directions in which axes came to rest of which nothing is known: +1 or −1, so 0 with u = 1.
+/// readings, a slope of each error of which nothing but its uncertainty is known, and the directions in which axes came
+/// to rest of which nothing is known: +1 or −1, so 0 with u = 1.
 namespace axiometry::volumetric {
 
 class SingleInputs {
@@ -34,7 +35,7 @@ class SingleInputs {
   }
 
   /// What was read of an error at each node, as sums of inputs: means, or halves of reversal (contract: there are).
-  Eigen::MatrixXd means_at_nodes(std::size_t motion) const { return at_nodes(motion, 0); }
+  Eigen::MatrixXd means_at_nodes(std::size_t motion) const;
   Eigen::MatrixXd halves_at_nodes(std::size_t motion) const;
 
   /// The inputs, and the covariance of sums of them: a mean and a half of one position belong together.
@@ -53,12 +54,13 @@ class SingleInputs {
 
  private:
   Eigen::MatrixXd at_nodes(std::size_t motion, std::size_t behind) const;
+  Eigen::Index slope(std::size_t motion) const { return static_cast<Eigen::Index>(first_slope_ + motion); }
 
   const SingleErrors& errors_;
   std::vector<CurveBasis> bases_;
   std::vector<std::vector<std::size_t>> used_;   ///< readings that are inputs, of each motion
   std::vector<std::size_t> first_, first_half_;  ///< number of the first one of each motion
-  std::size_t first_square_ = 0, first_approach_ = 0, count_ = 0;
+  std::size_t first_square_ = 0, first_slope_ = 0, first_approach_ = 0, count_ = 0;
 };
 
 }  // namespace axiometry::volumetric

@@ -15,11 +15,13 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/volumetric/singles/single_means.h"
 #include "axiometry/base/go_on_unless.h"
+#include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/base/unit_sizes.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/motions/motion_result.h"
 #include "axiometry/standards/error_motions/reference_line.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
 
 namespace axiometry::app {
 namespace {
@@ -50,6 +52,7 @@ std::string equipment_text(const std::vector<Equipment>& equipment) {
 
 Result<ReadSingle> with_means(ReadSingle read, std::vector<PositionMeans> positions) {
   AXIOMETRY_TRY(SingleMeans means, single_means(read.motion.error, std::move(positions), read.item.instrument));
+  means.motion.slope_u_per_mm = read.motion.slope_u_per_mm;
   read.motion = std::move(means.motion);
   read.item.directions = std::move(means.directions);
   read.item.reversal = means.reversal;
@@ -81,6 +84,20 @@ Result<AxisPlace> place_of_test(const Axis& axis, std::size_t wanted) {
   return AxisPlace{line->origin_mm[wanted], line->direction[wanted] > 0.0 ? 1.0 : -1.0};
 }
 
+/// Where runs have slopes of their own, that of their mean is as uncertain as n of them let it be: it counts beside
+/// what the positions have for themselves.
+void take_slopes_of_runs(const Series& series, ReadSingle& read) {
+  const auto tilts = iso230_2::scatter_study(series).tilts;
+  if (!tilts) return;
+  const auto runs = static_cast<double>(series.run_count());
+  const double widening = error_motions::coverage_of(runs - 1.0) / 2.0;  // of 2 u, so that it holds what k u would
+  read.motion.slope_u_per_mm = widening * tilts->between.in_native() / std::sqrt(runs) / series.travel_native();
+  read.remarks.push_back(
+      fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
+                  "deviation): how well their mean is known is in the uncertainty of the curve",
+                  format_significant(tilts->between.in_native(), 2), format_exact(series.travel_native())));
+}
+
 Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
   AXIOMETRY_TRY(Test test, item.bytes ? read_test(GivenFile{item.file, *item.bytes}) : read_test(item.file));
   AXIOMETRY_TRY(const AxisPlace place, in_file(place_of_test(test.metadata.axis, error.axis), item.file));
@@ -100,6 +117,7 @@ Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
     if (place.sense < 0.0) std::swap(means.up, means.down);
     positions.push_back(means);
   }
+  take_slopes_of_runs(test.series, read);
   return in_file(with_means(std::move(read), std::move(positions)), item.file);
 }
 

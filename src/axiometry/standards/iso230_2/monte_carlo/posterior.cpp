@@ -47,6 +47,7 @@ ReadingPosterior::ReadingPosterior(const Series& series, const ReadingNoise& noi
   }
   if (exact_ && asked == Asked::readings) return;
   find_run_shifts();
+  if (asked == Asked::long_run) find_tilts(series);
   find_curves(series, alike);
 }
 

@@ -21,7 +21,9 @@
 /// target. Known are the sizes of d, e and δ; what the machine has of its own, the readings must tell. Adding d, e
 /// and δ once more around the readings would count them twice. Instead each observed departure is shared between
 /// machine and measurement in the ratio of their variances, and never below zero: the generalisation of (A.10).
-/// Derivation, and proof of the coverage by simulation: docs/theory/uncertainty.md, docs/studies/coverage.md.
+/// Where runs have slopes of their own for sure (scatter_study), the long run has the mean of all such slopes, of which
+/// the test has seen n: μ_i turns by it. Derivation, and proof of the coverage by simulation:
+/// docs/theory/uncertainty.md, docs/studies/coverage.md.
 ///
 /// What all readings have in common is drawn by itself, by draw_levels(): no parameter of clause 3 depends on it, but
 /// figures that count from zero do.
@@ -116,12 +118,19 @@ class ReadingPosterior {
     std::size_t trend_terms = 2;
     const ReadingPosterior* alike = nullptr;
   };
+  void find_tilts(const Series& series);
   void find_curves(const Series& series, const ReadingPosterior* alike);
   void add_curve(const Series& series, CurveData data);
   void draw_means(State& state, std::span<const double> uniforms, std::span<const double> normals) const;
   /// Uniform numbers of each trial: two for σ, two for σ_ρ, one for every curve, one for every cell.
   std::size_t uniforms_each() const { return 4 + curves_.size() + cells_.size(); }
   void draw_spreads(std::span<const double> uniforms, numeric::Rows<double> sds, std::span<double> run_sds) const;
+  /// Of the long run in each trial: by how much the mean of all tilts lies beside that of the test's runs, and their
+  /// standard deviation. Random numbers of the stream that readings have, of which there are none.
+  struct TiltDraws {
+    std::vector<double> of_mean, sds;
+  };
+  TiltDraws draw_tilts(numeric::RandomKey key, std::size_t trials) const;
   State draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const;
   std::vector<double> draw_target_shifts(State& state) const;
   void share_means(State& state) const;
@@ -144,6 +153,13 @@ class ReadingPosterior {
   std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be, draws fill the steps between
   double run_step_ = 0.0;           ///< step of ln σ_ρ
   numeric::WeightedChoice run_choice_;
+  /// Slopes of the runs, where they differ for sure: the standard deviation of tilts over the range of the targets.
+  struct Tilts {
+    double sd = 0.0;
+    std::vector<double> levers;  ///< what a tilt of 1 adds at each target
+    double mean_square = 0.0;    ///< mean of the squares of these, which the scatter of all cells holds
+  };
+  std::optional<Tilts> tilts_;
   std::optional<numeric::SpreadPosterior> spread_;
   std::vector<Curve> curves_;
   std::size_t curve_normals_ = 0;  ///< how many normal numbers one draw of all curves takes

@@ -366,11 +366,20 @@ void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<doubl
   std::ranges::fill(means.values, no_reading);
   std::ranges::fill(sds.values, no_reading);
   State state = draw_state(key, means.stride, Asked::long_run);
+  const TiltDraws tilts = draw_tilts(key, means.stride);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     std::ranges::copy(state.mean(c), means.row(cells_[c].place, means.stride).begin());
     const auto sd = state.sd(c);
     const auto row = sds.row(cells_[c].place, means.stride);
     for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds.all()[t]);
+    if (!tilts_) continue;
+    const double lever = tilts_->levers[cells_[c].target];
+    const double beyond = lever * lever - tilts_->mean_square;  // of the square; that of all cells is in σ
+    const auto mean = means.row(cells_[c].place, means.stride);
+    for (std::size_t t = 0; t < means.stride; ++t) {
+      mean[t] += lever * tilts.of_mean[t];
+      row[t] = std::sqrt(std::max(0.0, row[t] * row[t] + beyond * tilts.sds[t] * tilts.sds[t]));
+    }
   }
 }
 

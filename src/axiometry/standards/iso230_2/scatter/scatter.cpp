@@ -2,7 +2,7 @@
 //
 // Outliers: the largest studentised residual, one after the other (generalised ESD: Rosner, Technometrics 25 (1983)
 // 165), and in each cell alone (Grubbs). Variances: Cochran's C in the form of F, in which its critical values are
-// exact for equal n and conservative for unequal n. Shifts: analysis of variance.
+// exact for equal n and conservative for unequal n. Shifts and slopes of runs: analysis of variance.
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 
 #include <algorithm>
@@ -17,51 +17,37 @@
 #include "axiometry/numeric/additive_table.h"
 #include "axiometry/numeric/distributions/f_distribution.h"
 #include "axiometry/numeric/moments.h"
+#include "axiometry/standards/iso230_2/scatter/direction_tables.h"
 #include "axiometry/standards/iso230_2/scatter/outliers.h"
+#include "axiometry/standards/iso230_2/scatter/tilts_between.h"
+#include "axiometry/standards/iso230_2/scatter/variance_ratio.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
 using numeric::AdditiveFit;
-using numeric::fit_additive;
 using scatter::Candidate;
 using scatter::cell_outliers;
+using scatter::each_direction;
+using scatter::Fits;
+using scatter::fits_of;
+using scatter::index;
+using scatter::means_of;
 using scatter::pooled_outliers;
+using scatter::ratio_tail;
 using scatter::Rounding;
 using scatter::row_squares;
 using scatter::rows_of;
+using scatter::series_of;
+using scatter::Sum;
+using scatter::Tables;
+using scatter::tables_of;
 
-constexpr std::array<Direction, 2> each_direction = {Direction::up, Direction::down};
 constexpr double gone = std::numeric_limits<double>::quiet_NaN();
 constexpr double pooled_share = 3.0 / 4;     // share of the significance level for outliers; single cells have the rest
 constexpr double much_wider = 1.5;           // s of a part of the test divided by s of the rest
 constexpr double shifts_worth_a_word = 0.5;  // variance between runs divided by that within runs
 constexpr double ordered_by_chance = 0.02;   // probability of runs that only rise or only fall
-
-std::size_t index(Direction d) { return static_cast<std::size_t>(d); }
-
-/// Both directions as tables, targets by runs.
-using Tables = std::array<std::vector<double>, 2>;
-
-Tables tables_of(const Series& series) {
-  Tables tables;
-  for (Direction d : each_direction) {
-    tables[index(d)].reserve(series.target_count() * series.run_count());
-    for (std::size_t i = 0; i < series.target_count(); ++i) {
-      const auto cell = series.cell(i, d);
-      tables[index(d)].insert(tables[index(d)].end(), cell.begin(), cell.end());
-    }
-  }
-  return tables;
-}
-
-Series series_of(const Series& like, const Tables& tables) {
-  std::vector<double> all = tables[0];
-  all.insert(all.end(), tables[1].begin(), tables[1].end());
-  auto series = Series::make_dense({like.targets().begin(), like.targets().end()}, like.run_count(), std::move(all));
-  AXIOMETRY_CONTRACT(series.has_value());
-  return *std::move(series);
-}
 
 }  // namespace
 
@@ -115,32 +101,14 @@ CellVariances cell_variances(const Tables& tables, std::size_t targets, std::siz
   return all;
 }
 
-struct Sum {
-  double squares = 0.0;
-  double degrees = 0.0;
-  void add(const CellVariance& c) { squares += c.variance * c.degrees, degrees += c.degrees; }
-  double variance() const { return degrees > 0.0 ? squares / degrees : 0.0; }
-};
-
-Sum operator-(const Sum& a, const Sum& b) { return {std::max(0.0, a.squares - b.squares), a.degrees - b.degrees}; }
-
-/// Tail of the ratio of a part's variance by that of the rest; 1 where one of them has no degrees of freedom, and where
-/// it is surely above `level`.
-double ratio_tail(const Sum& part, const Sum& rest, const Rounding& rounding, double level) {
-  if (part.degrees <= 0.5 || rest.degrees <= 0.5) return 1.0;
-  const double below = std::max(rest.variance(), rounding.variance());
-  if (below <= 0.0) return part.variance() > 0.0 ? 0.0 : 1.0;
-  const double ratio = part.variance() / below;
-  const numeric::RatioDegrees degrees{part.degrees, rest.degrees};
-  return numeric::f_tail_is_above(level, ratio, degrees) ? 1.0 : numeric::f_tail(ratio, degrees);
-}
+void add_to(Sum& sum, const CellVariance& c) { sum.squares += c.variance * c.degrees, sum.degrees += c.degrees; }
 
 /// Looks for the part of a test that stands out most.
 class UnevenSearch {
  public:
   UnevenSearch(const CellVariances& cells, const Rounding& rounding) : cells_(cells), rounding_(rounding) {
     for (std::size_t d = 0; d < 2; ++d)
-      for (const CellVariance& c : cells[d]) of_direction_[d].add(c);
+      for (const CellVariance& c : cells[d]) add_to(of_direction_[d], c);
     all_ = of_direction_[0];
     all_.squares += of_direction_[1].squares;
     all_.degrees += of_direction_[1].degrees;
@@ -158,7 +126,7 @@ class UnevenSearch {
       Sum before;
       for (std::size_t k = 1; k < targets(); ++k) {
         for (Direction each : each_direction)
-          if (!d || *d == each) before.add(cells_[index(each)][k - 1]);
+          if (!d || *d == each) add_to(before, cells_[index(each)][k - 1]);
         see({0, k - 1, d}, before);
         see({k, targets() - 1, d}, whole - before);
       }
@@ -166,14 +134,14 @@ class UnevenSearch {
   }
 
   /// Cochran: each cell. Where runs shift, also what is left of it without.
-  void look_at_cells(const std::array<AdditiveFit, 2>& fits) {
+  void look_at_cells(const Fits& fits) {
     const Sum left_of_all{fits[0].squares + fits[1].squares, fits[0].degrees + fits[1].degrees};
     for (Direction d : each_direction) {
       const AdditiveFit& fit = fits[index(d)];
       const double rows = rows_of(fit);
       for (std::size_t i = 0; i < targets(); ++i) {
         Sum own;
-        own.add(cells_[index(d)][i]);
+        add_to(own, cells_[index(d)][i]);
         see({i, i, d}, own);
         if (rows < 3.0 || own.degrees <= 0.0) continue;
         const Sum left{row_squares(fit, i, rows), own.degrees};
@@ -222,18 +190,6 @@ class UnevenSearch {
   std::optional<UnevenScatter> best_;
 };
 
-/// The shift of each run, of both directions' mean where both have it; NaN where neither has.
-std::vector<double> shifts_of(const std::array<AdditiveFit, 2>& fits) {
-  std::vector<double> shifts;
-  for (std::size_t j = 0; j < fits[0].columns; ++j) {
-    double sum = 0.0, count = 0.0;
-    for (const AdditiveFit& fit : fits)
-      if (fit.column_counts[j] > 0) sum += fit.shifts[j], count += 1.0;
-    shifts.push_back(count > 0.0 ? sum / count : gone);
-  }
-  return shifts;
-}
-
 /// Whether the shifts go one way: by the regression on the number of the run, or because every run goes on.
 void describe_order(RunShifts& result, const std::vector<double>& shifts) {
   std::vector<std::pair<double, double>> points;
@@ -259,7 +215,7 @@ void describe_order(RunShifts& result, const std::vector<double>& shifts) {
   result.ordered = p <= 0.01 || (goes_on && 2.0 / std::tgamma(n + 1.0) <= ordered_by_chance);
 }
 
-std::optional<RunShifts> shifts_between(const std::array<AdditiveFit, 2>& fits, const Rounding& rounding) {
+std::optional<RunShifts> shifts_between(const Fits& fits, const Rounding& rounding) {
   Sum between, within;
   double readings = 0.0;
   for (const AdditiveFit& fit : fits) {
@@ -285,7 +241,7 @@ std::optional<RunShifts> shifts_between(const std::array<AdditiveFit, 2>& fits, 
   if (result.p > shift_level || variance < shifts_worth_a_word * noise || !(variance > 0.0)) return std::nullopt;
   result.between = Deviation::native(std::sqrt(variance));
   result.within = Deviation::native(std::sqrt(within.variance()));
-  describe_order(result, shifts_of(fits));
+  describe_order(result, means_of(fits[0].shifts, fits[1].shifts));
   return result;
 }
 
@@ -309,10 +265,6 @@ Tables cleaned(Tables tables, const std::vector<OutlyingReading>& outliers, std:
   return tables;
 }
 
-std::array<AdditiveFit, 2> fits_of(const Tables& tables, std::size_t runs) {
-  return {fit_additive(tables[0], runs), fit_additive(tables[1], runs)};
-}
-
 }  // namespace
 
 ScatterStudy scatter_study(const Series& series, double step) {
@@ -321,9 +273,9 @@ ScatterStudy scatter_study(const Series& series, double step) {
   if (runs < 2) return study;
   const Rounding rounding{step};
   const Tables tables = tables_of(series);
-  const std::array<AdditiveFit, 2> fits = fits_of(tables, runs);
+  const Fits fits = fits_of(tables, runs);
   const double cells = rows_of(fits[0]) + rows_of(fits[1]);
-  const auto by_cells = [&](const std::array<AdditiveFit, 2>& own, double level) {
+  const auto by_cells = [&](const Fits& own, double level) {
     std::vector<OutlyingReading> all;
     for (Direction d : each_direction)
       for (const Candidate& c : cell_outliers(own[index(d)], rounding, cells, level))
@@ -335,8 +287,8 @@ ScatterStudy scatter_study(const Series& series, double step) {
          pooled_outliers(fits[index(d)], tables[index(d)], rounding, 0.5 * pooled_share * outlier_level))
       study.outliers.push_back(reading_of(series, d, {c.at, 2.0 * c.p}, fits[index(d)]));
 
-  std::array<AdditiveFit, 2> others;  // the last one that was asked for
-  const auto fits_without_outliers = [&]() -> const std::array<AdditiveFit, 2>& {
+  Fits others;  // the last one that was asked for
+  const auto fits_without_outliers = [&]() -> const Fits& {
     return study.outliers.empty() ? fits : others = fits_of(cleaned(tables, study.outliers, runs), runs);
   };
   const CellVariances variances = cell_variances(cleaned(tables, study.outliers, runs), series.target_count(), runs);
@@ -344,7 +296,7 @@ ScatterStudy scatter_study(const Series& series, double step) {
   search.look_at_directions();
   search.look_at_stretches();
   // One gross error shifts what its run lets expect everywhere: cells are looked at without it.
-  const std::array<AdditiveFit, 2>& fits_without = fits_without_outliers();
+  const Fits& fits_without = fits_without_outliers();
   search.look_at_cells(fits_without);
   study.uneven = search.found();
 
@@ -366,13 +318,14 @@ ScatterStudy scatter_study(const Series& series, double step) {
     return std::array{index(o.direction), o.target, o.run};
   });
   study.shifts = shifts_between(fits_without_outliers(), rounding);
+  study.tilts = scatter::tilts_between(fits_without_outliers(), tilt_levers(series), rounding);
   return study;
 }
 
 Series without_shifts(const Series& series) {
   Tables tables = tables_of(series);
   const std::size_t runs = series.run_count();
-  const std::array<AdditiveFit, 2> fits = fits_of(tables, runs);
+  const Fits fits = fits_of(tables, runs);
   for (std::size_t d = 0; d < 2; ++d)
     for (std::size_t k = 0; k < tables[d].size(); ++k)
       if (!std::isnan(tables[d][k])) tables[d][k] -= fits[d].shifts[k % runs];

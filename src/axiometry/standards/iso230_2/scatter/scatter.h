@@ -6,16 +6,20 @@
 #include <vector>
 
 #include "axiometry/model/series.h"
+#include "axiometry/standards/iso230_2/scatter/run_tilts.h"
 
 /// Readings that do not scatter as one normal distribution would: outliers, targets that scatter more widely, runs that
-/// shift as a whole. Found and told, never removed; derivation and error rates in docs/theory/scatter.md.
+/// shift as a whole or have slopes of their own. Found and told, never removed; derivation and error rates in
+/// docs/theory/scatter.md.
 ///
-/// x_ij = level of the target + shift of the run + scatter, for each direction. All tests are exact for normal scatter
-/// of a complete test but for Bonferroni's bound. Readings have a step (what all of them are multiples of): no
-/// finding rests on less than what rounding to it explains. Cost: linear in the readings.
+/// x_ij = level of the target + shift of the run + slope of the run × place of the target + scatter, for each
+/// direction. All tests are exact for normal scatter of a complete test but for Bonferroni's bound. Readings have a
+/// step (what all of them are multiples of): no finding rests on less than what rounding to it explains. Cost: linear
+/// in the readings.
 namespace axiometry::iso230_2 {
 
-/// How often a test of clean normal readings gets a finding of each kind, family-wise: together in one of a hundred.
+/// How often a test of clean normal readings gets a finding of each kind, family-wise: with tilt_level in eleven of a
+/// thousand.
 inline constexpr double outlier_level = 0.004;
 inline constexpr double uneven_level = 0.003;
 inline constexpr double shift_level = 0.003;
@@ -55,6 +59,7 @@ struct ScatterStudy {
   std::vector<OutlyingReading> outliers;  ///< readings in the order of direction, target, run
   std::optional<UnevenScatter> uneven;    ///< what stands out most
   std::optional<RunShifts> shifts;        ///< shifts where they make at least a third of s_i²
+  std::optional<RunTilts> tilts;          ///< slopes where they make at least a fifth of what is left of s_i²
 };
 
 /// What all readings are whole multiples of: 0.1, 0.02, 1. 0 where that is finer than 1e-4 or nothing.

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+
+// Of posterior.h: slopes that the runs have of their own.
+#include <cmath>
+#include <span>
+
+#include "axiometry/standards/iso230_2/monte_carlo/posterior.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
+
+namespace axiometry::iso230_2 {
+
+void ReadingPosterior::find_tilts(const Series& series) {
+  const auto tilts = scatter_study(series).tilts;
+  if (!tilts) return;
+  tilts_.emplace(Tilts{tilts->between.in_native(), tilt_levers(series)});
+  for (const double lever : tilts_->levers)
+    tilts_->mean_square += lever * lever / static_cast<double>(tilts_->levers.size());
+}
+
+/// Of n tilts with n − 1 degrees of freedom: their mean is off by σ z/√n, and σ is s √(ν/χ²_ν), χ² of as many normal
+/// numbers.
+ReadingPosterior::TiltDraws ReadingPosterior::draw_tilts(numeric::RandomKey key, std::size_t trials) const {
+  if (!tilts_) return {};
+  TiltDraws draws{std::vector<double>(trials), std::vector<double>(trials)};
+  std::vector<double> normals(runs_ * trials);
+  numeric::fill_normal({key.seed, key.stream + 1, key.block}, normals);
+  for (std::size_t t = 0; t < trials; ++t) {
+    const std::span<const double> z = std::span(normals).subspan(t * runs_, runs_);
+    double squares = 0.0;
+    for (const double of_sd : z.subspan(1)) squares += of_sd * of_sd;
+    draws.sds[t] = tilts_->sd * std::sqrt(static_cast<double>(runs_ - 1) / squares);
+    draws.of_mean[t] = draws.sds[t] * z[0] / std::sqrt(static_cast<double>(runs_));
+  }
+  return draws;
+}
+
+}  // namespace axiometry::iso230_2
