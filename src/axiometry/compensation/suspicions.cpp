@@ -92,6 +92,12 @@ bool is_about(const TableShare& found, double share, double enough) {
   return std::abs(found.share - share) <= std::max(enough, 3.0 * found.u);
 }
 
+/// Within what share_words() says.
+bool is_stated_to_be(const TableShare& found, double share) {
+  constexpr double of_rounding = 0.005;
+  return std::abs(found.share - share) <= std::max(of_rounding, 2.0 * found.u);
+}
+
 /// The re-test is the test but for what is small, and no share that matters could hide in it.
 bool is_not_active(const RetestEffect& effect) {
   const bool reversal = effect.of_reversal && std::abs(*effect.of_reversal) > std::max(0.5, 3.0 * effect.u_of_reversal);
@@ -154,7 +160,7 @@ NamedFinding finding_of_active(const RetestEffect& effect, const RetestContext& 
   const std::string share = share_words(effect.whole);
   if (!reversal_contradicts(effect, 1.0)) {
     if (!context.above_expected && is_reversal_untold(effect)) return finding_of_untold_reversal(effect);
-    if (!context.above_expected && is_about(effect.whole, 1.0, near_enough))
+    if (!context.above_expected && is_about(effect.whole, 1.0, near_enough) && is_stated_to_be(effect.whole, 1.0))
       return {"retest-as-predicted", false,
               fmt::format("the table does what it should: the re-test shows {} of it", share)};
     if (!context.above_expected)

@@ -9,21 +9,18 @@
 #include <iterator>
 #include <utility>
 
-#include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/app/volumetric/field_volume.h"
+#include "axiometry/app/volumetric/predict_targets.h"
 #include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/rounded_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
-#include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/report/volumetric.h"
-#include "axiometry/standards/iso230_2/parameters.h"
-#include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
 
 namespace axiometry::app {
@@ -41,15 +38,6 @@ constexpr double departs_below = 1e-3;
 /// A reversal that the errors do not hold and that makes E of the test so many times as large as was predicted is
 /// serious: most machines have some.
 constexpr double reversal_serious = 1.5;
-
-/// What is known of the targets, and of where they lie.
-struct TargetsOfFile {
-  std::vector<double> positions_mm;
-  std::optional<SpatialLine> line;
-  std::optional<MeasuredMeans> means;
-  std::string axis_name;             ///< of a test, as it states it
-  std::optional<Vector3> offset_mm;  ///< offset of the tool of a test, as it states it
-};
 
 /// The axis moves along the line: a place of its own is none.
 Result<Vector3> parse_place(const std::string& text, std::size_t axis) {
@@ -77,56 +65,6 @@ Result<Vector3> parse_place(const std::string& text, std::size_t axis) {
     if (a != axis && !given[a])
       return fail(fmt::format("found no place of {}, expected where the other axes stand, as y=300,z=-250", "XYZ"[a]));
   return place;
-}
-
-Result<TargetsOfFile> targets_of_plan(const std::string& file) {
-  AXIOMETRY_TRY(const std::string bytes, whole_file(file));
-  AXIOMETRY_TRY(const Plan plan, in_file(formats::read_plan(bytes), file));
-  TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(plan.axis), .axis_name = plan.axis.name};
-  for (const Position p : plan.targets) targets.positions_mm.push_back(p.in_native());
-  return targets;
-}
-
-/// Targets with a mean in both directions, or in the one that there is. Runs that lie apart leave the shape alone.
-Result<TargetsOfFile> targets_of_test(const std::string& file) {
-  AXIOMETRY_TRY(const Test test, read_test(file));
-  if (test.metadata.axis.kind != AxisKind::linear)
-    return in_file(Result<TargetsOfFile>(fail("found a test of a rotary axis, expected one of a linear axis")), file);
-  TargetsOfFile targets{.positions_mm = {}, .line = spatial_line(test.metadata.axis), .means = MeasuredMeans{}};
-  const auto positions = iso230_2::evaluate_positions(test.series);
-  const bool up = test.series.has(Direction::up), down = test.series.has(Direction::down);
-  targets.axis_name = test.metadata.axis.name;
-  if (const auto& offset = test.metadata.conditions.tool_offset_mm; offset.size() == 3)
-    targets.offset_mm = Vector3{offset[0], offset[1], offset[2]};
-  targets.means->both_directions = up && down;
-  targets.means->direction = up ? Direction::up : Direction::down;
-  double squares = 0.0, count = 0.0;
-  for (const auto& p : iso230_2::evaluate_positions(iso230_2::without_shifts(test.series)))
-    for (const auto& s : {p.s_up, p.s_down})
-      if (s) {
-        squares += s->in_native() * s->in_native();
-        count += 1.0;
-      }
-  if (count == 0.0)
-    return in_file(
-        Result<TargetsOfFile>(fail("found a test of one run, whose scatter is not known, expected two runs or "
-                                   "more to hold against a prediction")),
-        file);
-  const auto n = static_cast<double>(test.series.target_count());
-  const double s = std::sqrt(squares / count * (n > 1.0 ? n / (n - 1.0) : 1.0));  // pooled; their levels are n means
-  for (const auto& p : positions) {
-    if ((up && !p.mean_up) || (down && !p.mean_down)) continue;
-    targets.positions_mm.push_back(p.target.in_native());
-    const double once = up && down ? 1.0 : std::sqrt(2.0);  // their mean is else the one there is
-    const auto u = [&](std::size_t n) {
-      return once * s / std::sqrt(static_cast<double>(std::max<std::size_t>(n, 1)));
-    };
-    targets.means->up_um.push_back((up ? p.mean_up : p.mean_down)->in_native());
-    targets.means->down_um.push_back((down ? p.mean_down : p.mean_up)->in_native());
-    targets.means->up_u_um.push_back(u(up ? p.count_up : p.count_down));
-    targets.means->down_u_um.push_back(u(down ? p.count_down : p.count_up));
-  }
-  return targets;
 }
 
 /// Whether plan or test say that they are of another axis: "Y", "y" or "Y1", where X was asked for or a diagonal.

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
 #include <utility>
 
 #include "axiometry/base/contract.h"
 #include "axiometry/numeric/distributions/chi_square.h"
+#include "axiometry/numeric/distributions/f_distribution.h"
 #include "axiometry/volumetric/field/field_rows.h"
 
 namespace axiometry::volumetric {
@@ -155,6 +157,21 @@ PredictedLine of_direction(const PredictedLine& both, Direction direction) {
   return one;
 }
 
+/// Of so much variance, all of which is known exactly but for some parts; after Welch and Satterthwaite.
+struct PartOfVariance {
+  double variance = 0.0, degrees = 1.0;
+};
+
+/// That χ² is as large or larger, with what the scatter of the test is known with.
+double probability_of(double chi_squared, std::size_t degrees_of_freedom, double variance,
+                      std::initializer_list<PartOfVariance> parts) {
+  const auto above = static_cast<double>(degrees_of_freedom);
+  double per_degree = 0.0;
+  for (const PartOfVariance& part : parts) per_degree += part.variance * part.variance / part.degrees;
+  if (!(per_degree > 0.0)) return 1.0 - numeric::chi_square_probability(chi_squared, above);
+  return numeric::f_tail(chi_squared / above, {above, std::max(1.0, variance * variance / per_degree)});
+}
+
 UntoldReversal untold_reversal(const MeasuredMeans& measured) {
   constexpr double rounding_um2 = 1e-6;  // (1 nm)²: readings are printed to that
   UntoldReversal reversal;
@@ -173,7 +190,7 @@ UntoldReversal untold_reversal(const MeasuredMeans& measured) {
   reversal.systematic_um = most - least;
   reversal.degrees_of_freedom = measured.up_um.size();
   reversal.probability =
-      1.0 - numeric::chi_square_probability(reversal.chi_squared, static_cast<double>(reversal.degrees_of_freedom));
+      probability_of(reversal.chi_squared, reversal.degrees_of_freedom, 1.0, {{1.0, measured.degrees_of_freedom}});
   return reversal;
 }
 
@@ -278,13 +295,21 @@ LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& meas
   const double mean = std::accumulate(comparison.measured_um.begin(), comparison.measured_um.end(), 0.0) / count;
   const double mean_variance = std::accumulate(variances.begin(), variances.end(), 0.0) / count;
   std::vector<double> difference, covariance = predicted.covariance_um2;
+  const std::vector<double>& positions_mm = predicted.line.positions_mm;
+  const double middle_mm = std::accumulate(positions_mm.begin(), positions_mm.end(), 0.0) / static_cast<double>(m);
+  const auto tilted_um = [&](std::size_t i) {  // standard uncertainty there of the tilt that all have in common
+    return measured.tilt_u_um * (positions_mm[i % m] - middle_mm) / (positions_mm.back() - positions_mm.front());
+  };
+  double of_scatter = 0.0, of_tilt = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     comparison.measured_um[i] -= mean;
     difference.push_back(comparison.measured_um[i] - comparison.predicted_um[i]);
     // Of values less their mean: v_i δ_ik − (v_i + v_k)/n + v̄/n.
     for (std::size_t k = 0; k < n; ++k)
-      covariance[i * n + k] +=
-          (i == k ? variances[i] : 0.0) - (variances[i] + variances[k]) / count + mean_variance / count;
+      covariance[i * n + k] += (i == k ? variances[i] : 0.0) - (variances[i] + variances[k]) / count +
+                               mean_variance / count + tilted_um(i) * tilted_um(k);
+    of_scatter += variances[i];
+    of_tilt += square(tilted_um(i));
     comparison.normalised.push_back(difference[i] / std::sqrt(std::max(covariance[i * n + i], 1e-12)));
   }
   // Differences have no mean, so that what is added along the mean changes nothing but the rank; what is added to the
@@ -296,7 +321,8 @@ LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& meas
   comparison.chi_squared = squares_over(std::move(covariance), std::move(difference));
   comparison.degrees_of_freedom = n - 1;
   comparison.probability =
-      1.0 - numeric::chi_square_probability(comparison.chi_squared, static_cast<double>(comparison.degrees_of_freedom));
+      probability_of(comparison.chi_squared, comparison.degrees_of_freedom, trace,
+                     {{of_scatter, measured.degrees_of_freedom}, {of_tilt, measured.tilt_degrees_of_freedom}});
   return comparison;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,9 +59,12 @@ std::optional<TestedLine> diagonal_line(const ErrorModel& model, std::string_vie
 /// Means of a test that was measured, beside what was predicted at its targets.
 struct MeasuredMeans {
   std::vector<double> up_um, down_um;      ///< deviations at each target
-  std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent
-  bool both_directions = true;             ///< whether they are two means, and not one in both places
-  Direction direction = Direction::up;     ///< direction of a test of one alone
+  std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent …
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< … that they are known with
+  double tilt_u_um = 0.0;                ///< of a tilt over the range of the targets that all have in common …
+  double tilt_degrees_of_freedom = 1.0;  ///< … that it is known with
+  bool both_directions = true;           ///< whether they are two means, and not one in both places
+  Direction direction = Direction::up;   ///< direction of a test of one alone
 };
 
 /// What a test of both directions shows, and errors without directions cannot: up less down, held against 0.
@@ -70,7 +74,8 @@ struct UntoldReversal {
   double systematic_um = 0.0;  ///< E as measured: largest less smallest mean of both directions
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
-  double probability = 1.0;  ///< probability of a χ² as large or larger without reversal
+  double probability = 1.0;  ///< probability of a χ² as large or larger without reversal, by F: the scatter is known
+                             ///< from the test's readings
 };
 struct LineComparison {
   bool by_direction = false;           ///< else means of both directions are compared, or
@@ -81,7 +86,7 @@ struct LineComparison {
   std::vector<double> normalised;  ///< difference over its standard uncertainty
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
-  double probability = 1.0;                ///< probability of a χ² as large or larger when prediction and test agree
+  double probability = 1.0;                ///< probability of a χ² as large or larger when both agree, by F likewise
   std::optional<UntoldReversal> reversal;  ///< reversal in a test of both directions where means of both are compared
 };
 /// Of a test of one direction that direction, less its own mean. Contract: as many means as targets.
