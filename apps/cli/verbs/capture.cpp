@@ -23,7 +23,6 @@
 #include "cli/failure.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/stop_flags.h"
-#include "cli/text/flags_of_words.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
 #include "cli/verbs/capture_motion.h"
@@ -64,7 +63,7 @@ class Display {
                                    position_unit(kind_), right(deviation_text(reading.deviation.in_native()), 9),
                                    deviation_unit(kind_), deviation_text(reading.standstill.spread.in_native() * scale),
                                    counted(reading.standstill.count, "sample"));
-    for (const std::string& remark : reading.remarks) line += terminal_.yellow("; " + remark);
+    for (const std::string& remark : reading.remarks) line += terminal_.yellow("; " + in_language_asked(remark));
     fmt::print("{}\n", line);
     std::fflush(stdout);
   }
@@ -72,8 +71,8 @@ class Display {
   void event(const capture::CaptureEvent& event) {
     if (quiet_) return;
     clear();
-    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), 17)),
-               with_flags(event.message, event.message), format_fixed(event.time_s, 2));
+    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(in_language_asked(capture::event_name(event.kind)), 17)),
+               told_fault(event.message), format_fixed(event.time_s, 2));
     std::fflush(stdout);
   }
 
@@ -141,7 +140,7 @@ app::CaptureObserver length_observer(Display& display) {
 void print_lengths(const CaptureArguments& arguments, const std::vector<std::string>& notes, std::size_t found,
                    std::size_t planned) {
   if (arguments.quiet || arguments.run.out == "-") return;
-  for (const std::string& note : notes) fmt::print("{}\n", report::printable(note));
+  for (const std::string& note : notes) fmt::print("{}\n", in_language_asked(note));
   if (!arguments.run.out.empty())
     fmt::print("{} of {}; {}\n", found, counted(planned, "length"), report::printable(arguments.run.out));
 }

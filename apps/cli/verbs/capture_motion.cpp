@@ -15,7 +15,6 @@
 #include "axiometry/base/text/text.h"
 #include "axiometry/report/drawing/utf8.h"
 #include "cli/failure.h"
-#include "cli/text/flags_of_words.h"
 #include "cli/text/progress.h"
 #include "cli/text/terminal.h"
 #include "cli/text/typed_keys.h"
@@ -38,7 +37,7 @@ class MotionDisplay {
     clear();
     std::string line =
         fmt::format("{}  {}", left(capture::approach_name(value.approach), kind_width), app::value_text(value, motion));
-    for (const std::string& remark : value.remarks) line += terminal_.yellow("; " + remark);
+    for (const std::string& remark : value.remarks) line += terminal_.yellow("; " + in_language_asked(remark));
     fmt::print("{}\n", line);
     tell_due(motion.values());
     std::fflush(stdout);
@@ -47,8 +46,9 @@ class MotionDisplay {
   void event(const capture::CaptureEvent& event) {
     if (quiet_) return;
     clear();
-    fmt::print("{}  {} (at {} s)\n", terminal_.yellow(left(capture::event_name(event.kind), kind_width)),
-               with_flags(event.message, event.message), format_fixed(event.time_s, 2));
+    fmt::print("{}  {} (at {} s)\n",
+               terminal_.yellow(left(in_language_asked(capture::event_name(event.kind)), kind_width)),
+               told_fault(event.message), format_fixed(event.time_s, 2));
     std::fflush(stdout);
   }
 

@@ -34,9 +34,10 @@ void print_items(const std::vector<formats::GuessDecision>& items) {
   constexpr std::size_t width = 100;
   for (const formats::GuessDecision& item : items) {
     const std::string sure = item.value.empty() ? "?" : fmt::format("{:.0f}%", 100.0 * item.confidence);
-    const std::string said = item.value.empty() ? item.reason : fmt::format("{} ({})", item.value, item.reason);
-    fmt::print("  {}{}  {}\n", left(item.key, key_width), right(sure, 4),
-               wrapped(report::printable(said), width, indent));
+    const std::string reason = in_language_asked(item.reason);
+    const std::string said =
+        item.value.empty() ? reason : fmt::format("{} ({})", report::printable(item.value), reason);
+    fmt::print("  {}{}  {}\n", left(item.key, key_width), right(sure, 4), wrapped(said, width, indent));
   }
 }
 
