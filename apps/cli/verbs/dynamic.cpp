@@ -6,9 +6,11 @@
 #include "cli/flags/verb.h"
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "cli/failure.h"
+
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/document_text.h"
@@ -59,7 +61,7 @@ void add_dynamic(const Verb& program, int& exit_code) {
   Verb verb = program.add_subcommand("dynamic", "Velocity, acceleration, vibrations and even motion of a recording");
   auto a = std::make_shared<DynamicArguments>();
   app::DynamicOptions& o = a->options;
-  constexpr double most = app::largest_dynamic_number;
+  constexpr double most = largest_stated;
   verb->add_option("FILE", a->file, "A continuous recording (.rtx, .npy, .csv, …), or - for the standard input")
       ->required();
   verb->add_flag_callback(

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/says_nothing.h"
 
 namespace axiometry {
 namespace {
 
 constexpr double shortest_direction = 1e-9;
-constexpr double farthest = 1e9;
 
 /// Of a direction: far below what any program or instrument tells apart, far above the rounding of doubles.
 constexpr double moves_above = 1e-9;
@@ -19,7 +19,7 @@ constexpr double moves_above = 1e-9;
 std::optional<Vector3> vector_of(const std::vector<double>& numbers) {
   if (numbers.size() != 3) return std::nullopt;
   const Vector3 v{numbers[0], numbers[1], numbers[2]};
-  return is_finite(v) && norm(v) <= farthest ? std::optional(v) : std::nullopt;
+  return is_finite(v) && norm(v) <= largest_stated ? std::optional(v) : std::nullopt;
 }
 
 }  // namespace

@@ -8,13 +8,13 @@
 #include <tuple>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 
 namespace axiometry {
 namespace {
 
-constexpr double largest_motion = 1e9;    // µm, µrad, ″ and mm: the limit of other readings
 constexpr double shortest_travel = 1e-6;  // mm: what no axis resolves; a slope over less says nothing
 
 auto order_of(const MotionReading& r) { return std::tuple(r.direction, r.run, r.position_mm); }
@@ -35,9 +35,9 @@ std::string place_of(double position_mm, Direction direction, std::size_t run) {
 
 Result<void> check_ranges(const std::vector<MotionReading>& readings) {
   for (const MotionReading& r : readings) {
-    if (!(std::abs(r.value) <= largest_motion))
+    if (!(std::abs(r.value) <= largest_stated))
       return fail(fmt::format("found the reading {}, expected one up to 1e9", format_exact(r.value)), r.at);
-    if (!(std::abs(r.position_mm) <= largest_motion))
+    if (!(std::abs(r.position_mm) <= largest_stated))
       return fail(fmt::format("found the position {} mm, expected one up to 1e9 mm", format_exact(r.position_mm)),
                   r.at);
   }

@@ -9,14 +9,14 @@
 #include <tuple>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/read_budget.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 
 namespace axiometry {
 namespace {
 
-constexpr double position_limit = 1e9;
-constexpr std::size_t run_limit = 10'000;
 constexpr std::size_t approach_limit = 1'000'000;  // a plan is walked in memory
 
 /// Of an overrun in mm or ° and of a feed in mm/min or °/min. Below it an overrun is lost in the rounding of a position
@@ -34,8 +34,8 @@ Result<void> check_targets(const Plan& plan) {
   if (plan.targets.empty()) return fail("found a plan without targets, expected at least one");
   for (std::size_t i = 0; i < plan.targets.size(); ++i) {
     const double x = plan.targets[i].in_native();
-    if (!std::isfinite(x) || std::abs(x) > position_limit)
-      return fail(fmt::format("found target {} at {}, expected a position within ±{}", i + 1, x, position_limit));
+    if (!std::isfinite(x) || std::abs(x) > largest_stated)
+      return fail(fmt::format("found target {} at {}, expected a position within ±{}", i + 1, x, largest_stated));
     if (i > 0 && plan.targets[i - 1] >= plan.targets[i])
       return fail(fmt::format("found target {} at {} after {}, expected ascending targets", i + 1, format_exact(x),
                               format_exact(plan.targets[i - 1].in_native())));
@@ -117,7 +117,7 @@ Result<void> check_line(const Plan& plan) {
     return fail("found a way in or out in space, expected a line in space for it to lead to");
   for (const auto* way : {&plan.way_in_mm, &plan.way_out_mm})
     for (const Vector3& point : *way)
-      if (!is_finite(point) || norm(point) > position_limit)
+      if (!is_finite(point) || norm(point) > largest_stated)
         return fail(fmt::format("found a way over ({}, {}, {}) mm, expected finite coordinates up to 1e9", point.x,
                                 point.y, point.z));
   return {};
@@ -149,14 +149,14 @@ Result<void> check_sound(const Plan& plan) {
   AXIOMETRY_TRY_VOID(check_targets(plan));
   AXIOMETRY_TRY_VOID(check_line(plan));
   AXIOMETRY_TRY_VOID(check_errors(plan));
-  if (plan.runs == 0 || plan.runs > run_limit)
-    return fail(fmt::format("found {} runs, expected 1 to {}", plan.runs, run_limit));
+  if (plan.runs == 0 || plan.runs > read_budget::runs)
+    return fail(fmt::format("found {} runs, expected 1 to {}", plan.runs, read_budget::runs));
   AXIOMETRY_TRY_VOID(check_size("an overrun", plan.overrun.in_native()));
   AXIOMETRY_TRY_VOID(check_size("a feed", plan.feed));
   if (!(plan.dwell.in_s() >= 0.0 && plan.dwell.in_s() <= dwell_limit_s))
     return fail(fmt::format("found a dwell of {} s, expected 0 to {}", plan.dwell.in_s(), dwell_limit_s));
-  if (plan.warm_up_runs > run_limit)
-    return fail(fmt::format("found {} warm-up runs, expected at most {}", plan.warm_up_runs, run_limit));
+  if (plan.warm_up_runs > read_budget::runs)
+    return fail(fmt::format("found {} warm-up runs, expected at most {}", plan.warm_up_runs, read_budget::runs));
   AXIOMETRY_TRY_VOID(check_sequence(plan));
   const std::size_t passes = plan.cycle == TestCycle::unidirectional ? plan.runs : 2 * plan.runs;
   const std::size_t count = plan.cycle == TestCycle::user_defined ? plan.sequence.size() : plan.targets.size() * passes;

@@ -7,19 +7,18 @@
 #include <limits>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/base/reading_limits.h"
 
 namespace axiometry {
 namespace {
 
-constexpr double deviation_limit = 1e9;
-constexpr double target_limit = 1e9;
 constexpr std::size_t cell_limit = std::size_t{1} << 28;  // 2 GiB of doubles: a wrong index, not a test
 
 Result<void> check_targets(std::span<const Position> targets) {
   if (targets.size() < 2)
     return fail(fmt::format("found {}, expected at least 2", counted(targets.size(), "target position")));
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    if (!(std::abs(targets[i].in_native()) <= target_limit))
+    if (!(std::abs(targets[i].in_native()) <= largest_stated))
       return fail(fmt::format("found target {} at {}, expected a magnitude up to 1e9", i + 1, targets[i].in_native()));
     if (i > 0 && !(targets[i - 1] < targets[i]))
       return fail(fmt::format("found target {} at {} after target {} at {}, expected ascending positions", i + 1,
@@ -32,7 +31,7 @@ Result<void> check_readings(std::span<const double> deviations, std::span<const 
   const std::size_t m = targets.size();
   for (std::size_t k = 0; k < deviations.size(); ++k) {
     const double x = deviations[k];
-    if (std::isnan(x) || std::abs(x) <= deviation_limit) continue;
+    if (std::isnan(x) || std::abs(x) <= largest_stated) continue;
     return fail(fmt::format("found deviation {} at target {}{} run {}, expected a magnitude up to 1e9", x,
                             targets[k / runs % m].in_native(), arrow(static_cast<Direction>(k / runs / m)),
                             k % runs + 1));

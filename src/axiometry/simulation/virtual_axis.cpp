@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/simulation/virtual_axis.h"
 
+#include "axiometry/base/reading_limits.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,7 +12,6 @@ namespace axiometry::simulation {
 namespace {
 
 constexpr double deviation_limit = 1e6;  // a metre or 278°
-constexpr double position_limit = 1e9;   // farthest place, distance or dead path
 constexpr double time_limit = 1e9;       // thirty years
 constexpr double period_min_s = 1e-6;
 constexpr double relative_limit = 1e5;  // µm/m: a tenth
@@ -34,10 +35,10 @@ Result<void> check_signed(std::string_view what, Deviation x) {
   return check(what, x.in_native(), {-deviation_limit, deviation_limit});
 }
 Result<void> check_position(std::string_view what, Position x) {
-  return check(what, x.in_native(), {-position_limit, position_limit});
+  return check(what, x.in_native(), {-largest_stated, largest_stated});
 }
 Result<void> check_distance(std::string_view what, Position x) {
-  return check(what, x.in_native(), {1e-9, position_limit});
+  return check(what, x.in_native(), {1e-9, largest_stated});
 }
 Result<void> check_time(std::string_view what, Duration x) { return check(what, x.in_s(), {period_min_s, time_limit}); }
 Result<void> check_relative(std::string_view what, RelativeLength x, double lowest) {
@@ -107,7 +108,7 @@ Result<void> check_instrument(const VirtualInstrument& instrument, AxisKind kind
   AXIOMETRY_TRY_VOID(check_time("a period of the air (s)", air.slow_period));
   AXIOMETRY_TRY_VOID(check_relative("a random variation of the air (µm/m)", air.random, 0.0));
   AXIOMETRY_TRY_VOID(check_time("a correlation time of the air (s)", air.random_time));
-  AXIOMETRY_TRY_VOID(check("a dead path", air.dead_path.in_native(), {0.0, position_limit}));
+  AXIOMETRY_TRY_VOID(check("a dead path", air.dead_path.in_native(), {0.0, largest_stated}));
   if (!instrument.expansion) return {};
   if (kind == AxisKind::rotary)
     return fail("found an expansion coefficient for a rotary axis, expected it for a linear one only");

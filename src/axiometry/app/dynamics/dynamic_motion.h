@@ -36,7 +36,6 @@ struct DynamicOptions {
 };
 
 /// Bounds of what is stated, also on the command line.
-inline constexpr double largest_dynamic_number = 1e9;
 inline constexpr double largest_even_percent = 50.0;
 inline constexpr std::size_t largest_stream_axis = 1'000'000;
 

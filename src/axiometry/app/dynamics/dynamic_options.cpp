@@ -6,6 +6,7 @@
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/app/files/request_members.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 
 namespace axiometry::app {
@@ -30,7 +31,7 @@ Result<void> take_reading(JsonMembers& members, DynamicOptions& options) {
                                 std::pair{std::string_view("rotary"), AxisKind::rotary}};
   AXIOMETRY_TRY_VOID(take_choice<AxisKind>(members, "kind", kinds, options.kind));
   AXIOMETRY_TRY_VOID(members.take("stream", options.stream));
-  AXIOMETRY_TRY_VOID(take_positive(members, "rate_hz", largest_dynamic_number, options.rate_hz));
+  AXIOMETRY_TRY_VOID(take_positive(members, "rate_hz", largest_stated, options.rate_hz));
   AXIOMETRY_TRY_VOID(take_number(members, "units_per_count", options.units_per_count));
   AXIOMETRY_TRY(const auto axis, whole_member(members, "stream_axis", {1.0, largest_stream_axis}));
   if (axis) options.stream_axis = static_cast<std::size_t>(*axis) - 1;
@@ -45,10 +46,10 @@ Result<DynamicOptions> dynamic_options_from(const Value& asked) {
   DynamicOptions options;
   AXIOMETRY_TRY(JsonMembers members, JsonMembers::of(asked, "options"));
   AXIOMETRY_TRY_VOID(take_reading(members, options));
-  AXIOMETRY_TRY_VOID(take_positive(members, "window_s", largest_dynamic_number, options.window_s));
+  AXIOMETRY_TRY_VOID(take_positive(members, "window_s", largest_stated, options.window_s));
   AXIOMETRY_TRY_VOID(take_number(members, "from_s", options.from_s));
   AXIOMETRY_TRY_VOID(take_number(members, "to_s", options.to_s));
-  AXIOMETRY_TRY_VOID(take_positive(members, "feed_per_min", largest_dynamic_number, options.feed));
+  AXIOMETRY_TRY_VOID(take_positive(members, "feed_per_min", largest_stated, options.feed));
   std::optional<double> even;
   AXIOMETRY_TRY_VOID(take_positive(members, "even_percent", largest_even_percent, even));
   if (even) options.uniform_share = *even / percent;

@@ -15,6 +15,7 @@
 #include "axiometry/app/files/fail_system.h"
 #include "axiometry/base/contract.h"
 #include "axiometry/base/read_budget.h"
+#include "axiometry/base/text/text.h"
 
 namespace axiometry::app {
 namespace {
@@ -163,7 +164,7 @@ Result<std::string> bytes_at_hand(std::optional<std::string_view> at_hand, const
 }
 
 std::string base_name(const std::string& name) {
-  return name == "-" ? "standard input" : name.substr(name.find_last_of("/\\") + 1);  // npos + 1 is 0
+  return std::string(name == "-" ? "standard input" : text::without_folders(name));
 }
 
 bool standard_input_is_a_stream() {

@@ -9,6 +9,7 @@
 
 #include "axiometry/app/files/given_text.h"
 #include "axiometry/app/plan/plan_text.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/standards/rules/planned_rule.h"
@@ -20,7 +21,6 @@ using iso230_2::PlanRequest;
 using iso230_2::Stretch;
 
 constexpr std::string_view of_axis = "Axis", of_targets = "Targets", of_programme = "Programme";
-constexpr std::size_t most_readings = 100'000;
 constexpr std::size_t most_areas = 100;
 
 Result<double> number_of(const std::string& text) {
@@ -288,9 +288,9 @@ Result<PlanRequest> completed(const PlanRequestDraft& wish) {
 Result<void> check_presentable(const Plan& plan) {
   AXIOMETRY_TRY_VOID(check_plan_names(plan));
   const std::size_t readings = planned_readings(plan);
-  if (readings <= most_readings) return {};
+  if (readings <= most_planned_readings) return {};
   return fail(fmt::format("found {} targets in {} runs, {} readings in all, expected at most {}", plan.targets.size(),
-                          plan.runs, readings, most_readings));
+                          plan.runs, readings, most_planned_readings));
 }
 
 }  // namespace axiometry::app

@@ -10,14 +10,13 @@
 #include <utility>
 
 #include "axiometry/app/files/unexpected_text.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/standards/iso230_2/programme.h"
 
 namespace axiometry::app {
 namespace {
-
-constexpr std::size_t most_approaches = 100'000;
 
 /// The numbers between the colons; nothing when one is none.
 std::optional<std::vector<double>> colon_numbers(std::string_view text) {
@@ -96,9 +95,9 @@ Result<std::vector<Approach>> parse_sequence(std::string_view text) {
         return unexpected_text(word, "the number of a target and its direction, such as 3+ or 3-");
       const Direction direction = word.back() == '+' ? Direction::up : Direction::down;
       const auto target = static_cast<std::size_t>(*number - 1);
-      if (sequence.size() == most_approaches)
-        return fail(
-            fmt::format("found more than {} approaches, expected at most {}", most_approaches, most_approaches));
+      if (sequence.size() == most_planned_readings)
+        return fail(fmt::format("found more than {} approaches, expected at most {}", most_planned_readings,
+                                most_planned_readings));
       sequence.push_back({target, direction, runs[{target, direction}]++});
     }
   }

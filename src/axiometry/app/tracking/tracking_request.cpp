@@ -13,6 +13,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/plan/plan.h"
 #include "axiometry/app/plan/plan_request.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
@@ -26,7 +27,6 @@ using formats::JsonMembers;
 using json::Kind;
 using json::Value;
 
-constexpr std::size_t most_readings = 100'000;  // as of every plan that the workbench shows
 constexpr std::size_t most_obstacles = 100, most_lines = 50;
 constexpr std::size_t most_trials = 10'000'000;  // of all lines: a minute or so
 constexpr double most_runs = 100, most_targets = 10'000;
@@ -142,8 +142,8 @@ Result<void> check_presentable(const TrackingPlan& plan) {
     AXIOMETRY_TRY_VOID(given_line("the name of a line", line.id));
     readings += planned_readings(line.plan);
   }
-  if (readings <= most_readings) return {};
-  return fail(fmt::format("found {} readings in all lines, expected at most {}", readings, most_readings));
+  if (readings <= most_planned_readings) return {};
+  return fail(fmt::format("found {} readings in all lines, expected at most {}", readings, most_planned_readings));
 }
 
 }  // namespace

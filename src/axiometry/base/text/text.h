@@ -41,4 +41,9 @@ std::string no_formula(std::string_view s);
 /// of more than read_budget::name_bytes, which are no typing errors.
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
+/// The name of a file without the folders of this machine, which are nobody's business.
+inline std::string_view without_folders(std::string_view path) {
+  return path.substr(path.find_last_of("/\\") + 1);  // npos + 1 is 0
+}
+
 }  // namespace axiometry::text

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "axiometry/base/read_budget.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/csv/fixed_point.h"
@@ -19,7 +20,6 @@ namespace axiometry::formats {
 namespace {
 
 constexpr std::size_t reading_limit = 20'000'000;  // most readings of one test; 480 MB
-constexpr double plain_limit = 1e9;
 
 bool is_native(const Unit& unit, std::string_view linear, std::string_view rotary) {
   return unit.name == linear || unit.name == rotary;
@@ -193,7 +193,7 @@ bool LongRows::add_plain(const PlainRow& row) {
     if (!converted) return false;
     deviation = *converted;
   }
-  if (!(std::abs(deviation) <= plain_limit)) return false;
+  if (!(std::abs(deviation) <= largest_stated)) return false;
   RowReading reading{deviation, line_, targets_.number(target), row.run, row.direction};
   if (!layout_.run) {
     std::size_t& approaches = approaches_to(reading);

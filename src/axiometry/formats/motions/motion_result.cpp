@@ -8,6 +8,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/json/json.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/formats/text/text_source.h"
@@ -17,8 +18,6 @@ namespace {
 
 using json::Kind;
 using json::Value;
-
-constexpr double largest_of_result = 1e9;  // largest number of a result, as of readings
 
 /// nullptr where it is absent or null. Contract: `object` is one.
 const Value* member_of(const Value& object, std::string_view name) {
@@ -38,7 +37,7 @@ Result<const Value*> required_member(const Value& object, std::string_view name)
 
 Result<double> bounded_number(const Value& value, std::string_view name) {
   AXIOMETRY_TRY(const double number, number_in(value, name));
-  if (std::abs(number) <= largest_of_result) return number;
+  if (std::abs(number) <= largest_stated) return number;
   return fail(fmt::format("found {} above 1e9 in {}, expected less", number, text::quoted(name)), value.at());
 }
 

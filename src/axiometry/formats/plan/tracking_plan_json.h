@@ -16,9 +16,6 @@ namespace axiometry::formats {
 /// Value of the member "format"; the number changes when old files no longer read.
 inline constexpr std::string_view tracking_plan_format_name = "axiometry-tracking-plan/1";
 
-/// How far from the origin of the machine anything of a plan or a station may be, and how large.
-inline constexpr double tracking_farthest_mm = 1e9;
-
 /// The plan as an object. Needs finite numbers and sound plans.
 json::Value tracking_plan_value(const TrackingPlan& plan);
 

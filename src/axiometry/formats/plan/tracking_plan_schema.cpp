@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
@@ -14,12 +15,11 @@ Value number_or_null(double minimum, double maximum, std::string_view descriptio
 }
 
 Value vector(std::string_view description) {
-  return object(
-      {{"type", "array"},
-       {"items", object({{"type", "number"}, {"minimum", -tracking_farthest_mm}, {"maximum", tracking_farthest_mm}})},
-       {"minItems", 3},
-       {"maxItems", 3},
-       {"description", description}});
+  return object({{"type", "array"},
+                 {"items", object({{"type", "number"}, {"minimum", -largest_stated}, {"maximum", largest_stated}})},
+                 {"minItems", 3},
+                 {"maxItems", 3},
+                 {"description", description}});
 }
 
 Value closed(Value properties, Value required, std::string_view description) {
@@ -52,17 +52,16 @@ Value station() {
 }
 
 Value limits() {
-  return closed(
-      object({{"range_least_mm", number_or_null(0, tracking_farthest_mm, "Shortest distance of the instrument.")},
-              {"range_most_mm", number_or_null(0, tracking_farthest_mm, "Longest distance of the instrument.")},
-              {"elevation_lowest_deg", number_or_null(-90, 90, "Of the beam above the plane of X and Y.")},
-              {"elevation_highest_deg", number_or_null(-90, 90, "Of the beam above the plane of X and Y.")},
-              {"reflector_axis", vector("Where the reflector looks, from the spindle.")},
-              {"incidence_most_deg", number_or_null(0, 180, "Between the beam and the reflector's axis.")},
-              {"safe_radius_mm",
-               number_or_null(0, tracking_farthest_mm, "Nothing of the machine comes nearer to the station.")},
-              {"line_least_mm", number_or_null(0, tracking_farthest_mm, "A shorter line is not worth a test.")}}),
-      Value::array(), "What instrument and reflector can do.");
+  return closed(object({{"range_least_mm", number_or_null(0, largest_stated, "Shortest distance of the instrument.")},
+                        {"range_most_mm", number_or_null(0, largest_stated, "Longest distance of the instrument.")},
+                        {"elevation_lowest_deg", number_or_null(-90, 90, "Of the beam above the plane of X and Y.")},
+                        {"elevation_highest_deg", number_or_null(-90, 90, "Of the beam above the plane of X and Y.")},
+                        {"reflector_axis", vector("Where the reflector looks, from the spindle.")},
+                        {"incidence_most_deg", number_or_null(0, 180, "Between the beam and the reflector's axis.")},
+                        {"safe_radius_mm",
+                         number_or_null(0, largest_stated, "Nothing of the machine comes nearer to the station.")},
+                        {"line_least_mm", number_or_null(0, largest_stated, "A shorter line is not worth a test.")}}),
+                Value::array(), "What instrument and reflector can do.");
 }
 
 Value obstacle() {
@@ -70,26 +69,25 @@ Value obstacle() {
       object({{"name", text_schema("What it is.")},
               {"box", box("With edges along X, Y, Z.")},
               {"sphere", closed(object({{"centre_mm", vector("Centre.")},
-                                        {"radius_mm", number_or_null(0, tracking_farthest_mm, "Radius.")}}),
+                                        {"radius_mm", number_or_null(0, largest_stated, "Radius.")}}),
                                 Value::array({"centre_mm", "radius_mm"}), "A ball.")},
               {"cylinder", closed(object({{"base_mm", vector("Middle of the lower end.")},
-                                          {"radius_mm", number_or_null(0, tracking_farthest_mm, "Radius.")},
-                                          {"height_mm", number_or_null(0, tracking_farthest_mm, "Height.")}}),
+                                          {"radius_mm", number_or_null(0, largest_stated, "Radius.")},
+                                          {"height_mm", number_or_null(0, largest_stated, "Height.")}}),
                                   Value::array({"base_mm", "radius_mm", "height_mm"}), "Upright, along Z.")}}),
       Value::array(), "One of box, sphere, cylinder, at rest in the station's coordinates.");
 }
 
 Value setup() {
   return closed(
-      object(
-          {{"travel", box("Where the axes may stand.")},
-           {"tool_offset_mm", vector("From where the axes stand to the centre of the reflector.")},
-           {"station", station()},
-           {"limits", limits()},
-           {"ranging", closed(object({{"constant_um", number_or_null(0, tracking_farthest_mm, "a, in µm.")},
-                                      {"per_length_um_per_m", number_or_null(0, tracking_farthest_mm, "b, in µm/m.")}}),
-                              Value::array(), "Expanded uncertainty (k = 2) of a length L: a + b·L.")},
-           {"obstacles", list_of(obstacle(), "What stands in the way of reflector and beam.")}}),
+      object({{"travel", box("Where the axes may stand.")},
+              {"tool_offset_mm", vector("From where the axes stand to the centre of the reflector.")},
+              {"station", station()},
+              {"limits", limits()},
+              {"ranging", closed(object({{"constant_um", number_or_null(0, largest_stated, "a, in µm.")},
+                                         {"per_length_um_per_m", number_or_null(0, largest_stated, "b, in µm/m.")}}),
+                                 Value::array(), "Expanded uncertainty (k = 2) of a length L: a + b·L.")},
+              {"obstacles", list_of(obstacle(), "What stands in the way of reflector and beam.")}}),
       Value::array({"travel"}),
       "Machine, instrument and what stands about. Without a station: an interferometer that is aligned with "
       "each line in turn.");

@@ -11,6 +11,7 @@
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/read_budget.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/series/approaches.h"
@@ -158,8 +159,7 @@ class TableReader {
   }
 
   Result<void> check_target(double x, TextPosition at) {
-    constexpr double limit = 1e9;
-    if (std::abs(position_in(*profile_.target_unit, x).in_native()) <= limit) return {};
+    if (std::abs(position_in(*profile_.target_unit, x).in_native()) <= largest_stated) return {};
     return fail(fmt::format("found the target {}, expected a magnitude up to 1e9", format_exact(x)), at);
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "axiometry/base/read_budget.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/simulated_note.h"
@@ -120,7 +121,7 @@ Result<double> NamedCells::length(const NamedRow& row, std::size_t role) {
 Result<double> NamedCells::angle(const NamedRow& row, std::size_t role) {
   AXIOMETRY_TRY(const double value, number(row, role));
   const double degrees = position_in(*columns_.unit[role], value).in_native();
-  if (std::abs(degrees) <= table_length_most_mm) return degrees;
+  if (std::abs(degrees) <= largest_stated) return degrees;
   return fail(fmt::format("found {}, expected an angle up to 1e9°", text::quoted(row.cell(role))), row.at(role));
 }
 

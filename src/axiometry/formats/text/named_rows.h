@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/result.h"
 #include "axiometry/base/vector3.h"
 #include "axiometry/formats/text/csv_cells.h"
@@ -99,7 +100,7 @@ class NamedCells {
 
   /// Fails where there is none.
   Result<std::string_view> name(const NamedRow& row, std::size_t role) const;
-  /// In mm. Fails on anything but a finite number up to table_length_most_mm.
+  /// In mm. Fails on anything but a finite number up to largest_stated.
   Result<double> length(const NamedRow& row, std::size_t role);
   /// In °. Likewise, up to 1e9°.
   Result<double> angle(const NamedRow& row, std::size_t role);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "axiometry/base/contract.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/formats/text/text_lines.h"
 
 namespace axiometry::formats {
@@ -65,7 +66,7 @@ Result<const Unit*> angle_unit(const CsvCell& head, const TableHead& named, std:
 
 Result<double> length_in_mm(const Unit& unit, double value, std::string_view cell, TextPosition at) {
   const double mm = position_in(unit, value).in_native();
-  if (std::abs(mm) <= table_length_most_mm) return mm;
+  if (std::abs(mm) <= largest_stated) return mm;
   return fail(fmt::format("found {}, expected a length up to 1e9 mm", text::quoted(cell)), at);
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/result.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/csv_cells.h"
@@ -16,9 +17,6 @@
 
 /// What the tables of a tracking interferometer have in common: heads that state a unit, and lines.
 namespace axiometry::formats {
-
-/// No length of a table is longer: the Plan's own limit of coordinates.
-inline constexpr double table_length_most_mm = 1e9;
 
 struct TableHead {
   std::string name;  ///< lower case, parts separated by one blank
@@ -52,7 +50,7 @@ Result<const Unit*> length_unit(const CsvCell& head, const TableHead& named, std
 Result<const Unit*> angle_unit(const CsvCell& head, const TableHead& named, std::string_view canonical,
                                std::size_t line);
 
-/// In mm. Fails beyond table_length_most_mm; `cell` is what stands there.
+/// In mm. Fails beyond largest_stated; `cell` is what stands there.
 Result<double> length_in_mm(const Unit& unit, double value, std::string_view cell, TextPosition at);
 
 /// "passed over the columns "name", "temperature"". Needs a name.

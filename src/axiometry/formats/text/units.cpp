@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "axiometry/base/decimal_tie.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 
@@ -48,8 +49,6 @@ constexpr Spelling spellings[] = {
     {"arc sec", "arcsec"},   {"degree", "deg"},        {"degrees", "deg"},
     {"\u03BCrad", "urad"},
 };
-
-constexpr double deviation_limit = 1e9;  // the Series' own, checked here to name line and column
 
 /// What a unit makes of a number of a file: read with half an ulp, then multiplied and divided. Decimals stay decimals.
 double converted(double x) { return nearest_decimal(x, 4.0 * unit_roundoff * std::abs(x)); }
@@ -101,7 +100,7 @@ Result<double> native_deviation(const ReadingRule& rule, Position target, double
     const double magnitude = (std::abs(position) + std::abs(target.in_native()) + std::abs(difference)) * per_position;
     deviation = nearest_decimal(difference * per_position, 2.0 * unit_roundoff * magnitude);
   }
-  if (std::abs(deviation) <= deviation_limit) return deviation;
+  if (std::abs(deviation) <= largest_stated) return deviation;
   return fail(fmt::format("found a deviation of {} {}, expected a magnitude up to 1e9", format_exact(deviation),
                           deviation_unit(rule.unit->kind)));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "axiometry/base/json/json.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/model/station_bounds.h"
@@ -16,8 +17,7 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr double coordinate_limit_mm = 1e9;  // the Plan's own limit
-constexpr double most_points = 1e9;          // more are no location
+constexpr double most_points = 1e9;  // more are no location
 constexpr double most_chi_squared = 1e100;
 
 /// A location that should not be used as it is says so among its findings.
@@ -76,7 +76,7 @@ Result<Station> read_station(std::string_view bytes) {
         object.at());
   AXIOMETRY_TRY(const Vector3 position, vector_in(*station, "station"));
   for (std::size_t k = 0; k < 3; ++k)
-    if (!(std::abs(position[k]) <= coordinate_limit_mm))
+    if (!(std::abs(position[k]) <= largest_stated))
       return fail(
           fmt::format("found the coordinate {} of the station, expected at most 1e9 mm", format_exact(position[k])),
           station->items()[k].at());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/tracking/station_json.h"
@@ -9,12 +10,11 @@ namespace {
 using json::Value;
 
 Value place(std::string_view description) {
-  return object(
-      {{"type", "array"},
-       {"items", object({{"type", "number"}, {"minimum", -tracking_farthest_mm}, {"maximum", tracking_farthest_mm}})},
-       {"minItems", 3},
-       {"maxItems", 3},
-       {"description", description}});
+  return object({{"type", "array"},
+                 {"items", object({{"type", "number"}, {"minimum", -largest_stated}, {"maximum", largest_stated}})},
+                 {"minItems", 3},
+                 {"maxItems", 3},
+                 {"description", description}});
 }
 
 Value matrix(std::string_view description) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
@@ -18,14 +19,13 @@ namespace {
 using json::Value;
 
 Result<void> check_size(double x, std::string_view what, const Value& at) {
-  if (x > 0.0 && x <= tracking_farthest_mm) return {};
+  if (x > 0.0 && x <= largest_stated) return {};
   return fail(fmt::format("found {} of {}, expected one above 0 and up to 1e9", what, format_exact(x)), at.at());
 }
 
 Result<void> check_order(Vector3 lowest, Vector3 highest, std::string_view what, const Value& at) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (!(lowest[k] <= highest[k]) || std::abs(lowest[k]) > tracking_farthest_mm ||
-        std::abs(highest[k]) > tracking_farthest_mm)
+    if (!(lowest[k] <= highest[k]) || std::abs(lowest[k]) > largest_stated || std::abs(highest[k]) > largest_stated)
       return fail(fmt::format("found {} from {} to {} mm in {}, expected it to grow and to stay within 1e9", what,
                               format_exact(lowest[k]), format_exact(highest[k]), "XYZ"[k]),
                   at.at());
@@ -56,7 +56,7 @@ Result<Station> station_from(const Value& value) {
     AXIOMETRY_TRY(station.covariance_mm2, covariance_in(*covariance, "covariance_mm2"));
   }
   AXIOMETRY_TRY_VOID(members.finish());
-  if (norm(station.position_mm) > tracking_farthest_mm)
+  if (norm(station.position_mm) > largest_stated)
     return fail("found a station farther than 1e9 mm, expected one at the machine", value.at());
   return station;
 }
@@ -76,7 +76,7 @@ Result<TrackerLimits> limits_from(const Value& value) {
   const auto ordered = [&](double least, double most, double lowest, double highest) {
     return least >= lowest && least < most && most <= highest;
   };
-  if (!ordered(limits.range_least_mm, limits.range_most_mm, 0.0, tracking_farthest_mm))
+  if (!ordered(limits.range_least_mm, limits.range_most_mm, 0.0, largest_stated))
     return fail(fmt::format("found a range of {} to {} mm, expected it to grow from 0 or more",
                             format_exact(limits.range_least_mm), format_exact(limits.range_most_mm)),
                 value.at());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "axiometry/base/counted.h"
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
@@ -21,13 +22,12 @@ using json::Value;
 using volumetric::KinematicChain;
 using volumetric::MachineModel;
 
-constexpr double farthest_mm = 1e9;
 constexpr double travel_least_mm = 1.0;
 constexpr std::size_t names_most = 256;  // most tools, and most stations
 
 Result<void> check_near(Vector3 at, const Value& value) {
   for (std::size_t k = 0; k < 3; ++k)
-    if (std::abs(at[k]) > farthest_mm)
+    if (std::abs(at[k]) > largest_stated)
       return fail(fmt::format("found the coordinate {}, expected at most 1e9 mm", format_exact(at[k])), value.at());
   return {};
 }
@@ -45,7 +45,7 @@ Result<TravelBox> travel_from(const Value& value) {
     AXIOMETRY_TRY(travel.lowest_mm[a], number_in(ends->front(), linear_axis_names[a]));
     AXIOMETRY_TRY(travel.highest_mm[a], number_in(ends->back(), linear_axis_names[a]));
     if (!(travel.highest_mm[a] - travel.lowest_mm[a] >= travel_least_mm) ||
-        std::abs(travel.lowest_mm[a]) > farthest_mm || std::abs(travel.highest_mm[a]) > farthest_mm)
+        std::abs(travel.lowest_mm[a]) > largest_stated || std::abs(travel.highest_mm[a]) > largest_stated)
       return fail(
           fmt::format(
               "found a travel of {} from {} to {} mm, expected its lower end first, 1 mm at least, within 1e9 mm",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/formats/plan/tracking_plan_json.h"
 #include "axiometry/formats/test/test_schema.h"
 #include "axiometry/formats/volumetric/volumetric_plan_json.h"
@@ -10,15 +11,13 @@ namespace {
 
 using json::Value;
 
-constexpr double farthest = 1e9;
-
 Value number_between(double lowest, double highest, std::string_view description) {
   return object({{"type", "number"}, {"minimum", lowest}, {"maximum", highest}, {"description", description}});
 }
 
 Value vector_schema(std::string_view description) {
   return object({{"type", "array"},
-                 {"items", object({{"type", "number"}, {"minimum", -farthest}, {"maximum", farthest}})},
+                 {"items", object({{"type", "number"}, {"minimum", -largest_stated}, {"maximum", largest_stated}})},
                  {"minItems", 3},
                  {"maxItems", 3},
                  {"description", description}});

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/report/sections/source_files.h"
 
-namespace axiometry::report {
+#include "axiometry/base/text/text.h"
 
-std::string_view file_name(std::string_view path) {
-  return path.substr(path.find_last_of("/\\") + 1);  // npos + 1 is 0
-}
+namespace axiometry::report {
 
 TableCell file_cell(std::string_view path) {
   if (path.empty()) return quiet_cell("not recorded");
-  return path == "-" ? text_cell("standard input") : verbatim_cell(file_name(path));
+  return path == "-" ? text_cell("standard input") : verbatim_cell(text::without_folders(path));
 }
 
 Section provenance_of_files(std::span<const SourceFile> files) {

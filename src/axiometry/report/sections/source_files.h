@@ -16,8 +16,7 @@ struct SourceFile {
   std::string_view sha256;  ///< empty where nobody reckoned it
 };
 
-/// The name of a file without the folders of this machine, which are nobody's business.
-std::string_view file_name(std::string_view path);
+/// The name of the file without its folders.
 TableCell file_cell(std::string_view path);
 
 /// The section Provenance: every file with its SHA-256, and the program.

@@ -10,13 +10,13 @@
 #include <optional>
 #include <tuple>
 
+#include "axiometry/base/reading_limits.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/tracking/station/residual_findings.h"
 
 namespace axiometry::tracking {
 namespace {
 
-constexpr double limit_mm = 1e9;  // the Plan's own limit of coordinates
 constexpr std::size_t most_pairs_from = 5000;
 
 /// In whole µm.
@@ -69,7 +69,7 @@ Result<void> check_points(std::span<const LocationPoint> points, const StationOp
   for (std::size_t i = 0; i < points.size(); ++i) {
     const LocationPoint& p = points[i];
     for (double x : {p.at_mm.x, p.at_mm.y, p.at_mm.z, p.length_difference_mm})
-      if (!(std::abs(x) <= limit_mm))
+      if (!(std::abs(x) <= largest_stated))
         return fail(fmt::format("found {} at point {}, expected finite lengths up to 1e9 mm",
                                 std::isfinite(x) ? format_exact(x) : "a number that is not finite", i + 1));
   }
