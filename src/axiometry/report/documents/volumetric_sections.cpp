@@ -78,11 +78,14 @@ Section volume_section(const volumetric::ErrorModel& model, std::span<const Tool
     add_sizes(table, tool, "as found", field.statistics.as_found, options);
     add_sizes(table, tool, "without rigid motion", field.statistics.without_rigid_motion, options);
   }
-  table.notes = {plain(
-      "Over a grid of the travel that was observed, the largest between its nodes too. Without rigid motion: less the "
-      "displacement and rotation of the "
-      "whole machine that fit best, which the place of a workpiece takes away. 95 % of the grid have no more than the "
-      "last column.")};
+  table.notes = {plain("Over a grid of the travel that was observed, the largest between its nodes too. Without rigid "
+                       "motion: less the "
+                       "displacement and rotation of the "
+                       "whole machine that fit best, which the place of a workpiece takes away. 95 % of the grid have "
+                       "no more than the "
+                       "last column."),
+                 plain("Errors that are uncertain seem larger than they are, on average, the largest of many most of "
+                       "all: u is without that bias.")};
   table.dense = true;
   Section section{"volume", "The volume", true, {std::move(table)}};
   const auto shown = std::ranges::find_if(fields, [](const ToolField& f) { return f.statistics.as_found.has_value(); });
