@@ -13,8 +13,8 @@
 namespace axiometry::tracking {
 namespace {
 
-using testing_support::make_series;
-using testing_support::RunDeviations;
+using axiometry::testing_support::make_series;
+using axiometry::testing_support::RunDeviations;
 
 /// Targets every 100 mm measured upwards alone: means in µm, each of so many readings with that s in µm, alike in all
 /// targets.
