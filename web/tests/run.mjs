@@ -54,6 +54,11 @@ const [without, only] = [words.filter((word) => word.startsWith('-')).map((word)
 const chosen = (name) => (only.length === 0 || only.some((word) => has(name, word))) && !without.some((word) => has(name, word));
 const wanted = Object.entries(all).filter(([name]) => chosen(name)).filter((_, index) => index % parts === part - 1);
 
+if (wanted.length === 0) {
+  console.error(`found no test in part ${part} of ${parts} with ${words.join(' ') || 'any name'}, expected one or more`);
+  process.exit(2);
+}
+
 // Chromium's sandbox does not work for root, as which containers of tests mostly run.
 const flags = process.getuid() === 0 ? ['--no-sandbox'] : [];
 const browser = await chromium.launch({ executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium', args: [...flags, '--disable-background-networking'] });

@@ -10,7 +10,6 @@
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "cli/failure.h"
-
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
 #include "cli/text/document_text.h"

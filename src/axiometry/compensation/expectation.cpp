@@ -94,8 +94,9 @@ std::size_t freedom_of(const Cell& cell) { return cell.count > 1 ? cell.count - 
 /// along two axes that are independent of each other, the columns, times their standard deviations.
 struct RunSpread {
   std::array<double, 2> common{}, against{};
-  double tilt = 0.0;       ///< standard deviation of their tilts, which both directions share …
-  double with_tilt = 0.0;  ///< … and what of their common shift goes with a tilt of 1
+  double tilt = 0.0;  ///< standard deviation of their tilts, which both directions share …
+  double common_of_tilt = 0.0, against_of_tilt = 0.0;  ///< … and what of both shifts goes with a tilt of 1
+  double degrees = 0.0;                                ///< of freedom that the shifts are known with
 };
 
 /// Of the variances and the covariance of both parts: its principal axes.
@@ -114,7 +115,7 @@ double product_of(std::span<const double> a, std::span<const double> b) {
   return products;
 }
 
-RunSpread run_spread_of(const Series& series, const std::optional<iso230_2::RunTilts>& tilts) {
+RunSpread run_spread_of(const Series& series, const std::optional<iso230_2::TiltStudy>& tilts) {
   const std::size_t runs = series.run_count();
   std::array<std::vector<double>, 2> shift{std::vector<double>(runs), std::vector<double>(runs)};
   for (const Direction direction : {Direction::up, Direction::down}) {
@@ -133,19 +134,28 @@ RunSpread run_spread_of(const Series& series, const std::optional<iso230_2::RunT
     common[j] = 0.5 * (shift[0][j] + shift[1][j]);
     difference[j] = 0.5 * (shift[0][j] - shift[1][j]);
   }
-  auto freedom = static_cast<double>(runs - 1);
-  double with_tilt = 0.0;
-  if (tilts) {
-    std::vector<double> of_runs = iso230_2::run_tilts(series);
-    std::ranges::replace_if(
-        of_runs, [](double tilt) { return std::isnan(tilt); }, 0.0);
-    with_tilt = product_of(common, of_runs) / product_of(of_runs, of_runs);
-    for (std::size_t j = 0; j < runs; ++j) common[j] -= with_tilt * of_runs[j];
-    freedom = std::max(1.0, freedom - 1.0);
+  const auto shifts_of = [&] {
+    const double freedom = std::max(1.0, static_cast<double>(runs) - (tilts ? 2.0 : 1.0));
+    RunSpread spread = along_axes(product_of(common, common) / freedom, product_of(difference, difference) / freedom,
+                                  product_of(common, difference) / freedom);
+    spread.degrees = freedom;
+    return spread;
+  };
+  if (!tilts) return shifts_of();
+  std::vector<double> of_runs = iso230_2::run_tilts(series);
+  std::ranges::replace_if(
+      of_runs, [](double tilt) { return std::isnan(tilt); }, 0.0);
+  const double squares = product_of(of_runs, of_runs);
+  const double common_of_tilt = product_of(common, of_runs) / squares;
+  const double against_of_tilt = product_of(difference, of_runs) / squares;
+  for (std::size_t j = 0; j < runs; ++j) {
+    common[j] -= common_of_tilt * of_runs[j];
+    difference[j] -= against_of_tilt * of_runs[j];
   }
-  RunSpread spread = along_axes(product_of(common, common) / freedom, product_of(difference, difference) / freedom,
-                                product_of(common, difference) / freedom);
-  if (tilts) spread.tilt = tilts->between.in_native(), spread.with_tilt = with_tilt;
+  RunSpread spread = shifts_of();
+  spread.tilt = tilts->between();
+  spread.common_of_tilt = common_of_tilt;
+  spread.against_of_tilt = against_of_tilt;
   return spread;
 }
 
@@ -170,8 +180,8 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
   const auto [cells, freedom] = cells_of(within_runs, study.uneven.has_value(), study.tilts ? 2 : study.shifts ? 1 : 0);
   const std::vector<double> levers = iso230_2::tilt_levers(predicted);
   if (cells.empty()) return std::nullopt;
-  const PossibleShares shares_up(freedom[0]), shares_down(freedom[1]),
-      shares_of_runs(runs_differ ? static_cast<double>(predicted.run_count()) - 1.0 : 0.0);
+  const PossibleShares shares_up(freedom[0]), shares_down(freedom[1]), shares_of_runs(spread.degrees),
+      shares_of_tilts(study.tilts ? study.tilts->degrees() : 0.0);
   const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
   const std::size_t numbers_of_tilts = study.tilts ? runs + 1 : 0;
   const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 2 + numbers_of_tilts;
@@ -209,23 +219,26 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
     const double of_table =
         shift(spread.against, 2 * runs, 2 * runs + 1) / std::sqrt(static_cast<double>(predicted.run_count()));
     // The table holds the mean tilt of the test's runs.
-    const double tilt_sd = spread.tilt * shares_of_runs(uniform[4]);
+    const double tilt_sd = spread.tilt * shares_of_tilts(uniform[4]);
     const double tilt_of_table =
         tilts.empty() ? 0.0 : tilts[runs] / std::sqrt(static_cast<double>(predicted.run_count()));
-    const auto tilted = [&](std::size_t run, std::size_t target) {
-      return tilts.empty() ? 0.0 : tilt_sd * (tilts[run] + tilt_of_table) * (spread.with_tilt + levers[target]);
+    const auto tilted = [&](std::size_t run, std::size_t target, double side) {
+      return tilts.empty() ? 0.0
+                           : tilt_sd * (tilts[run] + tilt_of_table) *
+                                 (spread.common_of_tilt + side * spread.against_of_tilt + levers[target]);
     };
     for (std::size_t i = 0; i < targets.size(); ++i) {
       std::array<std::span<double>, 2> of{std::span(readings).first(runs), std::span(readings).last(runs)};
       for (std::size_t d = 0; d < 2; ++d) {
         const Cell& cell = cells[d * targets.size() + i];
         const double table = cell.count > 0 ? *z / std::sqrt(static_cast<double>(cell.count)) : 0.0;
+        const double side = d == 0 ? 1.0 : -1.0;
         const std::size_t approaches = of_retest.runs && cell.count > 0 ? runs : cell.count;
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
           of[d][j] = j < approaches
                          ? cell.mean + s[d * targets.size() + i] * (table + *z) + shift(spread.common, j, runs + j) +
-                               tilted(j, i) + (d == 0 ? 1.0 : -1.0) * (shift(spread.against, j, runs + j) + of_table)
+                               tilted(j, i, side) + side * (shift(spread.against, j, runs + j) + of_table)
                          : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);

@@ -211,10 +211,10 @@ void tell_comparison(PredictedTest& test, const MeasuredMeans& means) {
       std::ranges::max_element(c.normalised, {}, [](double x) { return std::abs(x); }) - c.normalised.begin());
   const double position = test.predicted.line.positions_mm[largest % test.predicted.up.size()];
   const std::string text = fmt::format(
-      "χ² = {:.1f} with ν = {}; the largest difference is {:.2f} µm at {} mm, {:.1f} of "
-      "its standard uncertainties",
-      c.chi_squared, c.degrees_of_freedom, c.measured_um[largest] - c.predicted_um[largest],
-      format_rounded(position, 3), std::abs(c.normalised[largest]));
+      "χ² = {:.1f} with ν = {} ({}); the largest difference is {:.2f} µm at {} mm, {:.1f} of its standard "
+      "uncertainties",
+      c.chi_squared, c.degrees_of_freedom, format_chance(c.probability),
+      c.measured_um[largest] - c.predicted_um[largest], format_rounded(position, 3), std::abs(c.normalised[largest]));
   const bool has_reversal = tell_reversal(test);
   if (c.probability < departs_below)
     test.findings.push_back({"volumetric-prediction-departs", true,

@@ -10,6 +10,7 @@
 #include "axiometry/formats/plan/plan_json.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
+#include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::app {
 
@@ -36,11 +37,12 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
   targets.means->both_directions = up && down;
   targets.means->direction = up ? Direction::up : Direction::down;
   // Runs that lie apart leave the shape alone; of their slopes, where they have some of their own, the mean counts.
-  const auto tilts = iso230_2::scatter_study(test.series).tilts;
+  const Series series = without_empty_runs(test.series);
+  const auto tilts = iso230_2::scatter_study(series).tilts;
   const auto directions = static_cast<double>(up) + static_cast<double>(down);
   double squares = 0.0, freedom = 0.0;
-  for (const auto& p : iso230_2::evaluate_positions(tilts ? iso230_2::without_tilts(test.series)
-                                                          : iso230_2::without_shifts(test.series)))
+  for (const auto& p :
+       iso230_2::evaluate_positions(tilts ? iso230_2::without_tilts(series) : iso230_2::without_shifts(series)))
     for (const auto& [s, n] : {std::pair{p.s_up, p.count_up}, std::pair{p.s_down, p.count_down}})
       if (s) {
         squares += static_cast<double>(n - 1) * s->in_native() * s->in_native();
@@ -51,13 +53,13 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
         Result<TargetsOfFile>(fail("found a test of one run, whose scatter is not known, expected two runs or "
                                    "more to hold against a prediction")),
         file);
-  const auto runs = static_cast<double>(test.series.run_count());
+  const auto runs = static_cast<double>(series.run_count());
   const double of_runs = (tilts ? 2.0 : 1.0) * directions * (runs - 1.0);  // level and slope of each but one
   targets.means->degrees_of_freedom = std::max(1.0, freedom - of_runs);
   const double s = std::sqrt(squares / targets.means->degrees_of_freedom);  // pooled
   if (tilts) {
-    targets.means->tilt_u_um = tilts->between.in_native() / std::sqrt(runs);
-    targets.means->tilt_degrees_of_freedom = runs - 1.0;
+    targets.means->slope_u_um_per_mm = tilts->u_of_mean() / series.travel_native();
+    targets.means->slope_degrees_of_freedom = tilts->degrees();
   }
   for (const auto& p : positions) {
     if ((up && !p.mean_up) || (down && !p.mean_down)) continue;

@@ -21,6 +21,7 @@ struct TargetsOfFile {
   std::optional<Vector3> offset_mm;  ///< offset of the tool of a test, as it states it
 };
 
+/// Those of a plan, with its line where it states one. Fails on what is no plan.
 Result<TargetsOfFile> targets_of_plan(const std::string& file);
 
 /// Targets with a mean in both directions, or in the one that there is. Fails on a test of a rotary axis and of one

@@ -7,15 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "axiometry/numeric/distributions/f_distribution.h"
-#include "axiometry/numeric/moments.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "axiometry/standards/iso230_2/scatter/run_tilts.h"
 
 namespace axiometry::tracking {
 namespace {
 
-constexpr double slopes_by_chance = 0.05;
+constexpr double slopes_by_chance = 0.4;  // of less the slopes of the runs would be missed where they matter
 
 struct Mean {
   double position_mm = 0.0;
@@ -50,24 +48,14 @@ std::vector<Mean> means_of(std::span<const iso230_2::PositionResult> positions) 
   return means;
 }
 
-/// Of the mean of the runs' slopes, by how far these differ.
-SlopeFit between_runs(const Series& series) {
-  std::vector<double> slopes = iso230_2::run_tilts(series);
-  std::erase_if(slopes, [](double tilt) { return std::isnan(tilt); });
-  const auto runs = static_cast<double>(slopes.size());
-  if (slopes.size() < 2) return {};
-  return {0.0, 1000.0 * numeric::moments(slopes).standard_deviation / series.travel_native() / std::sqrt(runs),
-          runs - 1.0};
-}
-
-/// The larger uncertainty, that of runs where chance does not make it.
-SlopeFit with_runs(const SlopeFit& of_readings, const SlopeFit& of_runs) {
-  const double ratio = of_runs.uncertainty_um_per_m / of_readings.uncertainty_um_per_m;
-  const bool by_chance =
-      of_readings.uncertainty_um_per_m > 0.0 &&
-      numeric::f_tail(ratio * ratio, {of_runs.degrees_of_freedom, of_readings.degrees_of_freedom}) > slopes_by_chance;
-  if (by_chance || !(of_runs.uncertainty_um_per_m > of_readings.uncertainty_um_per_m)) return of_readings;
-  return {of_readings.slope_um_per_m, of_runs.uncertainty_um_per_m, of_runs.degrees_of_freedom};
+/// Where chance hardly makes the slopes of the runs differ as they do, what these let the mean of them be uncertain by,
+/// if that is more. s_i of the readings hold these slopes too, but not what of them is common to all targets of a run.
+SlopeFit with_runs(const SlopeFit& of_readings, const Series& series) {
+  const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
+  if (tilts.runs < 2 || tilts.p > slopes_by_chance) return of_readings;
+  const double of_runs = 1000.0 * std::sqrt(tilts.variance / static_cast<double>(tilts.runs)) / series.travel_native();
+  if (!(of_runs > of_readings.uncertainty_um_per_m)) return of_readings;
+  return {of_readings.slope_um_per_m, of_runs, tilts.degrees()};
 }
 
 }  // namespace
@@ -103,7 +91,7 @@ SlopeFit fit_slope(const Series& series) {
   const double scattered = left > 0.0 ? residuals / left / squares : 0.0;
   SlopeFit fit{1000.0 * slope, 1000.0 * std::sqrt(repeated)};
   if (per_degree > 0.0) fit.degrees_of_freedom = repetition * repetition / per_degree;
-  fit = with_runs(fit, between_runs(series));
+  fit = with_runs(fit, series);
   const SlopeFit about_line{fit.slope_um_per_m, 1000.0 * std::sqrt(scattered), left};
   return about_line.uncertainty_um_per_m > fit.uncertainty_um_per_m ? about_line : fit;
 }

@@ -15,12 +15,12 @@ struct SlopeFit {
 };
 
 /// Weighted least squares over the targets: of the mean bidirectional deviations x̄_i (3.14) where there are any, else
-/// of the unidirectional ones; weights are the numbers of readings. The uncertainty is the largest of that from the
-/// scatter of the means about the line (which holds the positioning error itself), that from the scatter of the
-/// readings (s_i/√n_i), and, where chance exceeds its F over that one in one of twenty lines at most, that from the
-/// slopes of the runs (their standard deviation divided by √n: an axis whose temperature changes between the runs has
-/// another scale in each); with the degrees of freedom of that one: m − 2 of m means about the line, after Welch and
-/// Satterthwaite from the n_i − 1 of the readings, or n − 1 of n runs. Needs two positions.
+/// of the unidirectional ones; weights are the numbers of readings. The uncertainty is the largest of three, with the
+/// degrees of freedom of that one: from the scatter of the means about the line, which holds the positioning error
+/// itself (m − 2 of m means); from the scatter of the readings, s_i/√n_i (after Welch and Satterthwaite from the n_i −
+/// 1); and, where chance makes slopes of the runs that differ so much in two of five lines at most (tilt_study), from
+/// these: their standard deviation divided by √n (n − 1 of n runs), since an axis whose temperature changes between the
+/// runs has another scale in each. Needs two positions.
 SlopeFit fit_slope(const Series& series);
 
 }  // namespace axiometry::tracking

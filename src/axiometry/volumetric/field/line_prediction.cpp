@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <numeric>
 #include <utility>
 
@@ -157,19 +156,11 @@ PredictedLine of_direction(const PredictedLine& both, Direction direction) {
   return one;
 }
 
-/// Of so much variance, all of which is known exactly but for some parts; after Welch and Satterthwaite.
-struct PartOfVariance {
-  double variance = 0.0, degrees = 1.0;
-};
-
-/// That χ² is as large or larger, with what the scatter of the test is known with.
-double probability_of(double chi_squared, std::size_t degrees_of_freedom, double variance,
-                      std::initializer_list<PartOfVariance> parts) {
-  const auto above = static_cast<double>(degrees_of_freedom);
-  double per_degree = 0.0;
-  for (const PartOfVariance& part : parts) per_degree += part.variance * part.variance / part.degrees;
-  if (!(per_degree > 0.0)) return 1.0 - numeric::chi_square_probability(chi_squared, above);
-  return numeric::f_tail(chi_squared / above, {above, std::max(1.0, variance * variance / per_degree)});
+/// That χ² is as large or larger, where `share` of the variance is known with so many degrees of freedom alone and the
+/// rest exactly (Welch and Satterthwaite).
+double probability_of(double chi_squared, double freedom, double share, double degrees) {
+  if (std::isinf(degrees) || !(share > 0.0)) return 1.0 - numeric::chi_square_probability(chi_squared, freedom);
+  return numeric::f_tail(chi_squared / freedom, {freedom, degrees / (share * share)});
 }
 
 UntoldReversal untold_reversal(const MeasuredMeans& measured) {
@@ -189,8 +180,8 @@ UntoldReversal untold_reversal(const MeasuredMeans& measured) {
   }
   reversal.systematic_um = most - least;
   reversal.degrees_of_freedom = measured.up_um.size();
-  reversal.probability =
-      probability_of(reversal.chi_squared, reversal.degrees_of_freedom, 1.0, {{1.0, measured.degrees_of_freedom}});
+  reversal.probability = probability_of(reversal.chi_squared, static_cast<double>(reversal.degrees_of_freedom), 1.0,
+                                        measured.degrees_of_freedom);
   return reversal;
 }
 
@@ -297,19 +288,15 @@ LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& meas
   std::vector<double> difference, covariance = predicted.covariance_um2;
   const std::vector<double>& positions_mm = predicted.line.positions_mm;
   const double middle_mm = std::accumulate(positions_mm.begin(), positions_mm.end(), 0.0) / static_cast<double>(m);
-  const auto tilted_um = [&](std::size_t i) {  // standard uncertainty there of the tilt that all have in common
-    return measured.tilt_u_um * (positions_mm[i % m] - middle_mm) / (positions_mm.back() - positions_mm.front());
-  };
-  double of_scatter = 0.0, of_tilt = 0.0;
+  std::vector<double> levers_mm;
+  for (std::size_t i = 0; i < n; ++i) levers_mm.push_back(positions_mm[i % m] - middle_mm);
   for (std::size_t i = 0; i < n; ++i) {
     comparison.measured_um[i] -= mean;
     difference.push_back(comparison.measured_um[i] - comparison.predicted_um[i]);
-    // Of values less their mean: v_i δ_ik − (v_i + v_k)/n + v̄/n.
+    // Of values less their mean: v_i δ_ik − (v_i + v_k)/n + v̄/n; and of a slope.
     for (std::size_t k = 0; k < n; ++k)
       covariance[i * n + k] += (i == k ? variances[i] : 0.0) - (variances[i] + variances[k]) / count +
-                               mean_variance / count + tilted_um(i) * tilted_um(k);
-    of_scatter += variances[i];
-    of_tilt += square(tilted_um(i));
+                               mean_variance / count + square(measured.slope_u_um_per_mm) * levers_mm[i] * levers_mm[k];
     comparison.normalised.push_back(difference[i] / std::sqrt(std::max(covariance[i * n + i], 1e-12)));
   }
   // Differences have no mean, so that what is added along the mean changes nothing but the rank; what is added to the
@@ -318,11 +305,23 @@ LineComparison compare(const PredictedLine& predicted, const MeasuredMeans& meas
   for (std::size_t i = 0; i < n; ++i) trace += covariance[i * n + i];
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < n; ++k) covariance[i * n + k] += trace / (count * count) + (i == k ? 1e-6 : 0.0);
-  comparison.chi_squared = squares_over(std::move(covariance), std::move(difference));
+  const double levers_squared = std::inner_product(levers_mm.begin(), levers_mm.end(), levers_mm.begin(), 0.0);
+  const double of_slope = square(measured.slope_u_um_per_mm) * levers_squared;
+  const double share =
+      std::min(1.0, mean_variance * (count - 1.0) / (trace - of_slope));  // of scatter, in what is no slope
+  comparison.chi_squared = squares_over(covariance, difference);
   comparison.degrees_of_freedom = n - 1;
-  comparison.probability =
-      probability_of(comparison.chi_squared, comparison.degrees_of_freedom, trace,
-                     {{of_scatter, measured.degrees_of_freedom}, {of_tilt, measured.tilt_degrees_of_freedom}});
+  comparison.probability = probability_of(comparison.chi_squared, count - 1.0, share, measured.degrees_of_freedom);
+  if (of_slope > 0.0) {  // what is across the slope is known by more runs than what is along it: each by itself
+    const double free = 1e6 * trace / levers_squared;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < n; ++k) covariance[i * n + k] += free * levers_mm[i] * levers_mm[k];
+    const double across = squares_over(std::move(covariance), std::move(difference));
+    const double along = std::max(0.0, comparison.chi_squared - across);
+    comparison.probability = std::min(
+        1.0, 2.0 * std::min(n > 2 ? probability_of(across, count - 2.0, share, measured.degrees_of_freedom) : 1.0,
+                            numeric::f_tail(along, {1.0, measured.slope_degrees_of_freedom})));
+  }
   return comparison;
 }
 

@@ -61,10 +61,10 @@ struct MeasuredMeans {
   std::vector<double> up_um, down_um;      ///< deviations at each target
   std::vector<double> up_u_um, down_u_um;  ///< standard uncertainties of these means, independent …
   double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< … that they are known with
-  double tilt_u_um = 0.0;                ///< of a tilt over the range of the targets that all have in common …
-  double tilt_degrees_of_freedom = 1.0;  ///< … that it is known with
-  bool both_directions = true;           ///< whether they are two means, and not one in both places
-  Direction direction = Direction::up;   ///< direction of a test of one alone
+  double slope_u_um_per_mm = 0.0;         ///< standard uncertainty of a slope that all have in common …
+  double slope_degrees_of_freedom = 1.0;  ///< … that it is known with
+  bool both_directions = true;            ///< whether they are two means, and not one in both places
+  Direction direction = Direction::up;    ///< direction of a test of one alone
 };
 
 /// What a test of both directions shows, and errors without directions cannot: up less down, held against 0.
@@ -86,7 +86,8 @@ struct LineComparison {
   std::vector<double> normalised;  ///< difference over its standard uncertainty
   double chi_squared = 0.0;
   std::size_t degrees_of_freedom = 0;
-  double probability = 1.0;                ///< probability of a χ² as large or larger when both agree, by F likewise
+  double probability = 1.0;  ///< probability of a χ² as large or larger when both agree, by F likewise; along a common
+                             ///< slope and across it apart
   std::optional<UntoldReversal> reversal;  ///< reversal in a test of both directions where means of both are compared
 };
 /// Of a test of one direction that direction, less its own mean. Contract: as many means as targets.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include "axiometry/app/error_motions/motion_evaluation.h"
 #include "axiometry/app/evaluate/evaluate.h"
@@ -22,6 +23,7 @@
 #include "axiometry/formats/motions/motion_result.h"
 #include "axiometry/standards/error_motions/reference_line.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
+#include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::app {
 namespace {
@@ -56,7 +58,12 @@ Result<ReadSingle> with_means(ReadSingle read, std::vector<PositionMeans> positi
   read.motion = std::move(means.motion);
   read.item.directions = std::move(means.directions);
   read.item.reversal = means.reversal;
-  read.item.u_largest = *std::ranges::max_element(read.motion.u);
+  const auto& [first_mm, last_mm] = std::pair(read.motion.positions_mm.front(), read.motion.positions_mm.back());
+  for (std::size_t k = 0; k < read.motion.u.size(); ++k)
+    read.item.u_largest =
+        std::max(read.item.u_largest,
+                 std::hypot(read.motion.u[k], read.motion.slope_u_per_mm *
+                                                  (read.motion.positions_mm[k] - std::midpoint(first_mm, last_mm))));
   if (!read.item.instrument) read.remarks.emplace_back(no_instrument_remark);
   std::ranges::move(means.remarks, std::back_inserter(read.remarks));
   return read;
@@ -85,17 +92,19 @@ Result<AxisPlace> place_of_test(const Axis& axis, std::size_t wanted) {
 }
 
 /// Where runs have slopes of their own, that of their mean is as uncertain as n of them let it be: it counts beside
-/// what the positions have for themselves.
-void take_slopes_of_runs(const Series& series, ReadSingle& read) {
+/// what the positions have for themselves. Returns the readings that tell the latter.
+Series take_slopes_of_runs(const Series& numbered, ReadSingle& read) {
+  const Series series = without_empty_runs(numbered);
   const auto tilts = iso230_2::scatter_study(series).tilts;
-  if (!tilts) return;
-  const auto runs = static_cast<double>(series.run_count());
-  const double widening = error_motions::coverage_of(runs - 1.0) / 2.0;  // of 2 u, so that it holds what k u would
-  read.motion.slope_u_per_mm = widening * tilts->between.in_native() / std::sqrt(runs) / series.travel_native();
+  if (!tilts) return numbered;
+  const double widening =
+      error_motions::coverage_of(tilts->degrees()) / 2.0;  // of 2 u, so that it holds what k u would
+  read.motion.slope_u_per_mm = widening * tilts->u_of_mean() / series.travel_native();
   read.remarks.push_back(
       fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
                   "deviation): how well their mean is known is in the uncertainty of the curve",
-                  format_significant(tilts->between.in_native(), 2), format_exact(series.travel_native())));
+                  format_significant(tilts->between(), 2), format_exact(series.travel_native())));
+  return iso230_2::without_tilts(numbered);
 }
 
 Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
@@ -110,14 +119,18 @@ Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
                 : std::nullopt;
   };
   std::vector<PositionMeans> positions;
-  for (const iso230_2::PositionResult& p : iso230_2::evaluate_positions(test.series)) {
+  const Series untilted = take_slopes_of_runs(test.series, read);
+  const std::vector<iso230_2::PositionResult> found = iso230_2::evaluate_positions(test.series),
+                                              scattered = iso230_2::evaluate_positions(untilted);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const iso230_2::PositionResult& p = found[i];
     if (!p.mean_up && !p.mean_down) continue;
-    PositionMeans means{place.at_zero_mm + place.sense * p.target.in_native(), along(p.mean_up, p.s_up, p.count_up),
-                        along(p.mean_down, p.s_down, p.count_down)};
+    PositionMeans means{place.at_zero_mm + place.sense * p.target.in_native(),
+                        along(p.mean_up, scattered[i].s_up, p.count_up),
+                        along(p.mean_down, scattered[i].s_down, p.count_down)};
     if (place.sense < 0.0) std::swap(means.up, means.down);
     positions.push_back(means);
   }
-  take_slopes_of_runs(test.series, read);
   return in_file(with_means(std::move(read), std::move(positions)), item.file);
 }
 

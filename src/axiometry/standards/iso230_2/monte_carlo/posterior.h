@@ -155,9 +155,10 @@ class ReadingPosterior {
   numeric::WeightedChoice run_choice_;
   /// Slopes of the runs, where they differ for sure: the standard deviation of tilts over the range of the targets.
   struct Tilts {
-    double sd = 0.0;
+    double sd = 0.0, degrees = 1.0;
+    double within = 0.0;         ///< standard deviation of readings beside level, shift and slope
     std::vector<double> levers;  ///< what a tilt of 1 adds at each target
-    double mean_square = 0.0;    ///< mean of the squares of these, which the scatter of all cells holds
+    double mean_square = 0.0;    ///< mean of the squares of these: what σ of all cells holds of sd²
   };
   std::optional<Tilts> tilts_;
   std::optional<numeric::SpreadPosterior> spread_;

@@ -373,12 +373,12 @@ void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<doubl
     const auto row = sds.row(cells_[c].place, means.stride);
     for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds.all()[t]);
     if (!tilts_) continue;
-    const double lever = tilts_->levers[cells_[c].target];
-    const double beyond = lever * lever - tilts_->mean_square;  // of the square; that of all cells is in σ
+    const double lever = tilts_->levers[cells_[c].target], in_all = tilts_->mean_square * tilts_->sd * tilts_->sd;
     const auto mean = means.row(cells_[c].place, means.stride);
     for (std::size_t t = 0; t < means.stride; ++t) {
       mean[t] += lever * tilts.of_mean[t];
-      row[t] = std::sqrt(std::max(0.0, row[t] * row[t] + beyond * tilts.sds[t] * tilts.sds[t]));
+      const double untilted = std::max(tilts_->within * tilts_->within, row[t] * row[t] - in_all);
+      row[t] = std::sqrt(untilted + lever * lever * tilts.sds[t] * tilts.sds[t]);
     }
   }
 }

@@ -12,24 +12,24 @@ namespace axiometry::iso230_2 {
 void ReadingPosterior::find_tilts(const Series& series) {
   const auto tilts = scatter_study(series).tilts;
   if (!tilts) return;
-  tilts_.emplace(Tilts{tilts->between.in_native(), tilt_levers(series)});
+  tilts_.emplace(Tilts{tilts->between(), tilts->degrees(), tilts->within, tilt_levers(series)});
   for (const double lever : tilts_->levers)
     tilts_->mean_square += lever * lever / static_cast<double>(tilts_->levers.size());
 }
 
-/// Of n tilts with n − 1 degrees of freedom: their mean is off by σ z/√n, and σ is s √(ν/χ²_ν), χ² of as many normal
-/// numbers.
+/// Of n tilts with n − 1 degrees of freedom: their mean is off by σ z/√n, and σ is s √(ν/χ²_ν), χ² of ν normal numbers.
 ReadingPosterior::TiltDraws ReadingPosterior::draw_tilts(numeric::RandomKey key, std::size_t trials) const {
   if (!tilts_) return {};
   TiltDraws draws{std::vector<double>(trials), std::vector<double>(trials)};
-  std::vector<double> normals(runs_ * trials);
+  const auto of_sd = static_cast<std::size_t>(tilts_->degrees);
+  std::vector<double> normals((of_sd + 1) * trials);
   numeric::fill_normal({key.seed, key.stream + 1, key.block}, normals);
   for (std::size_t t = 0; t < trials; ++t) {
-    const std::span<const double> z = std::span(normals).subspan(t * runs_, runs_);
+    const std::span<const double> z = std::span(normals).subspan(t * (of_sd + 1), of_sd + 1);
     double squares = 0.0;
-    for (const double of_sd : z.subspan(1)) squares += of_sd * of_sd;
-    draws.sds[t] = tilts_->sd * std::sqrt(static_cast<double>(runs_ - 1) / squares);
-    draws.of_mean[t] = draws.sds[t] * z[0] / std::sqrt(static_cast<double>(runs_));
+    for (const double x : z.first(of_sd)) squares += x * x;
+    draws.sds[t] = tilts_->sd * std::sqrt(tilts_->degrees / squares);
+    draws.of_mean[t] = draws.sds[t] * z[of_sd] / std::sqrt(tilts_->degrees + 1.0);
   }
   return draws;
 }

@@ -144,17 +144,18 @@ Finding shifts_finding(const Case& c, const RunShifts& shifts) {
                       deviation_message(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
 }
 
-Finding tilts_finding(const Case& c, const RunTilts& tilts) {
-  const double tilt = tilts.tilt.in_native();
+Finding tilts_finding(const Case& c, const TiltStudy& tilts) {
+  const Message cause = c.metadata.axis.kind == AxisKind::linear
+                            ? Message(", such as those of an axis whose temperature changes between them")
+                            : Message("");
   return note(
       "tilted-runs", "3.18",
       message("found runs with slopes of their own, which differ over the range of the targets by {} (standard "
-              "deviation), where readings scatter by {} about target, run and slope ({}), such as those of an "
-              "axis whose temperature changes between them; run {} {} by {} more than the mean; {}, and nothing "
-              "is removed",
-              deviation_message(c, tilts.between.in_native()), deviation_message(c, tilts.within.in_native()),
-              format_chance(tilts.p), tilts.run + 1, tilt > 0.0 ? "rises" : "falls",
-              deviation_message(c, std::abs(tilt)),
+              "deviation), where readings scatter by {} about target, run and slope ({}){}; that of run {} lies "
+              "{} {} their mean; {}, and nothing is removed",
+              deviation_message(c, tilts.between()), deviation_message(c, tilts.within), format_chance(tilts.p), cause,
+              tilts.farthest + 1, deviation_message(c, std::abs(tilts.farthest_tilt)),
+              tilts.farthest_tilt > 0.0 ? "above" : "below",
               consequence(c, evaluate(without_tilts(c.series)).parameters, "shifts and slopes of the runs")));
 }
 
@@ -172,7 +173,7 @@ std::vector<Finding> scatter_findings(const Case& c) {
     findings.push_back(uneven_finding(c, *study.uneven));
   if (study.shifts && study.shifts->between.in_native() > of_rounding)
     findings.push_back(shifts_finding(c, *study.shifts));
-  if (study.tilts && study.tilts->between.in_native() > of_rounding) findings.push_back(tilts_finding(c, *study.tilts));
+  if (study.tilts && study.tilts->between() > of_rounding) findings.push_back(tilts_finding(c, *study.tilts));
   return findings;
 }
 

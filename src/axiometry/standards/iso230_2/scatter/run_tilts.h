@@ -1,35 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "axiometry/model/series.h"
 
-/// Runs with slopes of their own over the targets, such as those of an axis whose temperature changes between them.
+/// Runs with slopes of their own over the targets, such as those of an axis whose temperature changes between them. A
+/// tilt is a slope times the range of the targets, in the native unit of deviations. What ↑ and ↓ of a run have in
+/// common counts, their mean; derivation in docs/theory/scatter.md.
 namespace axiometry::iso230_2 {
 
 /// How often a test of clean normal readings has such runs.
 inline constexpr double tilt_level = 0.001;
 
-/// A tilt is a slope times the range of the targets.
-struct RunTilts {
-  std::size_t run = 0;  ///< the one whose slope lies farthest from the others …
-  Deviation tilt;       ///< … by this over the range of the targets
-  Deviation between;    ///< standard deviation of the tilts, freed of what scatter does to them
-  Deviation within;     ///< standard deviation of the readings about target, run and its slope
-  double p = 1.0;       ///< probability that scatter alone makes such slopes
+/// The tilts of a test, whether or not chance makes them.
+struct TiltStudy {
+  std::size_t runs = 0;        ///< that have a slope: three targets or more
+  double variance = 0.0;       ///< of their tilts about the mean; 0 of fewer than two
+  double of_scatter = 0.0;     ///< what scatter alone makes of that variance
+  double in_readings = 0.0;    ///< variance of the readings by tilts that scatter does not make, on average
+  double within = 0.0;         ///< standard deviation of the readings about target, run and slope
+  double p = 1.0;              ///< probability that scatter alone makes tilts that differ so much
+  std::size_t farthest = 0;    ///< the run whose tilt lies farthest from the mean …
+  double farthest_tilt = 0.0;  ///< … and by how much
+
+  double degrees() const { return static_cast<double>(runs) - 1.0; }
+  /// Standard deviation of the tilts without what scatter makes of them.
+  double between() const { return std::sqrt(std::max(0.0, variance - of_scatter)); }
+  /// Standard uncertainty of the mean of all tilts, without what scatter makes of it; with degrees().
+  double u_of_mean() const { return between() / std::sqrt(static_cast<double>(runs)); }
 };
 
-/// How far each target lies from the middle of all, as a part of their range: what a tilt of 1 adds there. 0 where all
-/// are at one place.
+/// Of the readings as they were numbered; where ↑ and ↓ have runs of their own, the k-th of both are one.
+TiltStudy tilt_study(const Series& series);
+
+/// How far each target lies from the middle of all, as a part of their range: what a tilt of 1 adds there. 0 of one.
 std::vector<double> tilt_levers(const Series& series);
 
-/// Of each run, of both directions' mean where both have it, in the native unit of deviations; NaN of a run without
-/// three targets.
+/// Of each run, of both directions' mean where both have it; NaN of a run without three targets.
 std::vector<double> run_tilts(const Series& series);
 
-/// The series without the shifts and the slopes of its runs.
+/// The series without the shifts and the slopes of its runs, of each direction its own.
 Series without_tilts(const Series& series);
 
 }  // namespace axiometry::iso230_2

@@ -272,8 +272,19 @@ ScatterStudy scatter_study(const Series& series, double step) {
   ScatterStudy study;
   if (runs < 2) return study;
   const Rounding rounding{step};
-  const Tables tables = tables_of(series);
-  const Fits fits = fits_of(tables, runs);
+  const Tables readings = tables_of(series);
+  const std::vector<double> levers = tilt_levers(series);
+  const Fits of_readings = fits_of(readings, runs);
+  // Runs with slopes of their own are one thing, not targets at the ends that scatter more.
+  const bool tilted = scatter::tilts_between(of_readings, levers, rounding).has_value();
+  const Tables tables = tilted ? scatter::untilted(readings, of_readings, levers) : readings;
+  const auto fits_of_tables = [&](const Tables& some) {
+    Fits own = fits_of(some, runs);
+    for (numeric::AdditiveFit& fit : own)
+      if (tilted) fit.degrees = std::max(0.0, fit.degrees - static_cast<double>(runs - 1));
+    return own;
+  };
+  const Fits fits = tilted ? fits_of_tables(tables) : of_readings;
   const double cells = rows_of(fits[0]) + rows_of(fits[1]);
   const auto by_cells = [&](const Fits& own, double level) {
     std::vector<OutlyingReading> all;
@@ -289,7 +300,7 @@ ScatterStudy scatter_study(const Series& series, double step) {
 
   Fits others;  // the last one that was asked for
   const auto fits_without_outliers = [&]() -> const Fits& {
-    return study.outliers.empty() ? fits : others = fits_of(cleaned(tables, study.outliers, runs), runs);
+    return study.outliers.empty() ? fits : others = fits_of_tables(cleaned(tables, study.outliers, runs));
   };
   const CellVariances variances = cell_variances(cleaned(tables, study.outliers, runs), series.target_count(), runs);
   UnevenSearch search(variances, rounding);
@@ -317,8 +328,9 @@ ScatterStudy scatter_study(const Series& series, double step) {
   std::ranges::sort(study.outliers, {}, [](const OutlyingReading& o) {
     return std::array{index(o.direction), o.target, o.run};
   });
-  study.shifts = shifts_between(fits_without_outliers(), rounding);
-  study.tilts = scatter::tilts_between(fits_without_outliers(), tilt_levers(series), rounding);
+  const Fits as_read = study.outliers.empty() ? of_readings : fits_of(cleaned(readings, study.outliers, runs), runs);
+  study.shifts = shifts_between(as_read, rounding);
+  study.tilts = scatter::tilts_between(as_read, levers, rounding);
   return study;
 }
 

@@ -59,7 +59,7 @@ struct ScatterStudy {
   std::vector<OutlyingReading> outliers;  ///< readings in the order of direction, target, run
   std::optional<UnevenScatter> uneven;    ///< what stands out most
   std::optional<RunShifts> shifts;        ///< shifts where they make at least a third of s_i²
-  std::optional<RunTilts> tilts;          ///< slopes where they make at least a fifth of what is left of s_i²
+  std::optional<TiltStudy> tilts;         ///< slopes where they make at least a fifth of what is left of s_i²
 };
 
 /// What all readings are whole multiples of: 0.1, 0.02, 1. 0 where that is finer than 1e-4 or nothing.

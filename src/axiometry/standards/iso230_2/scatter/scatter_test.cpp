@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "axiometry/numeric/moments.h"
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "axiometry/standards/iso230_2/scatter/outliers.h"
 #include "tests/support/series.h"
@@ -227,33 +228,92 @@ TEST(Scatter, TellsADriftFromShiftsWithoutOrder) {
   EXPECT_TRUE(shifted.outliers.empty()) << "a run that lies elsewhere is one thing, not nine";
 }
 
-// Of slopes alone, which shift no run as a whole.
-TEST(Scatter, TellsSlopesOfRuns) {
-  Normal normal(17);
-  Runs runs = clean(11, 5, normal);
-  for (std::size_t j = 0; j < 5; ++j)
-    for (auto* of : {&runs.up, &runs.down})
-      for (std::size_t i = 0; i < 11; ++i) (*of)[j][i] += (j == 3 ? 8.0 : -2.0) * (static_cast<double>(i) - 5.0) / 10.0;
-  const Series series = made(runs);
-  const ScatterStudy study = scatter_study(series);
-  ASSERT_TRUE(study.tilts);
-  EXPECT_EQ(study.tilts->run, 3u);
-  EXPECT_NEAR(study.tilts->tilt.in_native(), 8.0, 1.5);
-  EXPECT_NEAR(study.tilts->between.in_native(), std::sqrt((64.0 + 4.0 * 4.0) / 4.0), 1.0);
-  EXPECT_NEAR(study.tilts->within.in_native(), 1.0, 0.2);
-  EXPECT_LT(study.tilts->p, 1e-6);
-  EXPECT_FALSE(study.shifts);
-  EXPECT_FALSE(scatter_study(without_tilts(series)).tilts);
+/// Runs with these tilts, of an axis that stays in its place at `still` of its range; ↓ with `against` times the tilt.
+Runs with_tilts(const std::vector<double>& tilts, Normal& normal, double still = 0.5, double against = 1.0) {
+  Runs runs = clean(11, tilts.size(), normal);
+  for (std::size_t j = 0; j < tilts.size(); ++j)
+    for (std::size_t i = 0; i < 11; ++i) {
+      const double lever = static_cast<double>(i) / 10.0 - still;
+      runs.up[j][i] += tilts[j] * lever;
+      runs.down[j][i] += against * tilts[j] * lever;
+    }
+  return runs;
 }
 
-// Computed by another program (numpy, scipy): F = 9.837 of 8 and 72 degrees of freedom.
+TEST(Scatter, TellsSlopesOfRunsAsOneThing) {
+  Normal normal(17);
+  for (const double still : {0.5, 0.0}) {
+    const Series series = made(with_tilts({-2, -2, -2, 8, -2}, normal, still));
+    const ScatterStudy study = scatter_study(series);
+    ASSERT_TRUE(study.tilts) << still;
+    EXPECT_EQ(study.tilts->farthest, 3u);
+    EXPECT_EQ(study.tilts->runs, 5u);
+    EXPECT_NEAR(study.tilts->farthest_tilt, 8.0, 1.5);
+    EXPECT_NEAR(study.tilts->between(), std::sqrt((64.0 + 4.0 * 4.0) / 4.0), 1.0);
+    EXPECT_NEAR(study.tilts->u_of_mean(), study.tilts->between() / std::sqrt(5.0), 1e-12);
+    EXPECT_NEAR(study.tilts->within, 1.0, 0.2);
+    EXPECT_LT(study.tilts->p, 1e-6);
+    EXPECT_FALSE(study.uneven) << "ends that scatter more are the slopes";
+    EXPECT_TRUE(study.outliers.empty());
+    EXPECT_EQ(study.shifts.has_value(), still == 0.0);
+    EXPECT_FALSE(scatter_study(without_tilts(series)).tilts);
+  }
+}
+
+// What a drift within the runs does, forth and back: no slope that the mean of both directions has.
+TEST(Scatter, TellsNoSlopesThatBothDirectionsHaveAgainstEachOther) {
+  Normal normal(18);
+  EXPECT_FALSE(scatter_study(made(with_tilts({-4, 3, 5, -6, 2}, normal, 0.5, -1.0))).tilts);
+}
+
+TEST(Scatter, TellsSlopesOfOneDirectionOfTwoRunsAndOfRunsWithNumbersOfTheirOwn) {
+  Normal normal(19);
+  Runs runs = with_tilts({-6, 6, 0, 4, -4}, normal);
+  const TiltStudy both = tilt_study(made(runs));
+  const std::vector<RunDeviations> no_run(5, RunDeviations(11, none));
+  const ScatterStudy up = scatter_study(make_series(targets(11), runs.up, no_run));
+  ASSERT_TRUE(up.tilts);
+  EXPECT_EQ(up.tilts->runs, 5u);
+
+  std::vector<RunDeviations> up_apart, down_apart;  // ↑ has the numbers 1, 3, 5…, ↓ 2, 4, 6…
+  for (std::size_t j = 0; j < 5; ++j) {
+    up_apart.insert(up_apart.end(), {runs.up[j], RunDeviations(11, none)});
+    down_apart.insert(down_apart.end(), {RunDeviations(11, none), runs.down[j]});
+  }
+  const TiltStudy apart = tilt_study(make_series(targets(11), up_apart, down_apart));
+  EXPECT_EQ(apart.runs, 5u);
+  EXPECT_NEAR(apart.variance, both.variance, 1e-9);
+  EXPECT_NEAR(apart.p, both.p, 1e-9);
+
+  const TiltStudy two = tilt_study(made(with_tilts({-20, 20}, normal)));
+  EXPECT_EQ(two.degrees(), 1.0);
+  EXPECT_LT(two.p, 1e-6);
+  const TiltStudy of_two_targets = tilt_study(make_series({0, 100}, {{1, 2}, {3, 5}, {2, 7}}, {}));
+  EXPECT_EQ(of_two_targets.runs, 0u);
+  EXPECT_EQ(of_two_targets.p, 1.0);
+}
+
+// Of readings without scatter nothing is left, whatever targets a run has.
+TEST(Scatter, TakesSlopesOutOfRunsThatLackTargets) {
+  std::vector<RunDeviations> up(4, RunDeviations(11, 0.0));
+  const std::vector<double> places = targets(11);
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i < 11; ++i)
+      up[j][i] = j == 3 && i > 5 ? none : (static_cast<double>(j) - 1.0) * places[i] / 100.0;
+  const Series left = without_tilts(make_series(places, up, std::vector<RunDeviations>(4, RunDeviations(11, none))));
+  for (std::size_t i = 0; i < 11; ++i)
+    EXPECT_LT(numeric::moments(left.cell(i, Direction::up)).standard_deviation, 0.3) << i;
+}
+
+// Computed by another program (numpy, scipy): F = 19.09 of 4 and 72 degrees of freedom.
 TEST(Scatter, OfTableTwoHasSlopesToo) {
   const ScatterStudy study = scatter_study(table2::series());
   ASSERT_TRUE(study.tilts);
-  EXPECT_NEAR(study.tilts->p, 3.9742077470003434e-09, 1e-13);
-  EXPECT_NEAR(study.tilts->within.in_native(), std::sqrt(0.01642794597708165), 1e-12);
-  EXPECT_EQ(study.tilts->run, 2u);
-  EXPECT_NEAR(study.tilts->tilt.in_native(), 0.5 * (-0.52408431 - 0.42878131), 1e-8);
+  EXPECT_NEAR(study.tilts->p, 9.695851474075494e-11, 1e-15);
+  EXPECT_NEAR(study.tilts->within, 0.1281715490156909, 1e-12);
+  EXPECT_NEAR(study.tilts->between(), 0.36586152059564947, 1e-9);
+  EXPECT_EQ(study.tilts->farthest, 2u);
+  EXPECT_NEAR(study.tilts->farthest_tilt, -0.47643281, 1e-8);
 }
 
 // Table 2: s is 0.18 µm about target and run, and 0.36 µm between runs, which rise and fall again.

@@ -8,10 +8,16 @@
 #include "axiometry/standards/iso230_2/scatter/outliers.h"
 #include "axiometry/standards/iso230_2/scatter/run_tilts.h"
 
+/// The parts of run_tilts.h that work on tables, for scatter.cpp. Private to standards/.
 namespace axiometry::iso230_2::scatter {
 
-/// Analysis of variance: the slopes of the runs against what is left beside level, shift and slope. Found where chance
-/// exceeds it tilt_level and where they make a fifth of that or more.
-std::optional<RunTilts> tilts_between(const Fits& fits, std::span<const double> levers, const Rounding& rounding);
+TiltStudy tilt_study(const Fits& fits, std::span<const double> levers, const Rounding& rounding);
+
+/// Present where chance makes such tilts in tilt_level of all tests at most, and where they make a fifth or more of
+/// what is left of s_i² beside shifts.
+std::optional<TiltStudy> tilts_between(const Fits& fits, std::span<const double> levers, const Rounding& rounding);
+
+/// The tables without the slopes of the runs, about the middle of the targets that each run has.
+Tables untilted(Tables tables, const Fits& fits, std::span<const double> levers);
 
 }  // namespace axiometry::iso230_2::scatter
