@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <string>
-#include "cli/flags/verb.h"
 
 #include "axiometry/app/dynamics/dynamic_motion.h"
 #include "axiometry/base/reading_limits.h"
@@ -12,6 +11,7 @@
 #include "cli/failure.h"
 #include "cli/flags/experiment_flags.h"
 #include "cli/flags/option_text.h"
+#include "cli/flags/verb.h"
 #include "cli/text/document_text.h"
 #include "cli/verbs/commands.h"
 #include "cli/verbs/dynamic.h"
