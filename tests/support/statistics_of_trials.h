@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+/// Tests whose bounds are statistics of hundreds of evaluations, which other tests make once each.
+namespace axiometry::testing_support {
+
+#ifdef __has_feature
+#if __has_feature(address_sanitizer)
+#define AXIOMETRY_WATCHED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(AXIOMETRY_WATCHED)
+inline constexpr bool is_watched = true;
+#else
+inline constexpr bool is_watched = false;
+#endif
+
+/// First line of such a test. The sanitizers watch what a program does, and it does the same a hundred times: under them,
+/// where each takes ten times as long, it is left to the tests that do it once.
+#define AXIOMETRY_STATISTICS_OF_TRIALS() \
+  if (testing_support::is_watched) GTEST_SKIP() << "statistics of many trials; the release build has them"
+
+}  // namespace axiometry::testing_support
