@@ -159,6 +159,7 @@ class ReadingPosterior {
     double within = 0.0;         ///< standard deviation of readings beside level, shift and slope
     std::vector<double> levers;  ///< what a tilt of 1 adds at each target
     double mean_square = 0.0;    ///< mean of the squares of these: what σ of all cells holds of sd²
+    double shift = 0.0;          ///< shift of a run that goes with a tilt of 1: the axis stays in its place somewhere
   };
   std::optional<Tilts> tilts_;
   std::optional<numeric::SpreadPosterior> spread_;

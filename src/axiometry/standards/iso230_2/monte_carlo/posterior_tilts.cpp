@@ -15,6 +15,14 @@ void ReadingPosterior::find_tilts(const Series& series) {
   tilts_.emplace(Tilts{tilts->between(), tilts->degrees(), tilts->within, tilt_levers(series)});
   for (const double lever : tilts_->levers)
     tilts_->mean_square += lever * lever / static_cast<double>(tilts_->levers.size());
+  const std::vector<double> of_runs = run_tilts(series);
+  double count = 0.0, mean = 0.0, products = 0.0, squares = 0.0;
+  for (const double tilt : of_runs)
+    if (!std::isnan(tilt)) count += 1.0, mean += tilt;
+  for (std::size_t j = 0; j < of_runs.size(); ++j)
+    if (const double beside = of_runs[j] - mean / count; !std::isnan(beside))
+      products += beside * run_shifts_[j], squares += beside * beside;
+  tilts_->shift = products / squares;
 }
 
 /// Of n tilts with n − 1 degrees of freedom: their mean is off by σ z/√n, and σ is s √(ν/χ²_ν), χ² of ν normal numbers.

@@ -134,13 +134,22 @@ std::optional<TiltStudy> scatter::tilts_between(const Fits& fits, std::span<cons
   return study;
 }
 
-scatter::Tables scatter::untilted(Tables tables, const Fits& fits, std::span<const double> levers) {
-  for (std::size_t d = 0; d < 2; ++d) {
-    const TiltFit own = fit_tilts(fits[d], levers);
-    const std::size_t runs = fits[d].columns;
-    for (std::size_t k = 0; k < tables[d].size(); ++k)
-      if (const double tilt = own.tilts[k % runs]; !std::isnan(tilt))
-        tables[d][k] -= tilt * (levers[k / runs] - own.middles[k % runs]);
+scatter::Tables scatter::untilted(Tables tables, Fits fits, std::span<const double> levers) {
+  constexpr int sweeps = 20;  // one is exact where no reading lacks
+  constexpr double settled = 1e-9;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    double largest = 0.0;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const TiltFit own = fit_tilts(fits[d], levers);
+      const std::size_t runs = fits[d].columns;
+      for (std::size_t k = 0; k < tables[d].size(); ++k)
+        if (const double tilt = own.tilts[k % runs]; !std::isnan(tilt)) {
+          tables[d][k] -= tilt * (levers[k / runs] - own.middles[k % runs]);
+          largest = std::max(largest, std::abs(tilt));
+        }
+    }
+    if (largest < settled) break;
+    fits = fits_of(tables, fits[0].columns);
   }
   return tables;
 }

@@ -18,6 +18,6 @@ TiltStudy tilt_study(const Fits& fits, std::span<const double> levers, const Rou
 std::optional<TiltStudy> tilts_between(const Fits& fits, std::span<const double> levers, const Rounding& rounding);
 
 /// The tables without the slopes of the runs, about the middle of the targets that each run has.
-Tables untilted(Tables tables, const Fits& fits, std::span<const double> levers);
+Tables untilted(Tables tables, Fits fits, std::span<const double> levers);
 
 }  // namespace axiometry::iso230_2::scatter
