@@ -17,9 +17,9 @@ inline constexpr bool is_watched = true;
 inline constexpr bool is_watched = false;
 #endif
 
-/// First line of such a test. The sanitizers watch what a program does, and it does the same a hundred times: under them,
-/// where each takes ten times as long, it is left to the tests that do it once.
+/// First line of such a test. The sanitizers watch what a program does, and it does the same a hundred times: under
+/// them, where each takes ten times as long, it is left to the tests that do it once.
 #define AXIOMETRY_STATISTICS_OF_TRIALS() \
-  if (testing_support::is_watched) GTEST_SKIP() << "statistics of many trials; the release build has them"
+  if (::axiometry::testing_support::is_watched) GTEST_SKIP() << "statistics of trials are of the release build"
 
 }  // namespace axiometry::testing_support

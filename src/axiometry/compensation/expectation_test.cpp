@@ -10,6 +10,7 @@
 #include "axiometry/compensation/prediction.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::compensation {
 namespace {
@@ -42,6 +43,7 @@ Series measured(std::mt19937_64& random, const AxisCorrection* added, double run
 }
 
 TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(11);
   constexpr int axes = 400;
   int E_below_median = 0, E_below_95 = 0, A_below_95 = 0;
@@ -65,6 +67,7 @@ TEST(ExpectedRetest, HoldsInReTestsOfManyAxes) {
 
 /// s of few readings may be far from the scatter of the axis: without that 20 % of re-tests show more.
 TEST(ExpectedRetest, HoldsInReTestsOfTwoRuns) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(14);
   constexpr int axes = 200;
   int A_up_below_95 = 0, E_up_below_95 = 0, R_below_95 = 0;
@@ -87,6 +90,7 @@ TEST(ExpectedRetest, HoldsInReTestsOfTwoRuns) {
 
 /// Where the test shows that targets scatter differently, s of one is known from its own few readings alone.
 TEST(ExpectedRetest, HoldsWhereOneTargetScattersMore) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(15);
   constexpr int axes = 200;
   int shown = 0, below_95 = 0;
@@ -106,6 +110,7 @@ TEST(ExpectedRetest, HoldsWhereOneTargetScattersMore) {
 }
 
 TEST(ExpectedRetest, HoldsWhereRunsAreShiftedAsAWhole) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(12);
   constexpr int axes = 300;
   int below_95 = 0;
@@ -125,6 +130,7 @@ TEST(ExpectedRetest, HoldsWhereRunsAreShiftedAsAWhole) {
 /// An axis whose temperature changes between the runs, 0.3 °C on 1 m: with the scatter of each target alone 52 to 84 %
 /// of re-tests were below.
 TEST(ExpectedRetest, HoldsWhereRunsHaveSlopesOfTheirOwn) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(18);
   constexpr int axes = 300;
   int E_below_95 = 0, A_below_95 = 0, A_up_below_95 = 0;
@@ -152,6 +158,7 @@ TEST(ExpectedRetest, HoldsWhereRunsHaveSlopesOfTheirOwn) {
 /// Where the runs of one direction alone are shifted, what both share and what sets one against the other go together:
 /// taken as independent, they make the scatter of that direction a third less, and 92 % were below.
 TEST(ExpectedRetest, HoldsWhereRunsOfOneDirectionAreShifted) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(16);
   constexpr int axes = 400;
   for (const std::size_t runs : {std::size_t{3}, std::size_t{5}}) {
@@ -176,6 +183,7 @@ TEST(ExpectedRetest, HoldsWhereRunsOfOneDirectionAreShifted) {
 
 /// One approach scatters more than the mean of five.
 TEST(ExpectedRetest, HoldsInReTestsOfFewerRuns) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(13);
   constexpr int axes = 400;
   int below_95 = 0;

@@ -8,6 +8,7 @@
 
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::numeric {
 namespace {
@@ -88,6 +89,7 @@ std::vector<double> mean_sds(const SpreadPosterior& posterior, double choice) {
 /// average, within what 20 000 steps of its uniform number tell. Cells of other degrees of freedom and cells without
 /// any scatter among them; noise that explains nothing, a part, or all.
 TEST(SpreadPosterior, IsTheSameWhereManyCellsShareValues) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr std::size_t count = 600;
   std::vector<double> z(5 * count);
   fill_normal({8, 0, 0}, z);

@@ -19,6 +19,7 @@
 #include "axiometry/verification/document_check.h"
 #include "tests/support/report_subject.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::verification {
 namespace {
@@ -333,6 +334,7 @@ Series random_series(std::mt19937_64& random, int places) {
 }
 
 TEST(Verification, AgreesWithTheEvaluationOfAnySeries) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(20140);
   for (int trial = 0; trial < 400; ++trial) {
     axiometry::Test test{{}, random_series(random, static_cast<int>(random() % 5)), {}};

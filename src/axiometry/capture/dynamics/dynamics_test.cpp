@@ -11,6 +11,7 @@
 #include "axiometry/capture/dynamics/motion_course.h"
 #include "axiometry/capture/dynamics/motion_spectrum.h"
 #include "axiometry/capture/dynamics/uniform_motion.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::capture {
 namespace {
@@ -254,6 +255,7 @@ TEST(MotionSpectrum, OfNoiseHasNoPeaks) {
 
 /// Of 200 recordings each: no more than 5 % have peaks. Against one floor of all frequencies every random walk had.
 TEST(MotionSpectrum, TakesNoCorrelatedNoiseForVibrations) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   for (const double kept : {0.0, 0.5, 0.9, 0.99, 1.0})
@@ -272,6 +274,7 @@ TEST(MotionSpectrum, TakesNoCorrelatedNoiseForVibrations) {
 
 /// Of 200 recordings each: no more than 5 % have peaks. From medians of bands with gaps in them 90 % had.
 TEST(MotionSpectrum, TakesNoNoiseThatWasAveragedOrHeldForVibrations) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   for (const bool held : {false, true})

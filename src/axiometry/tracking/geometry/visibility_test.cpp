@@ -9,6 +9,7 @@
 #include <random>
 
 #include "axiometry/tracking/geometry/obstacles.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -52,6 +53,7 @@ TEST(Visibility, DistanceToASegmentIsThatOfItsNearestPoint) {
 }
 
 TEST(Visibility, DistancesOfSegmentsAndTrianglesAgreeWithDenseSampling) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   Places places(7);
   for (int trial = 0; trial < 200; ++trial) {
     const Obstacle solid = places.solid();

@@ -9,6 +9,7 @@
 
 #include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -87,6 +88,7 @@ Held held(double between_runs_um_per_m, bool back) {
 
 /// 95 % less three standard deviations of the binomial; and no more uncertain than five scales are: 2.8 σ/√5 and some.
 TEST(LineSlope, HoldsTheScaleOfTheAxisWhereItChangesBetweenRuns) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   for (const bool back : {true, false})
     for (const double between : {3.0, 1.0, 0.5, 0.0}) {
       const Held lines = held(between, back);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/statistics_of_trials.h"
+
 namespace axiometry::tracking {
 namespace {
 
@@ -174,6 +176,7 @@ TEST(Squareness, HoldsWithAnUncertaintyThatIsItselfKnownFromFewTargets) {
 
 /// With weights 1/u² of u that two degrees of freedom tell, three such lines held the truth in 90 % and eight in 77 %.
 TEST(Squareness, HoldsWhereManyLinesOfFewTargetsTellOneTerm) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(9);
   std::normal_distribution<double> normal;
   constexpr int trials = 3000;

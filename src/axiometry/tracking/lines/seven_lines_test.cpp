@@ -12,6 +12,7 @@
 #include "axiometry/tracking/geometry/obstacles.h"
 #include "axiometry/tracking/geometry/visibility.h"
 #include "axiometry/tracking/lines/line_targets.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -174,6 +175,7 @@ TEST(SevenLines, AnObstacleBesideTheBeamLeavesTheLongerPiece) {
 }
 
 TEST(SevenLines, IntervalsAgreeWithBruteForce) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937 engine(17);
   const auto number = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(engine()) / 4294967295.0;

@@ -11,6 +11,7 @@
 #include "axiometry/model/station_bounds.h"
 #include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/tracking/station/length_difference.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::tracking {
 namespace {
@@ -86,6 +87,7 @@ TEST(WideningForBounds, HoldsHoweverMuchMoreThanStatedReadingsScatter) {
 
 /// Six points that the machine comes to within 5 µm where 0.2 µm + 0.3 µm/m is all that is stated.
 TEST(WideningForBounds, HoldsForStationsThatSixPointsTell) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr int sets = 300;
   std::mt19937_64 random(12);
   std::normal_distribution<double> normal;

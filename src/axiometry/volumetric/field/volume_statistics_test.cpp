@@ -9,6 +9,7 @@
 #include "axiometry/volumetric/field/field_rows.h"
 #include "axiometry/volumetric/field/line_prediction.h"
 #include "axiometry/volumetric/known_machine_test_support.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -57,6 +58,7 @@ TEST(VolumeStatistics, HaveNoNumberWhereTheLengthsDoNotTellTheField) {
 }
 
 TEST(VolumeStatistics, LieWithinTheirUncertaintyOfTheTruth) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   const MachineModel machine = known_machine();
   const auto found = known_identification(machine, 100);
   constexpr std::size_t nodes = 6;

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "axiometry/volumetric/identify/identification_test_support.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
@@ -164,6 +165,7 @@ TEST(BreakPlaces, LeaveTwoReadingsAtTheEndsOfAStretch) {
 /// The truth is within what is told (measured: always), and told to the reading in 2 % of jumps of 3, 54 % of 5, 99.3 %
 /// of 8 and all that are larger.
 TEST(BreakPlaces, HoldTheTruthOftenEnough) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
   struct Expected {

@@ -13,6 +13,7 @@
 #include "axiometry/volumetric/field/curve_nodes.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
 #include "axiometry/volumetric/identify/noise_trials.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -81,6 +82,7 @@ TEST(Identify, FindsTheErrorsOfEveryChainFromExactLengths) {
 
 /// Share of values within 1.96 u, over many machines: 95 %, less a little for spans that cannot follow.
 TEST(Identify, StatesUncertaintiesThatHoldTheTruth) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::size_t held = 0, all = 0;
   double ratio = 0.0;
   constexpr unsigned machines = 30;
@@ -474,6 +476,7 @@ TEST(Identify, TellsTheDirectionsApart) {
 
 /// Two ways to the same uncertainties: the inverse of the normal matrix, and noise drawn anew.
 TEST(NoiseTrials, ScatterAsTheCovarianceSays) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   TrueMachine machine("XFYZ", 19);
   const VolumetricLengths lengths = measured(machine, four_stations());
   IdentifyOptions options = with_spans(6);

@@ -11,6 +11,7 @@
 
 #include "axiometry/volumetric/field/curve_nodes.h"
 #include "axiometry/volumetric/identify/identification_test_support.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -156,6 +157,7 @@ TEST(CurvaturePenalty, IsOneIntegralForAnyNumberOfSpans) {
 }
 
 TEST(Smoothness, IsFoundAsItIsAndItsUncertaintiesHoldTheTruth) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   Held with, without;
   double displacement = 0.0, rotation = 0.0;
   constexpr unsigned machines = 12;
@@ -268,6 +270,7 @@ TEST(Smoothness, SaysHowMuchLargerUncertaintiesWouldBeByTheLengthsAlone) {
 /// Of each error in each direction: the curve is straight, half of the difference between the directions bends. Spans
 /// are wide, since near the ends of a travel next to nothing is approached from beyond.
 TEST(Smoothness, TellsTheBiasOfCurvesThatDifferByDirectionToo) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   WanderingMachine machine(0.0, 0.0, 9);
   VolumetricLengths lengths = machine.measured(150);
   constexpr double half_um = 12.0;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "tests/support/statistics_of_trials.h"
+
 namespace axiometry::volumetric {
 namespace {
 
@@ -56,6 +58,7 @@ TrueErrors parabolas_with_halves(const TravelBox& travel) {
 
 /// Values of one machine hang together where curves have two directions: of single machines 60 % to 100 % are inside.
 TEST(Coverage, IsThatOfANormalDistributionWithReversalOverManyMachines) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   const MachineModel machine = machine_to_try();
   for (const Reversal reversal : {Reversal::constant, Reversal::curves}) {
     CoverageOptions options{.trials = 60, .seed = 4, .errors = parabolas_with_halves(machine.travel), .points = 60};

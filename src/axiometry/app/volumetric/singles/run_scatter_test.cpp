@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/statistics_of_trials.h"
+
 namespace axiometry::app {
 namespace {
 
@@ -68,6 +70,7 @@ TEST(RunScatter, HoldsRunsThatScatterAlike) {
 }
 
 TEST(RunScatter, OfFalseReadingsThatWouldHideEachOtherHoldsThemAndLeavesTheOthersAlone) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   for (const std::size_t runs : {2u, 3u, 5u})
     for (const std::size_t unlike : {1u, 2u, 4u}) {
       const Held two = held(runs, unlike, {1.0, 20.0});

@@ -9,6 +9,7 @@
 
 #include "axiometry/standards/iso230_2/monte_carlo/trials.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -155,10 +156,9 @@ TEST(PositioningMonteCarlo, RefusesStudentWhereACellHasTooFewReadings) {
   chosen.type_a = TypeA::t_scaled;
   const auto refused = monte_carlo({metadata, series, {}}, evaluate(series), chosen);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(
-      refused.error().message,
-      "found 1 approach per direction, expected at least 4 for the t distribution to have a standard deviation; "
-      "'pooled' needs two");
+  EXPECT_EQ(refused.error().message,
+            "found 1 approach per direction, expected at least 4 for the t distribution to have a standard deviation; "
+            "'pooled' needs two");
 }
 
 TEST(PositioningMonteCarlo, ResamplesWholeRuns) {
@@ -238,6 +238,7 @@ TEST(PositioningMonteCarlo, RefusesNoiseOfInfiniteVariance) {
 
 /// Validation: 400 simulated tests, of which the truth is known (docs/studies/coverage.md has 10 000).
 TEST(PositioningMonteCarlo, HoldsTheTruthInNinetyFivePercent) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr std::size_t simulations = 400, trials = 400, m = 7, n = 5;
   std::array<double, std::size(parameters)> held{};
   for (std::size_t k = 0; k < simulations; ++k) {

@@ -10,6 +10,7 @@
 
 #include "axiometry/numeric/moments.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 #include "tests/support/two_samples.h"
 
 namespace axiometry::iso230_2 {
@@ -151,6 +152,7 @@ void expect_same_cells(const Series& series, const ReadingNoise& noise,
 }
 
 TEST(ReadingPosterior, DrawsMomentsOfCellsAsOfTheReadingsThatItWouldMake) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   const Series complete = table2::series();
   const Series gaps =
       testing_support::make_series({0, 10, 20, 30},
@@ -285,6 +287,7 @@ TEST(ReadingPosterior, DrawsTheLongRunAboutWhatWasMeasured) {
 
 /// E of the long run of an axis whose temperature changes between the runs: 0.3 °C on 0.5 m.
 TEST(ReadingPosterior, HoldsTheLongRunWhereRunsHaveSlopesOfTheirOwn) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::mt19937_64 random(19);
   std::normal_distribution<double> scatter(0.0, 0.2), tilt(0.0, 1.5);
   const std::vector<double> targets{0, 50, 100, 150, 200, 250, 300, 350, 400, 450, 500};

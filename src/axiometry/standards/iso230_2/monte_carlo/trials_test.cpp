@@ -10,6 +10,7 @@
 #include "axiometry/standards/iso230_2/monte_carlo/noise.h"
 #include "axiometry/standards/readings/test_course.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 #include "tests/support/two_samples.h"
 
 namespace axiometry::iso230_2 {
@@ -151,6 +152,7 @@ TEST(TrialModel, DrawsTheSameByMomentsOfCellsAsByReadings) {
 }
 
 TEST(TrialModel, HasTheSameDistributionWithoutReadingsWhereEachHasNoise) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   const Series complete = table2::series(), gaps = series_with_gaps();
   const ReadingNoise small{.reading = 0.05}, white{.reading = 0.3},
       all{.reading = 0.3, .run = 0.2, .target = 0.1, .up_down_correlation = -0.5, .target_direction = 0.1};
@@ -161,6 +163,7 @@ TEST(TrialModel, HasTheSameDistributionWithoutReadingsWhereEachHasNoise) {
 
 /// Of shares that have noise of single readings and of one that has none.
 TEST(TrialModel, HasTheSameDistributionBesideADrift) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   axiometry::Test test{{}, table2::series(), {}};
   test.metadata.uncertainty.environmental_variation = Deviation::native(1.7);
   const UncertaintyInputs inputs = uncertainty_inputs(test.metadata, test.series).value();

@@ -11,6 +11,7 @@
 
 #include "axiometry/numeric/random/random.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -90,6 +91,7 @@ TEST(Periodic, ReckonsThePhaseFromTheFirstTargetAndFromZero) {
 }
 
 TEST(Periodic, TruthLiesWithinTheStatedUncertaintyInAbout95PercentOfTrials) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr int trials = 600;
   int period = 0, amplitude = 0, phase = 0, at_zero = 0, range = 0, slope = 0;
   for (int t = 0; t < trials; ++t) {
@@ -296,6 +298,7 @@ axiometry::Test correlated_test(double rho, std::size_t count, std::uint64_t see
 /// White noise has such a peak in fewer than 1 %; taken for white, a noise of ρ = 0.8 has one in nine of ten of these
 /// tests. Counted by a simulation of its own: 2 to 4 % are left, since ρ is known from the residuals alone.
 TEST(Periodic, DoesNotCallAPeakSignificantThatCorrelatedNoiseMakes) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr int trials = 200;
   int by_white = 0, significant = 0, told = 0, further = 0, at_known = 0;
   for (int t = 0; t < trials; ++t) {
@@ -337,6 +340,7 @@ TEST(Periodic, DoesNotSayThatTheUncertaintyOfAShortPeriodWasEnlarged) {
 
 /// A line and a long curve among noise of ρ = 0.8.
 TEST(Periodic, HasTheTruthWithinUAmongCorrelatedNoiseToo) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr int trials = 200;
   int slope = 0, amplitude = 0;
   for (int t = 0; t < trials; ++t) {
@@ -353,6 +357,7 @@ TEST(Periodic, HasTheTruthWithinUAmongCorrelatedNoiseToo) {
 
 /// So little of it that one test does not show it beyond all chance, but that 95 % would be 82 to 85 %.
 TEST(Periodic, HasTheTruthWithinUAmongLittleCorrelatedNoiseToo) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr int trials = 400;
   int slope = 0, amplitude = 0;
   for (int t = 0; t < trials; ++t) {

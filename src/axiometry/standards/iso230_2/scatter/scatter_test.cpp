@@ -14,6 +14,7 @@
 #include "axiometry/standards/iso230_2/assessment/assessment.h"
 #include "axiometry/standards/iso230_2/scatter/outliers.h"
 #include "tests/support/series.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -105,6 +106,7 @@ TEST(Scatter, FindsUnevenScatterAtItsLevel) {
 }
 
 TEST(Scatter, IsSilentInCleanTestsButForOneOfNinety) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   struct Shape {
     std::size_t m, n;
   };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axiometry/volumetric/identify/findings/finding_test_support.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -47,6 +48,7 @@ std::string days_told(const TrueMachine& machine, const VolumetricLengths& lengt
 }
 
 TEST(MixedDays, AreToldInMostAndNotWhereThereAreNone) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   std::size_t found = 0, halves = 0;
   for (unsigned seed = 200; seed < 240; ++seed) {
     TrueMachine machine = machine_with_repeatability(seed % 2 == 0 ? "XFYZ" : "FXYZ", seed);
@@ -84,6 +86,7 @@ TEST(MixedDays, AreToldOfTwoFilesOfUnequalLength) {
 
 /// An instrument that slipped in the middle, dead paths that drift, points in the order of an axis: no axis is longer.
 TEST(MixedDays, AreNotToldOfOtherThings) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   for (unsigned seed = 250; seed < 256; ++seed) {
     TrueMachine machine = machine_with_repeatability("XFYZ", seed);
     const VolumetricLengths clean = of_one_day(machine);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "axiometry/volumetric/identify/findings/finding_test_support.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::volumetric {
 namespace {
@@ -61,6 +62,7 @@ TEST(ReversalCauses, TellsAReversalThatNobodyAskedForHoweverLargeResidualsAre) {
 
 /// Curves of one span cannot follow the errors: what is left goes with places, not with directions.
 TEST(ReversalCauses, TellsNoneOfCurvesThatAreTooStraight) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   for (unsigned seed = 140; seed < 150; ++seed) {
     TrueMachine machine = machine_with_repeatability("XFYZ", seed);
     const VolumetricLengths lengths = measured(machine, four_stations(), {.points = 60});

@@ -11,6 +11,7 @@
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/standards/iso230_2/monte_carlo/kernels/moment_kernel_types.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -110,6 +111,7 @@ TEST(MomentKernel, DrawsAsTheFormulaSaysOnEveryTarget) {
 
 /// Validation: (n − 1) s²/c² is χ² of n − 1 degrees of freedom about a centre at |v|/c.
 TEST(MomentKernel, HasTheNoncentralChiSquareDistribution) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
   constexpr std::size_t trials = 160'000, looks = 400;
   for (std::size_t count : {2u, 3u, 4u, 5u, 6u, 7u, 20u})
     for (double lambda : {0.0, 1.0, 20.0}) {
