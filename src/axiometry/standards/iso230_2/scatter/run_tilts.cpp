@@ -91,7 +91,8 @@ std::array<TiltFit, 2> fits_of_directions(const scatter::Fits& fits, std::span<c
 }  // namespace
 
 /// The tilts against what is left beside level, shift and slope of each direction.
-TiltStudy scatter::tilt_study(const Fits& fits, std::span<const double> levers, const Rounding& rounding) {
+TiltStudy scatter::tilt_study(const Fits& fits, std::span<const double> levers, const Rounding& rounding,
+                              double level) {
   const std::array<TiltFit, 2> of = fits_of_directions(fits, levers);
   const std::vector<RunTilt> all = both_directions(of);
   TiltStudy study{.runs = all.size()};
@@ -121,13 +122,13 @@ TiltStudy scatter::tilt_study(const Fits& fits, std::span<const double> levers, 
   study.of_scatter = per_variance * noise;
   study.within = std::sqrt(within.variance());
   study.in_readings = std::max(0.0, study.variance - study.of_scatter) * levers_squared / readings;
-  study.p = ratio_tail(between, within, rounding, 1.0);
+  study.p = ratio_tail(between, within, rounding, level);
   return study;
 }
 
 std::optional<TiltStudy> scatter::tilts_between(const Fits& fits, std::span<const double> levers,
                                                 const Rounding& rounding) {
-  const TiltStudy study = tilt_study(fits, levers, rounding);
+  const TiltStudy study = tilt_study(fits, levers, rounding, tilt_level);
   const double noise = std::max(study.within * study.within, rounding.variance());
   if (study.p > tilt_level || study.in_readings < tilts_worth_a_word * noise || !(study.in_readings > 0.0))
     return std::nullopt;

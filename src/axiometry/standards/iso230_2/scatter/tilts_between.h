@@ -11,7 +11,8 @@
 /// The parts of run_tilts.h that work on tables, for scatter.cpp. Private to standards/.
 namespace axiometry::iso230_2::scatter {
 
-TiltStudy tilt_study(const Fits& fits, std::span<const double> levers, const Rounding& rounding);
+/// `level`: where p is surely above it, it is 1.
+TiltStudy tilt_study(const Fits& fits, std::span<const double> levers, const Rounding& rounding, double level = 1.0);
 
 /// Present where chance makes such tilts in tilt_level of all tests at most, and where they make a fifth or more of
 /// what is left of s_i² beside shifts.
