@@ -28,7 +28,7 @@ Series series_of(const Series& like, const Tables& tables) {
   return *std::move(series);
 }
 
-Fits fits_of(const Tables& tables, std::size_t runs) {
+DirectionFits fits_of(const Tables& tables, std::size_t runs) {
   return {numeric::fit_additive(tables[0], runs), numeric::fit_additive(tables[1], runs)};
 }
 

@@ -17,11 +17,11 @@ inline constexpr std::array<Direction, 2> each_direction = {Direction::up, Direc
 inline std::size_t index(Direction d) { return static_cast<std::size_t>(d); }
 
 using Tables = std::array<std::vector<double>, 2>;  ///< ↑ and ↓; NaN where no reading is
-using Fits = std::array<numeric::AdditiveFit, 2>;
+using DirectionFits = std::array<numeric::AdditiveFit, 2>;
 
 Tables tables_of(const Series& series);
 Series series_of(const Series& like, const Tables& tables);
-Fits fits_of(const Tables& tables, std::size_t runs);
+DirectionFits fits_of(const Tables& tables, std::size_t runs);
 
 /// Of both directions' numbers, one for each run, their mean; of the other where one is NaN.
 std::vector<double> means_of(std::span<const double> up, std::span<const double> down);

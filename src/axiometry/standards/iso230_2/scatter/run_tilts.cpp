@@ -84,14 +84,14 @@ std::vector<RunTilt> both_directions(const std::array<TiltFit, 2>& fits) {
   return all;
 }
 
-std::array<TiltFit, 2> fits_of_directions(const scatter::Fits& fits, std::span<const double> levers) {
+std::array<TiltFit, 2> fits_of_directions(const scatter::DirectionFits& fits, std::span<const double> levers) {
   return {fit_tilts(fits[0], levers), fit_tilts(fits[1], levers)};
 }
 
 }  // namespace
 
 /// The tilts against what is left beside level, shift and slope of each direction.
-TiltStudy scatter::tilt_study(const Fits& fits, std::span<const double> levers, const Rounding& rounding,
+TiltStudy scatter::tilt_study(const DirectionFits& fits, std::span<const double> levers, const Rounding& rounding,
                               double level) {
   const std::array<TiltFit, 2> of = fits_of_directions(fits, levers);
   const std::vector<RunTilt> all = both_directions(of);
@@ -126,7 +126,7 @@ TiltStudy scatter::tilt_study(const Fits& fits, std::span<const double> levers, 
   return study;
 }
 
-std::optional<TiltStudy> scatter::tilts_between(const Fits& fits, std::span<const double> levers,
+std::optional<TiltStudy> scatter::tilts_between(const DirectionFits& fits, std::span<const double> levers,
                                                 const Rounding& rounding) {
   const TiltStudy study = tilt_study(fits, levers, rounding, tilt_level);
   const double noise = std::max(study.within * study.within, rounding.variance());
@@ -135,7 +135,7 @@ std::optional<TiltStudy> scatter::tilts_between(const Fits& fits, std::span<cons
   return study;
 }
 
-scatter::Tables scatter::untilted(Tables tables, Fits fits, std::span<const double> levers) {
+scatter::Tables scatter::untilted(Tables tables, DirectionFits fits, std::span<const double> levers) {
   constexpr int sweeps = 20;  // one is exact where no reading lacks
   constexpr double settled = 1e-9;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -156,7 +156,7 @@ scatter::Tables scatter::untilted(Tables tables, Fits fits, std::span<const doub
 }
 
 TiltStudy tilt_study(const Series& series) {
-  const scatter::Fits fits = scatter::fits_of(scatter::tables_of(series), series.run_count());
+  const scatter::DirectionFits fits = scatter::fits_of(scatter::tables_of(series), series.run_count());
   return scatter::tilt_study(fits, tilt_levers(series), {step_of(series)});
 }
 
@@ -170,7 +170,7 @@ std::vector<double> tilt_levers(const Series& series) {
 }
 
 std::vector<double> run_tilts(const Series& series) {
-  const scatter::Fits fits = scatter::fits_of(scatter::tables_of(series), series.run_count());
+  const scatter::DirectionFits fits = scatter::fits_of(scatter::tables_of(series), series.run_count());
   const std::array<TiltFit, 2> of = fits_of_directions(fits, tilt_levers(series));
   return scatter::means_of(of[0].tilts, of[1].tilts);
 }
@@ -178,7 +178,7 @@ std::vector<double> run_tilts(const Series& series) {
 Series without_tilts(const Series& series) {
   const scatter::Tables tables = scatter::tables_of(series);
   const std::vector<double> levers = tilt_levers(series);
-  const scatter::Fits fits = scatter::fits_of(tables, series.run_count());
+  const scatter::DirectionFits fits = scatter::fits_of(tables, series.run_count());
   return without_shifts(scatter::series_of(series, scatter::untilted(tables, fits, levers)));
 }
 

@@ -28,8 +28,8 @@ namespace {
 using numeric::AdditiveFit;
 using scatter::Candidate;
 using scatter::cell_outliers;
+using scatter::DirectionFits;
 using scatter::each_direction;
-using scatter::Fits;
 using scatter::fits_of;
 using scatter::index;
 using scatter::means_of;
@@ -134,7 +134,7 @@ class UnevenSearch {
   }
 
   /// Cochran: each cell. Where runs shift, also what is left of it without.
-  void look_at_cells(const Fits& fits) {
+  void look_at_cells(const DirectionFits& fits) {
     const Sum left_of_all{fits[0].squares + fits[1].squares, fits[0].degrees + fits[1].degrees};
     for (Direction d : each_direction) {
       const AdditiveFit& fit = fits[index(d)];
@@ -215,7 +215,7 @@ void describe_order(RunShifts& result, const std::vector<double>& shifts) {
   result.ordered = p <= 0.01 || (goes_on && 2.0 / std::tgamma(n + 1.0) <= ordered_by_chance);
 }
 
-std::optional<RunShifts> shifts_between(const Fits& fits, const Rounding& rounding) {
+std::optional<RunShifts> shifts_between(const DirectionFits& fits, const Rounding& rounding) {
   Sum between, within;
   double readings = 0.0;
   for (const AdditiveFit& fit : fits) {
@@ -274,19 +274,19 @@ ScatterStudy scatter_study(const Series& series, double step) {
   const Rounding rounding{step};
   const Tables readings = tables_of(series);
   const std::vector<double> levers = tilt_levers(series);
-  const Fits of_readings = fits_of(readings, runs);
+  const DirectionFits of_readings = fits_of(readings, runs);
   // Runs with slopes of their own are one thing, not targets at the ends that scatter more.
   const bool tilted = scatter::tilts_between(of_readings, levers, rounding).has_value();
   const Tables tables = tilted ? scatter::untilted(readings, of_readings, levers) : readings;
   const auto fits_of_tables = [&](const Tables& some) {
-    Fits own = fits_of(some, runs);
+    DirectionFits own = fits_of(some, runs);
     for (numeric::AdditiveFit& fit : own)
       if (tilted) fit.degrees = std::max(0.0, fit.degrees - static_cast<double>(runs - 1));
     return own;
   };
-  const Fits fits = tilted ? fits_of_tables(tables) : of_readings;
+  const DirectionFits fits = tilted ? fits_of_tables(tables) : of_readings;
   const double cells = rows_of(fits[0]) + rows_of(fits[1]);
-  const auto by_cells = [&](const Fits& own, double level) {
+  const auto by_cells = [&](const DirectionFits& own, double level) {
     std::vector<OutlyingReading> all;
     for (Direction d : each_direction)
       for (const Candidate& c : cell_outliers(own[index(d)], rounding, cells, level))
@@ -298,8 +298,8 @@ ScatterStudy scatter_study(const Series& series, double step) {
          pooled_outliers(fits[index(d)], tables[index(d)], rounding, 0.5 * pooled_share * outlier_level))
       study.outliers.push_back(reading_of(series, d, {c.at, 2.0 * c.p}, fits[index(d)]));
 
-  Fits others;  // the last one that was asked for
-  const auto fits_without_outliers = [&]() -> const Fits& {
+  DirectionFits others;  // the last one that was asked for
+  const auto fits_without_outliers = [&]() -> const DirectionFits& {
     return study.outliers.empty() ? fits : others = fits_of_tables(cleaned(tables, study.outliers, runs));
   };
   const CellVariances variances = cell_variances(cleaned(tables, study.outliers, runs), series.target_count(), runs);
@@ -307,7 +307,7 @@ ScatterStudy scatter_study(const Series& series, double step) {
   search.look_at_directions();
   search.look_at_stretches();
   // One gross error shifts what its run lets expect everywhere: cells are looked at without it.
-  const Fits& fits_without = fits_without_outliers();
+  const DirectionFits& fits_without = fits_without_outliers();
   search.look_at_cells(fits_without);
   study.uneven = search.found();
 
@@ -328,7 +328,8 @@ ScatterStudy scatter_study(const Series& series, double step) {
   std::ranges::sort(study.outliers, {}, [](const OutlyingReading& o) {
     return std::array{index(o.direction), o.target, o.run};
   });
-  const Fits as_read = study.outliers.empty() ? of_readings : fits_of(cleaned(readings, study.outliers, runs), runs);
+  const DirectionFits as_read =
+      study.outliers.empty() ? of_readings : fits_of(cleaned(readings, study.outliers, runs), runs);
   study.shifts = shifts_between(as_read, rounding);
   study.tilts = scatter::tilts_between(as_read, levers, rounding);
   return study;
@@ -337,7 +338,7 @@ ScatterStudy scatter_study(const Series& series, double step) {
 Series without_shifts(const Series& series) {
   Tables tables = tables_of(series);
   const std::size_t runs = series.run_count();
-  const Fits fits = fits_of(tables, runs);
+  const DirectionFits fits = fits_of(tables, runs);
   for (std::size_t d = 0; d < 2; ++d)
     for (std::size_t k = 0; k < tables[d].size(); ++k)
       if (!std::isnan(tables[d][k])) tables[d][k] -= fits[d].shifts[k % runs];
