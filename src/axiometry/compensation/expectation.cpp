@@ -7,9 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/numeric/distributions/chi_square.h"
+#include "axiometry/numeric/distributions/possible_shares.h"
 #include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/random/random.h"
+#include "axiometry/standards/iso230_2/scatter/run_tilts.h"
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/standards/readings/runs_made.h"
 
@@ -59,28 +60,7 @@ Cells cells_of(const Series& series, bool each_its_own, std::size_t removed_of_r
   return {scatters ? cells : std::vector<Cell>{}, known};
 }
 
-/// What a standard deviation may be of what was found with so many degrees of freedom: √(ν/χ²_ν), in equally likely
-/// steps.
-class PossibleShares {
- public:
-  explicit PossibleShares(double freedom) {
-    if (!(freedom > 0.0)) return;
-    for (std::size_t k = 0; k < steps; ++k)
-      shares_[k] =
-          std::sqrt(freedom / numeric::chi_square_quantile((static_cast<double>(k) + 0.5) / double(steps), freedom));
-  }
-
-  /// Of a uniform number from (0, 1).
-  double operator()(double p) const {
-    return shares_[std::min(steps - 1, static_cast<std::size_t>(p * static_cast<double>(steps)))];
-  }
-
- private:
-  static constexpr std::size_t steps = 200;
-  std::vector<double> shares_ = std::vector<double>(steps, 1.0);
-};
-
-/// The same of one target: χ² with as many degrees of freedom as there are standard normal numbers.
+/// √(ν/χ²_ν) of one target, with as many degrees of freedom as there are standard normal numbers.
 double drawn_share(std::span<const double> normal) {
   if (normal.empty()) return 1.0;
   double squares = 0.0;
@@ -90,37 +70,46 @@ double drawn_share(std::span<const double> normal) {
 
 std::size_t freedom_of(const Cell& cell) { return cell.count > 1 ? cell.count - 1 : 0; }
 
-/// What runs lie higher or lower by as a whole, of the part that both directions share and of that of ↑ against ↓:
-/// along two axes that are independent of each other, the columns, times their standard deviations.
-struct RunSpread {
-  std::array<double, 2> common{}, against{};
-  double tilt = 0.0;  ///< standard deviation of their tilts, which both directions share …
-  double common_of_tilt = 0.0, against_of_tilt = 0.0;  ///< … and what of both shifts goes with a tilt of 1
-  double degrees = 0.0;                                ///< of freedom that the shifts are known with
-};
+/// What a run has of its own: shift ↑, shift ↓, tilt ↑, tilt ↓ (run_tilts.h).
+constexpr std::size_t of_run = 4;
+using RunNumbers = std::array<double, of_run>;
 
-/// Of the variances and the covariance of both parts: its principal axes.
-RunSpread along_axes(double common, double against, double covariance) {
-  const double angle = 0.5 * std::atan2(2.0 * covariance, common - against);
-  const double middle = 0.5 * (common + against), half = std::hypot(0.5 * (common - against), covariance);
-  const double first = std::sqrt(middle + half), second = std::sqrt(std::max(0.0, middle - half));
-  return {.common = {first * std::cos(angle), -second * std::sin(angle)},
-          .against = {first * std::sin(angle), second * std::cos(angle)}};
+/// How runs differ: L of their covariance L Lᵀ, so that L z of four normal numbers are those of another run.
+using RunSpread = std::array<RunNumbers, of_run>;
+
+/// Cholesky's, of a matrix that may be of lower rank: what is no more than rounding counts as nothing.
+RunSpread factor_of(std::array<RunNumbers, of_run> covariance) {
+  constexpr double rounding = 1e-12;
+  RunSpread L{};
+  for (std::size_t k = 0; k < of_run; ++k) {
+    double left = covariance[k][k];
+    for (std::size_t m = 0; m < k; ++m) left -= L[k][m] * L[k][m];
+    if (!(left > rounding * covariance[k][k])) continue;
+    L[k][k] = std::sqrt(left);
+    for (std::size_t i = k + 1; i < of_run; ++i) {
+      double product = covariance[i][k];
+      for (std::size_t m = 0; m < k; ++m) product -= L[i][m] * L[k][m];
+      L[i][k] = product / L[k][k];
+    }
+  }
+  return L;
 }
 
-double product_of(std::span<const double> a, std::span<const double> b) {
-  const double mean_a = numeric::moments(a).mean, mean_b = numeric::moments(b).mean;
-  double products = 0.0;
-  for (std::size_t j = 0; j < a.size(); ++j) products += (a[j] - mean_a) * (b[j] - mean_b);
-  return products;
+RunNumbers drawn_run(const RunSpread& spread, std::span<const double> z, double share) {
+  RunNumbers numbers{};
+  for (std::size_t k = 0; k < of_run; ++k)
+    for (std::size_t m = 0; m <= k; ++m) numbers[k] += share * spread[k][m] * z[m];
+  return numbers;
 }
 
-RunSpread run_spread_of(const Series& series, const std::optional<iso230_2::TiltStudy>& tilts) {
+/// Of the runs of a test; without tilts where they do not count.
+RunSpread run_spread_of(const Series& series, bool tilted) {
   const std::size_t runs = series.run_count();
-  std::array<std::vector<double>, 2> shift{std::vector<double>(runs), std::vector<double>(runs)};
+  std::array<std::vector<double>, of_run> numbers;
+  std::ranges::fill(numbers, std::vector<double>(runs));
   for (const Direction direction : {Direction::up, Direction::down}) {
     std::vector<double> counts(runs);
-    std::vector<double>& of = shift[static_cast<std::size_t>(direction)];
+    std::vector<double>& of = numbers[static_cast<std::size_t>(direction)];
     for (std::size_t i = 0; i < series.target_count(); ++i) {
       const std::span<const double> cell = series.cell(i, direction);
       const double mean = numeric::moments(cell).mean;
@@ -129,34 +118,22 @@ RunSpread run_spread_of(const Series& series, const std::optional<iso230_2::Tilt
     }
     for (std::size_t j = 0; j < runs; ++j) of[j] = counts[j] > 0.0 ? of[j] / counts[j] : 0.0;
   }
-  std::vector<double> common(runs), difference(runs);
-  for (std::size_t j = 0; j < runs; ++j) {
-    common[j] = 0.5 * (shift[0][j] + shift[1][j]);
-    difference[j] = 0.5 * (shift[0][j] - shift[1][j]);
+  if (tilted) {
+    std::array<std::vector<double>, 2> tilts = iso230_2::direction_tilts(series);
+    for (std::size_t d = 0; d < 2; ++d) {
+      std::ranges::replace_if(
+          tilts[d], [](double tilt) { return std::isnan(tilt); }, 0.0);
+      numbers[2 + d] = std::move(tilts[d]);
+    }
   }
-  const auto shifts_of = [&] {
-    const double freedom = std::max(1.0, static_cast<double>(runs) - (tilts ? 2.0 : 1.0));
-    RunSpread spread = along_axes(product_of(common, common) / freedom, product_of(difference, difference) / freedom,
-                                  product_of(common, difference) / freedom);
-    spread.degrees = freedom;
-    return spread;
-  };
-  if (!tilts) return shifts_of();
-  std::vector<double> of_runs = iso230_2::run_tilts(series);
-  std::ranges::replace_if(
-      of_runs, [](double tilt) { return std::isnan(tilt); }, 0.0);
-  const double squares = product_of(of_runs, of_runs);
-  const double common_of_tilt = product_of(common, of_runs) / squares;
-  const double against_of_tilt = product_of(difference, of_runs) / squares;
-  for (std::size_t j = 0; j < runs; ++j) {
-    common[j] -= common_of_tilt * of_runs[j];
-    difference[j] -= against_of_tilt * of_runs[j];
-  }
-  RunSpread spread = shifts_of();
-  spread.tilt = tilts->between();
-  spread.common_of_tilt = common_of_tilt;
-  spread.against_of_tilt = against_of_tilt;
-  return spread;
+  std::array<RunNumbers, of_run> covariance{};
+  for (std::size_t i = 0; i < of_run; ++i)
+    for (std::size_t k = 0; k < of_run; ++k) {
+      const double mean_i = numeric::moments(numbers[i]).mean, mean_k = numeric::moments(numbers[k]).mean;
+      for (std::size_t j = 0; j < runs; ++j)
+        covariance[i][k] += (numbers[i][j] - mean_i) * (numbers[k][j] - mean_k) / static_cast<double>(runs - 1);
+    }
+  return factor_of(covariance);
 }
 
 /// The value that this share of the trials lies below.
@@ -172,19 +149,20 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
   const Series predicted = without_empty_runs(numbered);  // a number without readings is no run that was not shifted
   const iso230_2::ScatterStudy study = iso230_2::scatter_study(predicted);
   // Runs that lie higher or lower as a whole do so in all targets alike, and leave the shape of the axis alone.
-  const bool runs_differ = study.shifts || study.tilts;
-  const RunSpread spread = runs_differ ? run_spread_of(predicted, study.tilts) : RunSpread{};
-  const Series within_runs = study.tilts    ? iso230_2::without_tilts(predicted)
-                             : study.shifts ? iso230_2::without_shifts(predicted)
-                                            : predicted;
-  const auto [cells, freedom] = cells_of(within_runs, study.uneven.has_value(), study.tilts ? 2 : study.shifts ? 1 : 0);
+  const iso230_2::TiltStudy tilts = iso230_2::tilt_study(predicted);
+  const bool tilted = tilts.runs > 1 && counts(tilts), runs_differ = study.shifts || tilted;
+  const RunSpread spread = runs_differ ? run_spread_of(predicted, tilted) : RunSpread{};
+  const Series level = tilted ? iso230_2::without_tilts(predicted) : predicted;
+  const std::size_t removed_of_runs = tilted ? 2 : runs_differ ? 1 : 0;
+  const auto [cells, freedom] =
+      cells_of(runs_differ ? iso230_2::without_shifts(level) : level, study.uneven.has_value(), removed_of_runs);
   const std::vector<double> levers = iso230_2::tilt_levers(predicted);
   if (cells.empty()) return std::nullopt;
-  const PossibleShares shares_up(freedom[0]), shares_down(freedom[1]), shares_of_runs(spread.degrees),
-      shares_of_tilts(study.tilts ? study.tilts->degrees() : 0.0);
+  const numeric::PossibleShares shares_up(freedom[0]), shares_down(freedom[1]),
+      shares_of_runs(runs_differ ? static_cast<double>(predicted.run_count()) - 1.0 : 0.0);
   const std::size_t runs = of_retest.runs.value_or(predicted.run_count());
-  const std::size_t numbers_of_tilts = study.tilts ? runs + 1 : 0;
-  const std::size_t numbers_each = cells.size() * (runs + 1) + 2 * runs + 2 + numbers_of_tilts;
+  const std::size_t numbers_of_runs = runs_differ ? of_run * (runs + 1) : 0;  // the table has the mean of the test's
+  const std::size_t numbers_each = cells.size() * (runs + 1) + numbers_of_runs;
   std::size_t numbers_of_scatter = 0;  // where each target has its own, which is known from its few readings alone
   if (study.uneven)
     for (const Cell& cell : cells) numbers_of_scatter += freedom_of(cell);
@@ -196,7 +174,7 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
   std::vector<double> s(cells.size());
   for (std::size_t trial = 0; trial < trials; ++trial) {
     numeric::fill_normal({.seed = of_retest.seed, .stream = 0, .block = trial}, normal);
-    std::array<double, 5> uniform{};
+    std::array<double, 3> uniform{};
     numeric::fill_uniform({.seed = of_retest.seed, .stream = 1, .block = trial}, uniform);
     // The scatter of the axis is known from the readings of one test: what it may be as well is drawn.
     const std::array<double, 2> share{shares_up(uniform[0]), shares_down(uniform[1])};
@@ -207,38 +185,30 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
       s[k] = cells[k].s * (study.uneven ? drawn_share(left.first(known)) : share[k / targets.size()]);
       left = left.subspan(known);
     }
-    const std::array<double, 2> wide{shares_of_runs(uniform[2]), shares_of_runs(uniform[3])};
     std::vector<iso230_2::PositionResult> positions(targets.size());
     std::vector<double> readings(2 * runs);
     const double* z = normal.data();
-    const std::span<const double> of_runs = std::span(normal).last(2 * runs + 2 + numbers_of_tilts);
-    const std::span<const double> shifts = of_runs.first(2 * runs + 2), tilts = of_runs.last(numbers_of_tilts);
-    const auto shift = [&](const std::array<double, 2>& along, std::size_t first, std::size_t second) {
-      return along[0] * wide[0] * shifts[first] + along[1] * wide[1] * shifts[second];
-    };
-    const double of_table =
-        shift(spread.against, 2 * runs, 2 * runs + 1) / std::sqrt(static_cast<double>(predicted.run_count()));
-    // The table holds the mean tilt of the test's runs.
-    const double tilt_sd = spread.tilt * shares_of_tilts(uniform[4]);
-    const double tilt_of_table =
-        tilts.empty() ? 0.0 : tilts[runs] / std::sqrt(static_cast<double>(predicted.run_count()));
-    const auto tilted = [&](std::size_t run, std::size_t target, double side) {
-      return tilts.empty() ? 0.0
-                           : tilt_sd * (tilts[run] + tilt_of_table) *
-                                 (spread.common_of_tilt + side * spread.against_of_tilt + levers[target]);
-    };
+    const std::span<const double> of_runs = std::span(normal).last(numbers_of_runs);
+    const double share_of_runs = shares_of_runs(uniform[2]);
+    const RunNumbers of_table = runs_differ
+                                    ? drawn_run(spread, of_runs.last(of_run),
+                                                share_of_runs / std::sqrt(static_cast<double>(predicted.run_count())))
+                                    : RunNumbers{};
+    std::vector<RunNumbers> own(runs, of_table);
+    for (std::size_t j = 0; j < runs && runs_differ; ++j) {
+      const RunNumbers drawn = drawn_run(spread, of_runs.subspan(of_run * j, of_run), share_of_runs);
+      for (std::size_t k = 0; k < of_run; ++k) own[j][k] += drawn[k];
+    }
     for (std::size_t i = 0; i < targets.size(); ++i) {
       std::array<std::span<double>, 2> of{std::span(readings).first(runs), std::span(readings).last(runs)};
       for (std::size_t d = 0; d < 2; ++d) {
         const Cell& cell = cells[d * targets.size() + i];
         const double table = cell.count > 0 ? *z / std::sqrt(static_cast<double>(cell.count)) : 0.0;
-        const double side = d == 0 ? 1.0 : -1.0;
         const std::size_t approaches = of_retest.runs && cell.count > 0 ? runs : cell.count;
         ++z;
         for (std::size_t j = 0; j < runs; ++j, ++z)
           of[d][j] = j < approaches
-                         ? cell.mean + s[d * targets.size() + i] * (table + *z) + shift(spread.common, j, runs + j) +
-                               tilted(j, i, side) + side * (shift(spread.against, j, runs + j) + of_table)
+                         ? cell.mean + s[d * targets.size() + i] * (table + *z) + own[j][d] + own[j][2 + d] * levers[i]
                          : std::nan("");
       }
       positions[i] = iso230_2::evaluate_position(targets[i], of[0], of[1]);

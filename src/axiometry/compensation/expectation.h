@@ -23,11 +23,11 @@ struct ExpectedRetest {
 
 /// Trials of docs/theory/compensation.md: the table has in it what scatter did to the means of the test, and a re-test
 /// scatters anew, so that its reading is r_i + s (z_i/√n_i + z_ij) with the mean r_i that is predicted and standard
-/// normal z; where runs were shifted as a whole, those of the re-test are too, as far as both directions alike and as
-/// far as one against the other; where they have slopes of their own, so have those of the re-test, and the table has
-/// the mean of the test's slopes in it. s is that of all targets of a direction together; of each target its own where
-/// they differ for sure. How little the readings of one test tell about s counts: each trial draws s √(ν/χ²_ν). Nothing
-/// where no target has two readings in a direction. The same test gives the same numbers.
+/// normal z; where runs of the test differ as a whole or have slopes of their own, those of the re-test do so too, as
+/// shifts and slopes of ↑ and ↓ went together in the test, and the table has the mean of the test's runs in it. s is
+/// that of all targets of a direction together; of each target its own where they differ for sure. How little the
+/// readings of one test tell about s counts: each trial draws s √(ν/χ²_ν). Nothing where no target has two readings in
+/// a direction. The same test gives the same numbers.
 std::optional<ExpectedRetest> expected_retest(const Series& predicted, RetestTrials trials = {});
 
 }  // namespace axiometry::compensation

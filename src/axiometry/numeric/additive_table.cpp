@@ -133,7 +133,8 @@ AdditiveFit fit_additive(std::span<const double> table, std::size_t columns) {
     if (working.there[k] == 0.0) fit.residuals[k] = absent;
   const auto used_rows = rows - static_cast<std::size_t>(std::ranges::count(fit.row_counts, std::size_t{0}));
   const auto used_columns = columns - static_cast<std::size_t>(std::ranges::count(fit.column_counts, std::size_t{0}));
-  fit.degrees = std::max(0.0, static_cast<double>(fit.count + 1) - static_cast<double>(used_rows + used_columns));
+  if (fit.count > 0)
+    fit.degrees = std::max(0.0, static_cast<double>(fit.count + 1) - static_cast<double>(used_rows + used_columns));
   return fit;
 }
 

@@ -38,11 +38,12 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
   targets.means->direction = up ? Direction::up : Direction::down;
   // Runs that lie apart leave the shape alone; of their slopes, where they have some of their own, the mean counts.
   const Series series = without_empty_runs(test.series);
-  const auto tilts = iso230_2::scatter_study(series).tilts;
+  const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
+  const bool tilted = tilts.runs > 1 && tilts.p <= iso230_2::tilt_counts_level;
   const auto directions = static_cast<double>(up) + static_cast<double>(down);
   double squares = 0.0, freedom = 0.0;
   for (const auto& p :
-       iso230_2::evaluate_positions(tilts ? iso230_2::without_tilts(series) : iso230_2::without_shifts(series)))
+       iso230_2::evaluate_positions(iso230_2::without_shifts(tilted ? iso230_2::without_tilts(series) : series)))
     for (const auto& [s, n] : {std::pair{p.s_up, p.count_up}, std::pair{p.s_down, p.count_down}})
       if (s) {
         squares += static_cast<double>(n - 1) * s->in_native() * s->in_native();
@@ -54,12 +55,12 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
                                    "more to hold against a prediction")),
         file);
   const auto runs = static_cast<double>(series.run_count());
-  const double of_runs = (tilts ? 2.0 : 1.0) * directions * (runs - 1.0);  // level and slope of each but one
+  const double of_runs = (tilted ? 2.0 : 1.0) * directions * (runs - 1.0);  // level and slope of each but one
   targets.means->degrees_of_freedom = std::max(1.0, freedom - of_runs);
   const double s = std::sqrt(squares / targets.means->degrees_of_freedom);  // pooled
-  if (tilts) {
-    targets.means->slope_u_um_per_mm = tilts->u_of_mean() / series.travel_native();
-    targets.means->slope_degrees_of_freedom = tilts->degrees();
+  if (tilted) {
+    targets.means->slope_u_um_per_mm = tilts.u_of_mean() / series.travel_native();
+    targets.means->slope_degrees_of_freedom = tilts.degrees();
   }
   for (const auto& p : positions) {
     if ((up && !p.mean_up) || (down && !p.mean_down)) continue;

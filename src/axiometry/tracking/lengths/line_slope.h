@@ -18,7 +18,7 @@ struct SlopeFit {
 /// of the unidirectional ones; weights are the numbers of readings. The uncertainty is the largest of three, with the
 /// degrees of freedom of that one: from the scatter of the means about the line, which holds the positioning error
 /// itself (m − 2 of m means); from the scatter of the readings, s_i/√n_i (after Welch and Satterthwaite from the n_i −
-/// 1); and, where chance makes slopes of the runs that differ so much in two of five lines at most (tilt_study), from
+/// 1); and, where chance makes slopes of the runs that differ so much in one of five lines at most (tilt_study), from
 /// these: their standard deviation divided by √n (n − 1 of n runs), since an axis whose temperature changes between the
 /// runs has another scale in each. Needs two positions.
 SlopeFit fit_slope(const Series& series);

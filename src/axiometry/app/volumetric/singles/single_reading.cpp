@@ -22,7 +22,7 @@
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/motions/motion_result.h"
 #include "axiometry/standards/error_motions/reference_line.h"
-#include "axiometry/standards/iso230_2/scatter/scatter.h"
+#include "axiometry/standards/iso230_2/scatter/run_tilts.h"
 #include "axiometry/standards/readings/runs_made.h"
 
 namespace axiometry::app {
@@ -99,11 +99,11 @@ Series take_slopes_of_runs(const Series& numbered, ReadSingle& read) {
   if (!tilts) return numbered;
   const double widening =
       error_motions::coverage_of(tilts->degrees()) / 2.0;  // of 2 u, so that it holds what k u would
-  read.motion.slope_u_per_mm = widening * tilts->u_of_mean() / series.travel_native();
+  read.motion.slope_u_per_mm = widening * tilts.u_of_mean() / series.travel_native();
   read.remarks.push_back(
       fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
                   "deviation): how well their mean is known is in the uncertainty of the curve",
-                  format_significant(tilts->between(), 2), format_exact(series.travel_native())));
+                  format_significant(tilts.between(), 2), format_exact(series.travel_native())));
   return iso230_2::without_tilts(numbered);
 }
 

@@ -23,13 +23,13 @@ inline constexpr double one_test_in_a_hundred = 0.01;  ///< of those without an 
 inline constexpr double one_test_in_ten = 0.1;         ///< the reading may be an error
 
 /// Largest factor first. A reading departs from the median of the others of its cell, after what its neighbours in time
-/// depart by in common has been taken out, by more than normal scatter gives to the share `false_alarms` of tests: for
-/// N readings, beyond the quantile of false_alarms/2N of Student's t (4.1 standard deviations for 110 readings and one
-/// test in a hundred). The scatter is that of all
-/// such departures but those beyond three times their median, or that of the cells, which a tenth of outliers hardly
-/// moves; of a cell that scatters more, its own. Where more readings than one test in a thousand has depart by over
-/// three standard deviations, these are meant. `step`: what readings are rounded to (step_of() of them as they were
-/// taken); no scatter is smaller than half of it, nor of 1e-4 of the native unit.
+/// depart by in common and the slopes that runs have of their own have been taken out, by more than normal scatter
+/// gives to the share `false_alarms` of tests: for N readings, beyond the quantile of false_alarms/2N of Student's t
+/// (4.1 standard deviations for 110 readings and one test in a hundred). The scatter is that of all such departures but
+/// those beyond three times their median, or that of the cells, which a tenth of outliers hardly moves; of a cell that
+/// scatters more, its own. Where more readings than one test in a thousand has depart by over three standard
+/// deviations, these are meant. `step`: what readings are rounded to (step_of() of them as they were taken); no scatter
+/// is smaller than half of it, nor of 1e-4 of the native unit.
 std::vector<GrossError> gross_errors(const Series& series, const TestCourse& course, double step,
                                      double false_alarms = one_test_in_a_hundred);
 

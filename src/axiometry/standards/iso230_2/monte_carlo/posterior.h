@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "axiometry/model/series.h"
 #include "axiometry/numeric/curve_posterior.h"
+#include "axiometry/numeric/distributions/possible_shares.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/numeric/random/weighted_choice.h"
 #include "axiometry/numeric/rows.h"
@@ -21,7 +23,7 @@
 /// target. Known are the sizes of d, e and δ; what the machine has of its own, the readings must tell. Adding d, e
 /// and δ once more around the readings would count them twice. Instead each observed departure is shared between
 /// machine and measurement in the ratio of their variances, and never below zero: the generalisation of (A.10).
-/// Where runs have slopes of their own for sure (scatter_study), the long run has the mean of all such slopes, of which
+/// Where runs have slopes of their own (counts() of tilt_study), the long run has the mean of all such slopes, of which
 /// the test has seen n: μ_i turns by it. Derivation, and proof of the coverage by simulation:
 /// docs/theory/uncertainty.md, docs/studies/coverage.md.
 ///
@@ -125,10 +127,12 @@ class ReadingPosterior {
   /// Uniform numbers of each trial: two for σ, two for σ_ρ, one for every curve, one for every cell.
   std::size_t uniforms_each() const { return 4 + curves_.size() + cells_.size(); }
   void draw_spreads(std::span<const double> uniforms, numeric::Rows<double> sds, std::span<double> run_sds) const;
-  /// Of the long run in each trial: by how much the mean of all tilts lies beside that of the test's runs, and their
-  /// standard deviation. Random numbers of the stream that readings have, of which there are none.
+  /// Of the long run in each trial and direction: by how much the mean of all tilts lies beside that of the test's
+  /// runs; and the square of what σ of the tilts is of what was found. Random numbers of the stream that readings have,
+  /// of which there are none.
   struct TiltDraws {
-    std::vector<double> of_mean, sds;
+    std::array<std::vector<double>, 2> of_mean;
+    std::vector<double> square_shares;
   };
   TiltDraws draw_tilts(numeric::RandomKey key, std::size_t trials) const;
   State draw_state(numeric::RandomKey key, std::size_t trials, Asked asked) const;
@@ -153,13 +157,17 @@ class ReadingPosterior {
   std::vector<double> run_sds_;     ///< what the machine's own σ_ρ may be, draws fill the steps between
   double run_step_ = 0.0;           ///< step of ln σ_ρ
   numeric::WeightedChoice run_choice_;
-  /// Slopes of the runs, where they differ for sure: the standard deviation of tilts over the range of the targets.
+  /// Slopes of the runs, where these differ by more than chance easily makes: of tilts over the range of the targets.
   struct Tilts {
-    double sd = 0.0, degrees = 1.0;
+    double runs = 0.0;
+    std::array<double, 2> variances{};  ///< of ↑ and of ↓, without what scatter makes of them
+    std::array<double, 3> factor{};  ///< u, v and w of tilts ↑ = u z₁ and ↓ = v z₁ + w z₂ with that covariance
+    std::array<double, 2>
+        shifts{};                ///< shift of a run that goes with a tilt of 1: the axis stays in its place somewhere
     double within = 0.0;         ///< standard deviation of readings beside level, shift and slope
     std::vector<double> levers;  ///< what a tilt of 1 adds at each target
-    double mean_square = 0.0;    ///< mean of the squares of these: what σ of all cells holds of sd²
-    double shift = 0.0;          ///< shift of a run that goes with a tilt of 1: the axis stays in its place somewhere
+    double in_all = 0.0;         ///< what σ² of all cells holds of the tilts
+    numeric::PossibleShares shares;  ///< of a standard deviation that is known from so many runs
   };
   std::optional<Tilts> tilts_;
   std::optional<numeric::SpreadPosterior> spread_;

@@ -373,14 +373,15 @@ void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<doubl
     const auto row = sds.row(cells_[c].place, means.stride);
     for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds.all()[t]);
     if (!tilts_) continue;
-    const double lever = tilts_->levers[cells_[c].target], in_all = tilts_->mean_square * tilts_->sd * tilts_->sd;
-    const double with_shift =
-        lever * lever + 2.0 * lever * tilts_->shift;  // variance of shift and tilt, less the shift's
+    const std::size_t d = cells_[c].place < targets_ ? 0 : 1;
+    const double lever = tilts_->levers[cells_[c].target], least = tilts_->within * tilts_->within;
+    // Variance of shift and tilt of a run, less that of the shift.
+    const double with_shift = tilts_->variances[d] * (lever * lever + 2.0 * lever * tilts_->shifts[d]);
     const auto mean = means.row(cells_[c].place, means.stride);
     for (std::size_t t = 0; t < means.stride; ++t) {
-      mean[t] += lever * tilts.of_mean[t];
-      const double least = tilts_->within * tilts_->within, untilted = std::max(least, row[t] * row[t] - in_all);
-      row[t] = std::sqrt(std::max(least, untilted + with_shift * tilts.sds[t] * tilts.sds[t]));
+      mean[t] += lever * tilts.of_mean[d][t];
+      const double untilted = std::max(least, row[t] * row[t] - tilts_->in_all);
+      row[t] = std::sqrt(std::max(least, untilted + with_shift * tilts.square_shares[t]));
     }
   }
 }

@@ -100,7 +100,8 @@ Message range_text(const Case& c) {
   return message("; s_i go from {} to {}", deviation_message(c, least), deviation_message(c, largest));
 }
 
-Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
+/// `tilted`: the scatter is that beside the slopes of the runs, which s_i hold.
+Finding uneven_finding(const Case& c, const UnevenScatter& uneven, bool tilted) {
   const double within = uneven.within.in_native(), elsewhere = uneven.elsewhere.in_native();
   const std::string chance = format_chance(uneven.p);
   const bool whole = uneven.first == 0 && uneven.last + 1 == c.evaluation.positions.size();
@@ -111,7 +112,7 @@ Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
         message("found readings that scatter by {} {} and by {} {} ({}): R↑ is {} and R↓ {}{}",
                 deviation_message(c, within), arrow(*uneven.direction), deviation_message(c, elsewhere),
                 uneven.direction == Direction::up ? "↓" : "↑", chance, deviation_message(c, p.R_up->in_native()),
-                deviation_message(c, p.R_down->in_native()), range_text(c)));
+                deviation_message(c, p.R_down->in_native()), tilted ? Message("") : range_text(c)));
   }
   const Message times = elsewhere > 0.0 ? message("{} times as much as the {} elsewhere", size_text(within / elsewhere),
                                                   deviation_message(c, elsewhere))
@@ -119,7 +120,8 @@ Finding uneven_finding(const Case& c, const UnevenScatter& uneven) {
   const std::string_view of = uneven.first == uneven.last ? "this target" : "these targets";
   return note("uneven-scatter", "3.18",
               message("found readings that scatter by {} at {}, {} ({}){}; {}", deviation_message(c, within),
-                      place_text(c, uneven), times, chance, range_text(c), consequence(c, rest_of(c, uneven), of)));
+                      place_text(c, uneven), times, chance, tilted ? Message("") : range_text(c),
+                      consequence(c, rest_of(c, uneven), of)));
 }
 
 Finding shifts_finding(const Case& c, const RunShifts& shifts) {
@@ -156,7 +158,8 @@ Finding tilts_finding(const Case& c, const TiltStudy& tilts) {
               deviation_message(c, tilts.between()), deviation_message(c, tilts.within), format_chance(tilts.p), cause,
               tilts.farthest + 1, deviation_message(c, std::abs(tilts.farthest_tilt)),
               tilts.farthest_tilt > 0.0 ? "above" : "below",
-              consequence(c, evaluate(without_tilts(c.series)).parameters, "shifts and slopes of the runs")));
+              consequence(c, evaluate(without_shifts(without_tilts(c.series))).parameters,
+                          "shifts and slopes of the runs")));
 }
 
 }  // namespace
@@ -170,7 +173,7 @@ std::vector<Finding> scatter_findings(const Case& c) {
       findings.push_back(outlier_finding(c, outlier, axis.with(outlier.target, position_without(c.series, outlier))));
   }
   if (study.uneven && study.uneven->within.in_native() > of_rounding)
-    findings.push_back(uneven_finding(c, *study.uneven));
+    findings.push_back(uneven_finding(c, *study.uneven, study.tilts.has_value()));
   if (study.shifts && study.shifts->between.in_native() > of_rounding)
     findings.push_back(shifts_finding(c, *study.shifts));
   if (study.tilts && study.tilts->between() > of_rounding) findings.push_back(tilts_finding(c, *study.tilts));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "axiometry/standards/iso230_2/scatter/scatter.h"
 #include "axiometry/standards/iso230_2/scatter/tilts_between.h"
@@ -123,6 +124,8 @@ TiltStudy scatter::tilt_study(const DirectionFits& fits, std::span<const double>
   study.within = std::sqrt(within.variance());
   study.in_readings = std::max(0.0, study.variance - study.of_scatter) * levers_squared / readings;
   study.p = ratio_tail(between, within, rounding, level);
+  const Sum of_each{of[0].squares + of[1].squares, std::max(0.0, of[0].runs - 1.0) + std::max(0.0, of[1].runs - 1.0)};
+  study.p_of_each = ratio_tail(of_each, within, rounding, level);
   return study;
 }
 
@@ -135,22 +138,23 @@ std::optional<TiltStudy> scatter::tilts_between(const DirectionFits& fits, std::
   return study;
 }
 
-scatter::Tables scatter::untilted(Tables tables, DirectionFits fits, std::span<const double> levers) {
+scatter::Tables scatter::untilted(Tables tables, Tables seen, std::span<const double> levers, std::size_t runs) {
   constexpr int sweeps = 20;  // one is exact where no reading lacks
   constexpr double settled = 1e-9;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const DirectionFits fits = fits_of(seen, runs);
     double largest = 0.0;
     for (std::size_t d = 0; d < 2; ++d) {
       const TiltFit own = fit_tilts(fits[d], levers);
-      const std::size_t runs = fits[d].columns;
-      for (std::size_t k = 0; k < tables[d].size(); ++k)
+      for (std::size_t k = 0; k < seen[d].size(); ++k)
         if (const double tilt = own.tilts[k % runs]; !std::isnan(tilt)) {
-          tables[d][k] -= tilt * (levers[k / runs] - own.middles[k % runs]);
+          const double there = tilt * (levers[k / runs] - own.middles[k % runs]);
+          seen[d][k] -= there;
+          tables[d][k] -= there;
           largest = std::max(largest, std::abs(tilt));
         }
     }
     if (largest < settled) break;
-    fits = fits_of(tables, fits[0].columns);
   }
   return tables;
 }
@@ -169,17 +173,15 @@ std::vector<double> tilt_levers(const Series& series) {
   return levers;
 }
 
-std::vector<double> run_tilts(const Series& series) {
+std::array<std::vector<double>, 2> direction_tilts(const Series& series) {
   const scatter::DirectionFits fits = scatter::fits_of(scatter::tables_of(series), series.run_count());
-  const std::array<TiltFit, 2> of = fits_of_directions(fits, tilt_levers(series));
-  return scatter::means_of(of[0].tilts, of[1].tilts);
+  std::array<TiltFit, 2> of = fits_of_directions(fits, tilt_levers(series));
+  return {std::move(of[0].tilts), std::move(of[1].tilts)};
 }
 
 Series without_tilts(const Series& series) {
   const scatter::Tables tables = scatter::tables_of(series);
-  const std::vector<double> levers = tilt_levers(series);
-  const scatter::DirectionFits fits = scatter::fits_of(tables, series.run_count());
-  return without_shifts(scatter::series_of(series, scatter::untilted(tables, fits, levers)));
+  return scatter::series_of(series, scatter::untilted(tables, tables, tilt_levers(series), series.run_count()));
 }
 
 }  // namespace axiometry::iso230_2

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -12,8 +14,12 @@
 /// common counts, their mean; derivation in docs/theory/scatter.md.
 namespace axiometry::iso230_2 {
 
-/// How often a test of clean normal readings has such runs.
+/// How often a test of clean normal readings is said to have such runs.
 inline constexpr double tilt_level = 0.001;
+
+/// How often such a test is reckoned with them, where an interval rests on what the runs have of their own: asked for
+/// less, slopes would be missed that matter.
+inline constexpr double tilt_counts_level = 0.2;
 
 /// The tilts of a test, whether or not chance makes them.
 struct TiltStudy {
@@ -22,7 +28,8 @@ struct TiltStudy {
   double of_scatter = 0.0;     ///< what scatter alone makes of that variance
   double in_readings = 0.0;    ///< variance of the readings by tilts that scatter does not make, on average
   double within = 0.0;         ///< standard deviation of the readings about target, run and slope
-  double p = 1.0;              ///< probability that scatter alone makes tilts that differ so much
+  double p = 1.0;              ///< probability that scatter alone makes tilts that differ so much …
+  double p_of_each = 1.0;      ///< … and such of each direction, which may differ against each other
   std::size_t farthest = 0;    ///< the run whose tilt lies farthest from the mean …
   double farthest_tilt = 0.0;  ///< … and by how much
 
@@ -39,10 +46,14 @@ TiltStudy tilt_study(const Series& series);
 /// How far each target lies from the middle of all, as a part of their range: what a tilt of 1 adds there. 0 of one.
 std::vector<double> tilt_levers(const Series& series);
 
-/// Of each run, of both directions' mean where both have it; NaN of a run without three targets.
-std::vector<double> run_tilts(const Series& series);
+/// Whether tilts, of both directions together or of each, are reckoned with.
+inline bool counts(const TiltStudy& study) { return std::min(study.p, study.p_of_each) <= tilt_counts_level; }
 
-/// The series without the shifts and the slopes of its runs, of each direction its own.
+/// Of each run ↑ and ↓; NaN of a run without three targets there.
+std::array<std::vector<double>, 2> direction_tilts(const Series& series);
+
+/// The series without the slopes of its runs, of each direction its own, about the middle of the targets that a run
+/// has.
 Series without_tilts(const Series& series);
 
 }  // namespace axiometry::iso230_2

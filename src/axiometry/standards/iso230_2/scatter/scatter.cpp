@@ -275,17 +275,19 @@ ScatterStudy scatter_study(const Series& series, double step) {
   const Tables readings = tables_of(series);
   const std::vector<double> levers = tilt_levers(series);
   const DirectionFits of_readings = fits_of(readings, runs);
-  // Runs with slopes of their own are one thing, not targets at the ends that scatter more.
+  const double cells = rows_of(of_readings[0]) + rows_of(of_readings[1]);
+  // Runs with slopes of their own are one thing, not targets at the ends that scatter more; an outlier is no slope.
   const bool tilted = scatter::tilts_between(of_readings, levers, rounding).has_value();
-  const Tables tables = tilted ? scatter::untilted(readings, of_readings, levers) : readings;
   const auto fits_of_tables = [&](const Tables& some) {
     DirectionFits own = fits_of(some, runs);
     for (numeric::AdditiveFit& fit : own)
       if (tilted) fit.degrees = std::max(0.0, fit.degrees - static_cast<double>(runs - 1));
     return own;
   };
-  const DirectionFits fits = tilted ? fits_of_tables(tables) : of_readings;
-  const double cells = rows_of(fits[0]) + rows_of(fits[1]);
+  Tables without_slopes;
+  DirectionFits beside_slopes;
+  const Tables& tables = tilted ? without_slopes : readings;
+  const DirectionFits& fits = tilted ? beside_slopes : of_readings;
   const auto by_cells = [&](const DirectionFits& own, double level) {
     std::vector<OutlyingReading> all;
     for (Direction d : each_direction)
@@ -293,10 +295,21 @@ ScatterStudy scatter_study(const Series& series, double step) {
         all.push_back(reading_of(series, d, c, own[index(d)]));
     return all;
   };
-  for (Direction d : each_direction)
-    for (const Candidate& c :
-         pooled_outliers(fits[index(d)], tables[index(d)], rounding, 0.5 * pooled_share * outlier_level))
-      study.outliers.push_back(reading_of(series, d, {c.at, 2.0 * c.p}, fits[index(d)]));
+  constexpr int looks_at_tilted = 4;
+  for (int look = 0; look < (tilted ? looks_at_tilted : 1); ++look) {
+    if (tilted) {
+      without_slopes = scatter::untilted(readings, cleaned(readings, study.outliers, runs), levers, runs);
+      beside_slopes = fits_of_tables(without_slopes);
+    }
+    std::vector<OutlyingReading> found;
+    for (Direction d : each_direction)
+      for (const Candidate& c :
+           pooled_outliers(fits[index(d)], tables[index(d)], rounding, 0.5 * pooled_share * outlier_level))
+        found.push_back(reading_of(series, d, {c.at, 2.0 * c.p}, fits[index(d)]));
+    const bool same = std::ranges::equal(found, study.outliers, same_place);
+    study.outliers = std::move(found);
+    if (same) break;
+  }
 
   DirectionFits others;  // the last one that was asked for
   const auto fits_without_outliers = [&]() -> const DirectionFits& {
@@ -328,8 +341,9 @@ ScatterStudy scatter_study(const Series& series, double step) {
   std::ranges::sort(study.outliers, {}, [](const OutlyingReading& o) {
     return std::array{index(o.direction), o.target, o.run};
   });
-  const DirectionFits as_read =
-      study.outliers.empty() ? of_readings : fits_of(cleaned(readings, study.outliers, runs), runs);
+  DirectionFits of_cleaned;
+  const DirectionFits& as_read =
+      study.outliers.empty() ? of_readings : of_cleaned = fits_of(cleaned(readings, study.outliers, runs), runs);
   study.shifts = shifts_between(as_read, rounding);
   study.tilts = scatter::tilts_between(as_read, levers, rounding);
   return study;

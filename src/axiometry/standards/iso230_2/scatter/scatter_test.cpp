@@ -262,6 +262,31 @@ TEST(Scatter, TellsSlopesOfRunsAsOneThing) {
   }
 }
 
+// It bends the slope of its run too.
+TEST(Scatter, FindsAnOutlierAtTheEndOfRunsWithSlopes) {
+  Normal normal(20);
+  int found = 0, uneven = 0;
+  for (int k = 0; k < 50; ++k) {
+    Runs runs = with_tilts({-5, 4, 0, 6, -5}, normal);
+    runs.down[2][10] += 25.0;
+    const ScatterStudy study = scatter_study(made(runs));
+    found += study.outliers.size() == 1 && study.outliers.front().target == 10 ? 1 : 0;
+    uneven += study.uneven ? 1 : 0;
+  }
+  EXPECT_GE(found, 47);
+  EXPECT_LE(uneven, 2);
+}
+
+TEST(Scatter, CountsSlopesOfOneDirectionAloneWhereAnIntervalRestsOnThem) {
+  Normal normal(21);
+  const TiltStudy study = tilt_study(made(with_tilts({-6, 5, 0, 4, -3}, normal, 0.5, 0.0)));
+  EXPECT_TRUE(counts(study));
+  EXPECT_LT(study.p_of_each, 1e-4);
+  const auto& [up, down] = direction_tilts(made(with_tilts({-6, 5, 0, 4, -3}, normal, 0.5, 0.0)));
+  EXPECT_GT(numeric::moments(up).standard_deviation, 3.0);
+  EXPECT_LT(numeric::moments(down).standard_deviation, 2.0);
+}
+
 // What a drift within the runs does, forth and back: no slope that the mean of both directions has.
 TEST(Scatter, TellsNoSlopesThatBothDirectionsHaveAgainstEachOther) {
   Normal normal(18);
@@ -302,7 +327,8 @@ TEST(Scatter, TakesSlopesOutOfRunsThatLackTargets) {
   for (std::size_t j = 0; j < 4; ++j)
     for (std::size_t i = 0; i < 11; ++i)
       up[j][i] = j == 3 && i > 5 ? none : (static_cast<double>(j) - 1.0) * places[i] / 100.0;
-  const Series left = without_tilts(make_series(places, up, std::vector<RunDeviations>(4, RunDeviations(11, none))));
+  const Series left =
+      without_shifts(without_tilts(make_series(places, up, std::vector<RunDeviations>(4, RunDeviations(11, none)))));
   for (std::size_t i = 0; i < 11; ++i)
     EXPECT_LT(numeric::moments(left.cell(i, Direction::up)).standard_deviation, 0.3) << i;
 }

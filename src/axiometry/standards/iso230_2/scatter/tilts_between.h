@@ -20,7 +20,7 @@ TiltStudy tilt_study(const DirectionFits& fits, std::span<const double> levers, 
 std::optional<TiltStudy> tilts_between(const DirectionFits& fits, std::span<const double> levers,
                                        const Rounding& rounding);
 
-/// The tables without the slopes of the runs, about the middle of the targets that each run has.
-Tables untilted(Tables tables, DirectionFits fits, std::span<const double> levers);
+/// `tables` without the slopes that the runs of `seen` have, which are the same readings but for some that lack there.
+Tables untilted(Tables tables, Tables seen, std::span<const double> levers, std::size_t runs);
 
 }  // namespace axiometry::iso230_2::scatter
