@@ -95,10 +95,9 @@ Result<AxisPlace> place_of_test(const Axis& axis, std::size_t wanted) {
 /// what the positions have for themselves. Returns the readings that tell the latter.
 Series take_slopes_of_runs(const Series& numbered, ReadSingle& read) {
   const Series series = without_empty_runs(numbered);
-  const auto tilts = iso230_2::scatter_study(series).tilts;
-  if (!tilts) return numbered;
-  const double widening =
-      error_motions::coverage_of(tilts->degrees()) / 2.0;  // of 2 u, so that it holds what k u would
+  const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
+  if (tilts.runs < 2 || tilts.p > iso230_2::tilt_counts_level) return numbered;
+  const double widening = error_motions::coverage_of(tilts.degrees()) / 2.0;  // of 2 u, so that it holds what k u would
   read.motion.slope_u_per_mm = widening * tilts.u_of_mean() / series.travel_native();
   read.remarks.push_back(
       fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
