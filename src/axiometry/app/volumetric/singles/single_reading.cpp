@@ -91,19 +91,27 @@ Result<AxisPlace> place_of_test(const Axis& axis, std::size_t wanted) {
   return AxisPlace{line->origin_mm[wanted], line->direction[wanted] > 0.0 ? 1.0 : -1.0};
 }
 
+/// Readings that tell how each position scatters by itself.
+struct ScatterOfPositions {
+  Series series;
+  double widening = 1.0;  ///< of s, for degrees of freedom that slopes have taken
+};
+
 /// Where runs have slopes of their own, that of their mean is as uncertain as n of them let it be: it counts beside
-/// what the positions have for themselves. Returns the readings that tell the latter.
-Series take_slopes_of_runs(const Series& numbered, ReadSingle& read) {
+/// what the positions have for themselves.
+ScatterOfPositions take_slopes_of_runs(const Series& numbered, ReadSingle& read) {
   const Series series = without_empty_runs(numbered);
   const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
-  if (tilts.runs < 2 || tilts.p > iso230_2::tilt_counts_level) return numbered;
-  const double widening = error_motions::coverage_of(tilts.degrees()) / 2.0;  // of 2 u, so that it holds what k u would
-  read.motion.slope_u_per_mm = widening * tilts.u_of_mean() / series.travel_native();
-  read.remarks.push_back(
-      fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
-                  "deviation): how well their mean is known is in the uncertainty of the curve",
-                  format_significant(tilts.between(), 2), format_exact(series.travel_native())));
-  return iso230_2::without_tilts(numbered);
+  if (tilts.runs < 2 || tilts.p > iso230_2::tilt_counts_level) return {numbered};
+  const double of_2u = error_motions::coverage_of(tilts.degrees()) / 2.0;  // so that 2 u holds what k u would
+  read.motion.slope_u_per_mm = of_2u * tilts.u_of_mean() / series.travel_native();
+  if (tilts.p <= iso230_2::tilt_level)
+    read.remarks.push_back(
+        fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
+                    "deviation): how well their mean is known is in the uncertainty of the curve",
+                    format_significant(tilts.between(), 2), format_exact(series.travel_native())));
+  const auto m = static_cast<double>(series.target_count());
+  return {iso230_2::without_tilts(numbered), m > 2.0 ? std::sqrt(m / (m - 2.0)) : 1.0};
 }
 
 Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
@@ -112,13 +120,13 @@ Result<ReadSingle> read_positioning(const SingleItem& item, ErrorMotion error) {
   ReadSingle read{{error, {}, {}, {}, {}}, {item.name, item.file, test.provenance.sha256, test.series.run_count()}, {}};
   read.item.instrument = item.instrument;
   read.item.equipment = equipment_text(test.metadata.equipment);
+  std::vector<PositionMeans> positions;
+  const auto [untilted, widening] = take_slopes_of_runs(test.series, read);
   const auto along = [&](const std::optional<Deviation>& mean, const std::optional<Deviation>& s, std::size_t runs) {
     return mean ? std::optional(DirectionMean{place.sense * mean->in_native(),
-                                              s ? std::optional(s->in_native()) : std::nullopt, runs})
+                                              s ? std::optional(widening * s->in_native()) : std::nullopt, runs})
                 : std::nullopt;
   };
-  std::vector<PositionMeans> positions;
-  const Series untilted = take_slopes_of_runs(test.series, read);
   const std::vector<iso230_2::PositionResult> found = iso230_2::evaluate_positions(test.series),
                                               scattered = iso230_2::evaluate_positions(untilted);
   for (std::size_t i = 0; i < found.size(); ++i) {
