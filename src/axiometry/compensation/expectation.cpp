@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -102,11 +103,12 @@ RunNumbers drawn_run(const RunSpread& spread, std::span<const double> z, double 
   return numbers;
 }
 
-/// Of the runs of a test; without tilts where they do not count.
-RunSpread run_spread_of(const Series& series, bool tilted) {
+/// Of the runs of a test, freed of what scatter makes of their numbers; without tilts where they do not count.
+RunSpread run_spread_of(const Series& series, const iso230_2::TiltStudy& study, bool tilted) {
   const std::size_t runs = series.run_count();
   std::array<std::vector<double>, of_run> numbers;
   std::ranges::fill(numbers, std::vector<double>(runs));
+  RunNumbers of_scatter{};
   for (const Direction direction : {Direction::up, Direction::down}) {
     std::vector<double> counts(runs);
     std::vector<double>& of = numbers[static_cast<std::size_t>(direction)];
@@ -117,8 +119,13 @@ RunSpread run_spread_of(const Series& series, bool tilted) {
         if (!std::isnan(cell[j])) of[j] += cell[j] - mean, counts[j] += 1.0;
     }
     for (std::size_t j = 0; j < runs; ++j) of[j] = counts[j] > 0.0 ? of[j] / counts[j] : 0.0;
+    if (const double readings = std::accumulate(counts.begin(), counts.end(), 0.0); readings > 0.0)
+      of_scatter[static_cast<std::size_t>(direction)] =
+          study.within * study.within * static_cast<double>(runs) / readings;
   }
   if (tilted) {
+    const double directions = series.has(Direction::up) && series.has(Direction::down) ? 2.0 : 1.0;
+    of_scatter[2] = of_scatter[3] = directions * study.of_scatter;  // of the mean of both it is half that of each
     std::array<std::vector<double>, 2> tilts = iso230_2::direction_tilts(series);
     for (std::size_t d = 0; d < 2; ++d) {
       std::ranges::replace_if(
@@ -132,6 +139,7 @@ RunSpread run_spread_of(const Series& series, bool tilted) {
       const double mean_i = numeric::moments(numbers[i]).mean, mean_k = numeric::moments(numbers[k]).mean;
       for (std::size_t j = 0; j < runs; ++j)
         covariance[i][k] += (numbers[i][j] - mean_i) * (numbers[k][j] - mean_k) / static_cast<double>(runs - 1);
+      if (i == k) covariance[i][k] = std::max(0.0, covariance[i][k] - of_scatter[i]);
     }
   return factor_of(covariance);
 }
@@ -151,7 +159,7 @@ std::optional<ExpectedRetest> expected_retest(const Series& numbered, RetestTria
   // Runs that lie higher or lower as a whole do so in all targets alike, and leave the shape of the axis alone.
   const iso230_2::TiltStudy tilts = iso230_2::tilt_study(predicted);
   const bool tilted = tilts.runs > 1 && counts(tilts), runs_differ = study.shifts || tilted;
-  const RunSpread spread = runs_differ ? run_spread_of(predicted, tilted) : RunSpread{};
+  const RunSpread spread = runs_differ ? run_spread_of(predicted, tilts, tilted) : RunSpread{};
   const Series level = tilted ? iso230_2::without_tilts(predicted) : predicted;
   const std::size_t removed_of_runs = tilted ? 2 : runs_differ ? 1 : 0;
   const auto [cells, freedom] =

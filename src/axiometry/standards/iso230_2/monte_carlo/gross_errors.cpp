@@ -14,7 +14,7 @@
 #include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/numeric/leave_one_out.h"
 #include "axiometry/numeric/median.h"
-#include "axiometry/standards/iso230_2/scatter/run_tilts.h"
+#include "axiometry/standards/iso230_2/scatter/scatter.h"
 
 namespace axiometry::iso230_2 {
 namespace {
@@ -176,7 +176,7 @@ bool too_many(const std::vector<Departure>& departures, double scatter) {
 
 std::vector<GrossError> gross_errors(const Series& as_read, const TestCourse& course, double step,
                                      double false_alarms) {
-  const Series series = counts(tilt_study(as_read)) ? without_tilts(as_read) : as_read;
+  const Series series = scatter_study(as_read, step).tilts ? without_tilts(as_read) : as_read;
   std::vector<CellReadings> cells;
   for (Direction direction : {Direction::up, Direction::down})
     for (std::size_t i = 0; i < series.target_count(); ++i)
