@@ -17,9 +17,9 @@ namespace axiometry::iso230_2 {
 /// How often a test of clean normal readings is said to have such runs.
 inline constexpr double tilt_level = 0.001;
 
-/// How often such a test is reckoned with them, where an interval rests on what the runs have of their own: asked for
-/// less, slopes would be missed that matter.
-inline constexpr double tilt_counts_level = 0.2;
+/// How often such a test is reckoned with them, where an interval rests on what the runs have of their own: less often,
+/// and slopes would be missed that matter; more often, and intervals of clean tests would be too wide.
+inline constexpr double tilt_counts_level = 0.05;
 
 /// The tilts of a test, whether or not chance makes them.
 struct TiltStudy {
