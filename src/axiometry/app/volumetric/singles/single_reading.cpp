@@ -102,14 +102,13 @@ struct ScatterOfPositions {
 ScatterOfPositions take_slopes_of_runs(const Series& numbered, ReadSingle& read) {
   const Series series = without_empty_runs(numbered);
   const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
-  if (tilts.runs < 2 || tilts.p > iso230_2::tilt_counts_level) return {numbered};
+  if (tilts.runs < 2 || tilts.p > iso230_2::tilt_level) return {numbered};
   const double of_2u = error_motions::coverage_of(tilts.degrees()) / 2.0;  // so that 2 u holds what k u would
   read.motion.slope_u_per_mm = of_2u * tilts.u_of_mean() / series.travel_native();
-  if (tilts.p <= iso230_2::tilt_level)
-    read.remarks.push_back(
-        fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
-                    "deviation): how well their mean is known is in the uncertainty of the curve",
-                    format_significant(tilts.between(), 2), format_exact(series.travel_native())));
+  read.remarks.push_back(
+      fmt::format("the runs have slopes of their own, which differ by {} µm over {} mm (standard "
+                  "deviation): how well their mean is known is in the uncertainty of the curve",
+                  format_significant(tilts.between(), 2), format_exact(series.travel_native())));
   const auto m = static_cast<double>(series.target_count());
   return {iso230_2::without_tilts(numbered), m > 2.0 ? std::sqrt(m / (m - 2.0)) : 1.0};
 }

@@ -10,7 +10,6 @@
 
 #include "axiometry/model/series.h"
 #include "axiometry/numeric/curve_posterior.h"
-#include "axiometry/numeric/distributions/possible_shares.h"
 #include "axiometry/numeric/random/random.h"
 #include "axiometry/numeric/random/weighted_choice.h"
 #include "axiometry/numeric/rows.h"
@@ -164,10 +163,8 @@ class ReadingPosterior {
     std::array<double, 3> factor{};  ///< u, v and w of tilts ↑ = u z₁ and ↓ = v z₁ + w z₂ with that covariance
     std::array<double, 2>
         shifts{};                ///< shift of a run that goes with a tilt of 1: the axis stays in its place somewhere
-    double within = 0.0;         ///< standard deviation of readings beside level, shift and slope
+    double kept = 1.0;           ///< part of σ² of all cells that is none of tilts
     std::vector<double> levers;  ///< what a tilt of 1 adds at each target
-    double in_all = 0.0;         ///< what σ² of all cells holds of the tilts
-    numeric::PossibleShares shares;  ///< of a standard deviation that is known from so many runs
   };
   std::optional<Tilts> tilts_;
   std::optional<numeric::SpreadPosterior> spread_;

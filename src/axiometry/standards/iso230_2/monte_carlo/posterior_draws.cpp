@@ -374,14 +374,15 @@ void ReadingPosterior::draw_long_run(numeric::RandomKey key, numeric::Rows<doubl
     for (std::size_t t = 0; t < means.stride; ++t) row[t] = std::hypot(sd[t], state.run_sds.all()[t]);
     if (!tilts_) continue;
     const std::size_t d = cells_[c].place < targets_ ? 0 : 1;
-    const double lever = tilts_->levers[cells_[c].target], least = tilts_->within * tilts_->within;
+    const double lever = tilts_->levers[cells_[c].target];
     // Variance of shift and tilt of a run, less that of the shift.
     const double with_shift = tilts_->variances[d] * (lever * lever + 2.0 * lever * tilts_->shifts[d]);
     const auto mean = means.row(cells_[c].place, means.stride);
     for (std::size_t t = 0; t < means.stride; ++t) {
       mean[t] += lever * tilts.of_mean[d][t];
-      const double untilted = std::max(least, row[t] * row[t] - tilts_->in_all);
-      row[t] = std::sqrt(std::max(least, untilted + with_shift * tilts.square_shares[t]));
+      const double run_sd = state.run_sds.all()[t];
+      row[t] = std::sqrt(
+          std::max(0.0, tilts_->kept * sd[t] * sd[t] + run_sd * run_sd + with_shift * tilts.square_shares[t]));
     }
   }
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Of posterior.h: slopes that the runs have of their own.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "axiometry/numeric/distributions/possible_shares.h"
 #include "axiometry/standards/iso230_2/monte_carlo/posterior.h"
 #include "axiometry/standards/iso230_2/scatter/run_tilts.h"
 #include "axiometry/standards/readings/runs_made.h"
@@ -44,12 +46,11 @@ void ReadingPosterior::find_tilts(const Series& numbered) {
   Tilts tilts{.runs = static_cast<double>(study.runs),
               .variances = kept,
               .factor = {up, correlation * down, std::sqrt(1.0 - correlation * correlation) * down},
-              .within = study.within,
-              .levers = tilt_levers(series),
-              .shares = numeric::PossibleShares(study.degrees())};
+              .levers = tilt_levers(series)};
   double mean_square = 0.0;
   for (const double lever : tilts.levers) mean_square += lever * lever / static_cast<double>(tilts.levers.size());
-  tilts.in_all = mean_square * (kept[0] + kept[1]) / directions;
+  const double beside = std::max(0.0, study.within * study.within - noise_.reading * noise_.reading);
+  tilts.kept = beside / (beside + mean_square * (kept[0] + kept[1]) / directions);
   if (run_shifts_.size() == of[0].size())
     for (std::size_t d = 0; d < 2; ++d)
       if (kept[d] > 0.0) tilts.shifts[d] = products_of(of[d], run_shifts_) / (found[d] * study.degrees());
@@ -63,8 +64,9 @@ ReadingPosterior::TiltDraws ReadingPosterior::draw_tilts(numeric::RandomKey key,
   numeric::fill_normal({key.seed, key.stream + 1, 2 * key.block}, normals);
   numeric::fill_uniform({key.seed, key.stream + 1, 2 * key.block + 1}, uniforms);
   const auto& [u, v, w] = tilts_->factor;
+  const numeric::PossibleShares shares(tilts_->runs - 1.0);
   for (std::size_t t = 0; t < trials; ++t) {
-    const double share = tilts_->shares(uniforms[t]), of_mean = share / std::sqrt(tilts_->runs);
+    const double share = shares(uniforms[t]), of_mean = share / std::sqrt(tilts_->runs);
     draws.of_mean[0][t] = of_mean * u * normals[2 * t];
     draws.of_mean[1][t] = of_mean * (v * normals[2 * t] + w * normals[2 * t + 1]);
     draws.square_shares[t] = share * share;
