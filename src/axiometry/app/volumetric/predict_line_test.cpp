@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -88,6 +89,39 @@ TEST(PredictTest, SaysThatATestWhoseScatterHidesTheErrorsTellsLittle) {
   ASSERT_NE(finding_of(*weak, "volumetric-prediction-agrees"), nullptr) << weak->comparison->chi_squared;
   ASSERT_NE(finding_of(*weak, "volumetric-prediction-weak"), nullptr);
   EXPECT_FALSE(finding_of(*weak, "volumetric-prediction-weak")->serious);
+}
+
+/// As measured_file(), of runs that each have a scale error of their own.
+std::string tilted_file(const testing_support::TemporaryFolder& folder, const std::array<double, 5>& um_per_m) {
+  const auto machine = known_machine();
+  std::string text = "target_mm,direction,run,deviation_um\n";
+  for (std::size_t run = 0; run < um_per_m.size(); ++run)
+    for (int d = 0; d < 2; ++d)
+      for (int k = 0; k < 11; ++k) {
+        const Vector3 q{50.0 + 90.0 * k, 300, -250};
+        const double x = volumetric::displacement_um(machine, known_errors(q), q, {0, 0, -150}).x;
+        fmt::format_to(std::back_inserter(text), "{},{},{},{:.3f}\n", q.x, d == 0 ? "up" : "down", run + 1,
+                       x + 1e-3 * um_per_m[run] * (q.x - 500.0) +
+                           0.05 * static_cast<double>((k * 7 + static_cast<int>(run) * 3 + 2 * d) % 5 - 2));
+      }
+  return folder.written("tilted.csv", text);
+}
+
+TEST(PredictTest, HoldsTheMeanSlopeOfRunsOfATestAsUncertainAsTheyLetItBe) {
+  const testing_support::TemporaryFolder folder;
+  PredictRequest request{.result = result_file(folder), .axis = "X", .at = "y=300,z=-250", .tool = "T1"};
+  request.measured = tilted_file(folder, {-8, 6, 3, 9, 5});  // mean 3, standard uncertainty 2.9 µm/m
+  const auto tilted = predict_test(request);
+  ASSERT_TRUE(tilted) << tilted.error().to_string();
+  EXPECT_EQ(tilted->findings.front().id, "volumetric-prediction-agrees") << tilted->comparison->chi_squared;
+  request.measured = tilted_file(folder, {3, 3, 3, 3, 3});
+  const auto alike = predict_test(request);
+  ASSERT_TRUE(alike);
+  EXPECT_EQ(alike->findings.front().id, "volumetric-prediction-departs") << "runs that agree about their slope";
+  request.measured = tilted_file(folder, {52, 66, 63, 69, 65});
+  const auto other = predict_test(request);
+  ASSERT_TRUE(other);
+  EXPECT_EQ(other->findings.front().id, "volumetric-prediction-departs") << "more than the runs explain";
 }
 
 TEST(PredictTest, DoesNotJustAgreeWithATestWhoseReversalTheErrorsDoNotHold) {

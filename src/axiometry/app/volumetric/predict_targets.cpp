@@ -39,7 +39,7 @@ Result<TargetsOfFile> targets_of_test(const std::string& file) {
   // Runs that lie apart leave the shape alone; of their slopes, where they have some of their own, the mean counts.
   const Series series = without_empty_runs(test.series);
   const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
-  const bool tilted = tilts.runs > 1 && tilts.p <= iso230_2::tilt_counts_level;
+  const bool tilted = tilts.p <= iso230_2::tilt_counts_level;
   const auto directions = static_cast<double>(up) + static_cast<double>(down);
   double squares = 0.0, freedom = 0.0;
   for (const auto& p :

@@ -52,7 +52,7 @@ std::vector<Mean> means_of(std::span<const iso230_2::PositionResult> positions) 
 /// if that is more. s_i of the readings hold these slopes too, but not what of them is common to all targets of a run.
 SlopeFit with_runs(const SlopeFit& of_readings, const Series& series) {
   const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
-  if (tilts.runs < 2 || tilts.p > slopes_by_chance) return of_readings;
+  if (tilts.p > slopes_by_chance) return of_readings;
   const double of_runs = 1000.0 * std::sqrt(tilts.variance / static_cast<double>(tilts.runs)) / series.travel_native();
   if (!(of_runs > of_readings.uncertainty_um_per_m)) return of_readings;
   return {of_readings.slope_um_per_m, of_runs, tilts.degrees()};

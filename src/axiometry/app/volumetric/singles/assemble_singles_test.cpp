@@ -85,6 +85,36 @@ TEST(AssembleSingles, TellTheReversalThatTheirMeansLose) {
   EXPECT_THAT(told, Contains(HasSubstr("10.00 µm of EXX")));
 }
 
+/// EXX of five runs of which each has a slope of its own, in µm over the travel.
+std::string positioning(const std::vector<double>& tilts_um) {
+  std::string text = "# axis.name: X\ntarget_mm,run,direction,deviation_um\n";
+  for (std::size_t run = 0; run < tilts_um.size(); ++run)
+    for (int k = 0; k < 10; ++k)
+      for (const bool up : {true, false})
+        text += fmt::format("{},{},{},{:.3f}\n", 100 * k, run + 1, up ? "up" : "down",
+                            tilts_um[run] * k / 9.0 + 0.02 * ((k * 7 + static_cast<int>(run) * 3 + (up ? 2 : 0)) % 5));
+  return text;
+}
+
+TEST(AssembleSingles, HoldWhatSlopesOfRunsLeaveOpenOfTheirMean) {
+  const testing_support::TemporaryFolder folder;
+  const auto largest_u = [&](const std::vector<double>& tilts_um, bool told) {
+    const auto assembled = assemble_singles(request_in(folder, positioning(tilts_um)));
+    EXPECT_TRUE(assembled) << assembled.error().message;
+    const auto of_slopes = Contains(HasSubstr("EXX: the runs have slopes of their own, which differ by"));
+    if (told)
+      EXPECT_THAT(assembled->remarks, of_slopes);
+    else
+      EXPECT_THAT(assembled->remarks, Not(of_slopes));
+    return assembled->items.front().u_largest;
+  };
+  const double alike = largest_u({1, 1, 1, 1, 1}, false);
+  const double tilted = largest_u({1, 4, -2, 5, -3}, true);
+  EXPECT_LT(alike, 0.1);
+  // s/√5 of the tilts is 1.6 µm over the travel, k of four degrees of freedom 2.87.
+  EXPECT_NEAR(tilted, 0.5 * 2.87 / 2.0 * 1.6, 0.2) << "standard uncertainty at the ends, from the middle";
+}
+
 TEST(AssembleSingles, WriteTheInstrumentAndThePlacesIntoTheJson) {
   const testing_support::TemporaryFolder folder;
   AssembleRequest request = request_in(folder, positioning(true));

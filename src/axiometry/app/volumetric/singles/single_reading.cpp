@@ -102,7 +102,7 @@ struct ScatterOfPositions {
 ScatterOfPositions take_slopes_of_runs(const Series& numbered, ReadSingle& read) {
   const Series series = without_empty_runs(numbered);
   const iso230_2::TiltStudy tilts = iso230_2::tilt_study(series);
-  if (tilts.runs < 2 || tilts.p > iso230_2::tilt_level) return {numbered};
+  if (tilts.p > iso230_2::tilt_level) return {numbered};
   const double of_2u = error_motions::coverage_of(tilts.degrees()) / 2.0;  // so that 2 u holds what k u would
   read.motion.slope_u_per_mm = of_2u * tilts.u_of_mean() / series.travel_native();
   read.remarks.push_back(

@@ -27,15 +27,12 @@ double products_of(const std::vector<double>& a, const std::vector<double>& b) {
 void ReadingPosterior::find_tilts(const Series& numbered) {
   const Series series = without_empty_runs(numbered);
   const TiltStudy study = tilt_study(series);
-  if (study.runs < 2 || !counts(study)) return;
+  if (!counts(study)) return;
   const std::array<std::vector<double>, 2> of = direction_tilts(series);
-  // What scatter makes of a tilt of one direction is twice what it makes of the mean of both.
-  const double directions = series.has(Direction::up) && series.has(Direction::down) ? 2.0 : 1.0;
-  const double of_scatter = directions * study.of_scatter;
   std::array<double, 2> found{}, kept{};
   for (std::size_t d = 0; d < 2; ++d) {
     found[d] = products_of(of[d], of[d]) / study.degrees();
-    kept[d] = std::max(0.0, found[d] - of_scatter);
+    kept[d] = std::max(0.0, found[d] - study.of_scatter_each);
   }
   if (!(kept[0] + kept[1] > 0.0)) return;
   const double correlation =
@@ -47,6 +44,7 @@ void ReadingPosterior::find_tilts(const Series& numbered) {
               .variances = kept,
               .factor = {up, correlation * down, std::sqrt(1.0 - correlation * correlation) * down},
               .levers = tilt_levers(series)};
+  const double directions = series.has(Direction::up) && series.has(Direction::down) ? 2.0 : 1.0;
   double mean_square = 0.0;
   for (const double lever : tilts.levers) mean_square += lever * lever / static_cast<double>(tilts.levers.size());
   const double beside = std::max(0.0, study.within * study.within - noise_.reading * noise_.reading);

@@ -146,6 +146,14 @@ Finding shifts_finding(const Case& c, const RunShifts& shifts) {
                       deviation_message(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
 }
 
+/// "3", "3, ↑ and ↓ together," or "3 ↑ and 4 ↓ together," where each direction has numbers of its own.
+Message run_of_tilt(const TiltStudy& tilts) {
+  const auto& [up, down] = tilts.farthest;
+  if (!up || !down) return fmt::format("{}", up.value_or(down.value_or(0)) + 1);
+  if (*up == *down) return message("{}, ↑ and ↓ together,", *up + 1);
+  return message("{} ↑ and {} ↓ together,", *up + 1, *down + 1);
+}
+
 Finding tilts_finding(const Case& c, const TiltStudy& tilts) {
   const Message cause = c.metadata.axis.kind == AxisKind::linear
                             ? Message(", such as those of an axis whose temperature changes between them")
@@ -156,7 +164,7 @@ Finding tilts_finding(const Case& c, const TiltStudy& tilts) {
               "deviation), where readings scatter by {} about target, run and slope ({}){}; that of run {} lies "
               "{} {} their mean; {}, and nothing is removed",
               deviation_message(c, tilts.between()), deviation_message(c, tilts.within), format_chance(tilts.p), cause,
-              tilts.farthest + 1, deviation_message(c, std::abs(tilts.farthest_tilt)),
+              run_of_tilt(tilts), deviation_message(c, std::abs(tilts.farthest_tilt)),
               tilts.farthest_tilt > 0.0 ? "above" : "below",
               consequence(c, evaluate(without_shifts(without_tilts(c.series))).parameters,
                           "shifts and slopes of the runs")));

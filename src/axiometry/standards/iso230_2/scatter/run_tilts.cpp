@@ -53,7 +53,7 @@ TiltFit fit_tilts(const numeric::AdditiveFit& fit, std::span<const double> lever
 
 /// A run, of the directions that it has a slope in.
 struct RunTilt {
-  std::size_t run = 0;
+  std::array<std::optional<std::size_t>, 2> runs;  ///< ↑ and ↓
   double tilt = 0.0;
   double per_variance = 0.0;  ///< variance of the tilt by that of a reading
 };
@@ -63,14 +63,15 @@ std::vector<RunTilt> both_directions(const std::array<TiltFit, 2>& fits) {
   std::array<std::vector<RunTilt>, 2> of;
   std::vector<RunTilt> all;
   const auto mean = [](const RunTilt& a, const RunTilt& b) {
-    return RunTilt{a.run, 0.5 * (a.tilt + b.tilt), 0.25 * (a.per_variance + b.per_variance)};
+    return RunTilt{{a.runs[0], b.runs[1]}, 0.5 * (a.tilt + b.tilt), 0.25 * (a.per_variance + b.per_variance)};
   };
   bool have_both = false;
   for (std::size_t j = 0; j < fits[0].tilts.size(); ++j) {
     std::size_t directions = 0;
     for (std::size_t d = 0; d < 2; ++d)
       if (const double tilt = fits[d].tilts[j]; !std::isnan(tilt)) {
-        of[d].push_back({j, tilt, 1.0 / fits[d].weights[j]});
+        of[d].push_back({{}, tilt, 1.0 / fits[d].weights[j]});
+        of[d].back().runs[d] = j;
         all.push_back(of[d].back());
         ++directions;
       }
@@ -117,10 +118,12 @@ TiltStudy scatter::tilt_study(const DirectionFits& fits, std::span<const double>
     const double beside = t.tilt - mean;
     between.squares += beside * beside / t.per_variance;
     study.variance += beside * beside / study.degrees();
-    if (std::abs(beside) > std::abs(study.farthest_tilt)) study.farthest = t.run, study.farthest_tilt = beside;
+    if (std::abs(beside) > std::abs(study.farthest_tilt)) study.farthest = t.runs, study.farthest_tilt = beside;
   }
   const double noise = std::max(within.variance(), rounding.variance());
   study.of_scatter = per_variance * noise;
+  const bool both = all.front().runs[0] && all.front().runs[1];  // of the mean of both it is half that of each
+  study.of_scatter_each = (both ? 2.0 : 1.0) * study.of_scatter;
   study.within = std::sqrt(within.variance());
   study.in_readings = std::max(0.0, study.variance - study.of_scatter) * levers_squared / readings;
   study.p = ratio_tail(between, within, rounding, level);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "axiometry/model/series.h"
@@ -23,15 +24,16 @@ inline constexpr double tilt_counts_level = 0.05;
 
 /// The tilts of a test, whether or not chance makes them.
 struct TiltStudy {
-  std::size_t runs = 0;        ///< that have a slope: three targets or more
-  double variance = 0.0;       ///< of their tilts about the mean; 0 of fewer than two
-  double of_scatter = 0.0;     ///< what scatter alone makes of that variance
-  double in_readings = 0.0;    ///< variance of the readings by tilts that scatter does not make, on average
-  double within = 0.0;         ///< standard deviation of the readings about target, run and slope
-  double p = 1.0;              ///< probability that scatter alone makes tilts that differ so much …
-  double p_of_each = 1.0;      ///< … and such of each direction, which may differ against each other
-  std::size_t farthest = 0;    ///< the run whose tilt lies farthest from the mean …
-  double farthest_tilt = 0.0;  ///< … and by how much
+  std::size_t runs = 0;          ///< that have a slope: three targets or more
+  double variance = 0.0;         ///< of their tilts about the mean; 0 of fewer than two
+  double of_scatter = 0.0;       ///< what scatter alone makes of that variance …
+  double of_scatter_each = 0.0;  ///< … and of that of the tilts of one direction
+  double in_readings = 0.0;      ///< variance of the readings by tilts that scatter does not make, on average
+  double within = 0.0;           ///< standard deviation of the readings about target, run and slope
+  double p = 1.0;                ///< chance that scatter alone makes tilts that differ so much; 1 of fewer than two …
+  double p_of_each = 1.0;        ///< … and such of each direction, which may differ against each other
+  std::array<std::optional<std::size_t>, 2> farthest;  ///< ↑ and ↓ of the run whose tilt lies farthest from the mean …
+  double farthest_tilt = 0.0;                          ///< … and by how much
 
   double degrees() const { return static_cast<double>(runs) - 1.0; }
   /// Standard deviation of the tilts without what scatter makes of them.

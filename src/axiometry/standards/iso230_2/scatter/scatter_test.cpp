@@ -248,7 +248,7 @@ TEST(Scatter, TellsSlopesOfRunsAsOneThing) {
     const Series series = made(with_tilts({-2, -2, -2, 8, -2}, normal, still));
     const ScatterStudy study = scatter_study(series);
     ASSERT_TRUE(study.tilts) << still;
-    EXPECT_EQ(study.tilts->farthest, 3u);
+    EXPECT_EQ(study.tilts->farthest, (std::array<std::optional<std::size_t>, 2>{3, 3}));
     EXPECT_EQ(study.tilts->runs, 5u);
     EXPECT_NEAR(study.tilts->farthest_tilt, 8.0, 1.5);
     EXPECT_NEAR(study.tilts->between(), std::sqrt((64.0 + 4.0 * 4.0) / 4.0), 1.0);
@@ -301,6 +301,10 @@ TEST(Scatter, TellsSlopesOfOneDirectionOfTwoRunsAndOfRunsWithNumbersOfTheirOwn) 
   const ScatterStudy up = scatter_study(make_series(targets(11), runs.up, no_run));
   ASSERT_TRUE(up.tilts);
   EXPECT_EQ(up.tilts->runs, 5u);
+  EXPECT_TRUE(up.tilts->farthest[0]);
+  EXPECT_FALSE(up.tilts->farthest[1]);
+  EXPECT_EQ(up.tilts->of_scatter_each, up.tilts->of_scatter);
+  EXPECT_EQ(both.of_scatter_each, 2.0 * both.of_scatter);
 
   std::vector<RunDeviations> up_apart, down_apart;  // ↑ has the numbers 1, 3, 5…, ↓ 2, 4, 6…
   for (std::size_t j = 0; j < 5; ++j) {
@@ -311,6 +315,8 @@ TEST(Scatter, TellsSlopesOfOneDirectionOfTwoRunsAndOfRunsWithNumbersOfTheirOwn) 
   EXPECT_EQ(apart.runs, 5u);
   EXPECT_NEAR(apart.variance, both.variance, 1e-9);
   EXPECT_NEAR(apart.p, both.p, 1e-9);
+  EXPECT_EQ(*apart.farthest[0] / 2, *both.farthest[0]);
+  EXPECT_EQ(*apart.farthest[1], *apart.farthest[0] + 1);
 
   const TiltStudy two = tilt_study(made(with_tilts({-20, 20}, normal)));
   EXPECT_EQ(two.degrees(), 1.0);
@@ -340,7 +346,7 @@ TEST(Scatter, OfTableTwoHasSlopesToo) {
   EXPECT_NEAR(study.tilts->p, 9.695851474075494e-11, 1e-15);
   EXPECT_NEAR(study.tilts->within, 0.1281715490156909, 1e-12);
   EXPECT_NEAR(study.tilts->between(), 0.36586152059564947, 1e-9);
-  EXPECT_EQ(study.tilts->farthest, 2u);
+  EXPECT_EQ(study.tilts->farthest, (std::array<std::optional<std::size_t>, 2>{2, 2}));
   EXPECT_NEAR(study.tilts->farthest_tilt, -0.47643281, 1e-8);
 }
 
