@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 /// Tests whose bounds are statistics of hundreds of evaluations, which other tests make once each.
 namespace axiometry::testing_support {
 
@@ -21,5 +23,8 @@ inline constexpr bool is_watched = false;
 /// them, where each takes ten times as long, it is left to the tests that do it once.
 #define AXIOMETRY_STATISTICS_OF_TRIALS() \
   if (::axiometry::testing_support::is_watched) GTEST_SKIP() << "statistics of trials are of the release build"
+
+/// So many of a test that tries much of one kind: a fifth under the sanitizers.
+constexpr std::size_t as_many(std::size_t in_release) { return is_watched ? in_release / 5 : in_release; }
 
 }  // namespace axiometry::testing_support

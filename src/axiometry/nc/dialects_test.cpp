@@ -10,6 +10,7 @@
 #include "axiometry/nc/dialect.h"
 #include "axiometry/nc/script.h"
 #include "tests/support/nc_controls.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::nc {
 namespace {
@@ -184,7 +185,7 @@ TEST_P(EveryDialect, WritesShortLinesWithoutNegativeZero) {
 TEST_P(EveryDialect, NumbersItsBlocksUpwards) {
   const Dialect& dialect = *GetParam();
   Plan plan = small_plan();
-  for (std::size_t runs : {5, 500, 10'000}) {
+  for (const std::size_t runs : {std::size_t{5}, std::size_t{500}, testing_support::as_many(10'000)}) {
     plan.runs = runs;
     const std::string program = write(dialect, plan, {.unrolled = true});
     long last = -1;

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "tests/support/pieces.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::formats {
 namespace {
@@ -121,7 +122,7 @@ TEST(CsvLongRows, ReadFilesLargerThanTheirBuffer) {
 
 TEST(CsvLongRows, DoNotReadOnBehindALastLineWithoutLineBreak) {
   // The buffer still holds what stood there before; every cut of a long file must end where it was cut.
-  const std::string text = many_tests(700, ',', '.', "\n");
+  const std::string text = many_tests(testing_support::as_many(700), ',', '.', "\n");
   const std::size_t row = text.rfind('\n', text.size() - 2) + 1;
   for (std::size_t size = row; size <= text.size(); ++size) {
     const std::string_view cut = std::string_view(text).substr(0, size);

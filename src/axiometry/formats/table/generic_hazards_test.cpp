@@ -10,6 +10,7 @@
 
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/table/generic_delimited.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::formats {
 namespace {
@@ -419,7 +420,7 @@ TEST(GenericHazards, DamagedFilesNeverCrash) {
   const std::string bits = "0159;,.\t\n\r -+eE\"#↑µnaN[]()/:\xFF\xFE";
   std::size_t read = 0;
   for (const std::string& seed : seeds)
-    for (int trial = 0; trial < 1500; ++trial) {
+    for (std::size_t trial = 0; trial < testing_support::as_many(1500); ++trial) {
       std::string bytes = seed;
       for (std::size_t k = 1 + random() % 6; k > 0 && !bytes.empty(); --k) {
         const std::size_t at = random() % bytes.size();
@@ -438,7 +439,7 @@ TEST(GenericHazards, DamagedFilesNeverCrash) {
       find_format("generic")->recognise(bytes);
       static_cast<void>(check_table(bytes));
     }
-  EXPECT_GT(read, 150u);
+  EXPECT_GT(read, testing_support::as_many(150));
 }
 
 }  // namespace

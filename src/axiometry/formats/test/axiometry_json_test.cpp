@@ -12,6 +12,7 @@
 #include "axiometry/model/fields.h"
 #include "axiometry/model/swapped_labels.h"
 #include "tests/support/repository_file.h"
+#include "tests/support/statistics_of_trials.h"
 
 namespace axiometry::formats {
 namespace {
@@ -87,7 +88,7 @@ TEST(CsvFormats, GiveBackEveryFieldAndReading) {
   for (const char* id : {"csv-long", "csv-wide"}) {
     std::mt19937 random(2302);
     const Format& csv = *find_format(id);
-    for (int trial = 0; trial < 100; ++trial) {
+    for (std::size_t trial = 0; trial < testing_support::as_many(100); ++trial) {
       const axiometry::Test test = random_test(random, trial % 2 == 1);
       const std::string text = csv.write(test);
       EXPECT_EQ((*recognise(text))->id, id);
