@@ -100,6 +100,10 @@ void add_model(const Verb& verb, IdentifyOptions& options) {
           "--no-outliers", [&options] { options.find_outliers = false; },
           "Set no reading aside, however far it lies from what the others predict")
       ->group(group);
+  verb.add_flag_callback(
+          "--no-part-scales", [&options] { options.find_part_scales = false; },
+          "Take all stations and tools for measured at one temperature, whatever the lengths show")
+      ->group(group);
 }
 
 }  // namespace

@@ -510,6 +510,7 @@ export interface components {
             drift?: "auto" | "none" | "linear";
             find_breaks?: boolean;
             find_outliers?: boolean;
+            find_part_scales?: boolean;
             /** @description Of recordings, in their order: `1`, `5-8`. */
             parts?: string[];
             /** @description The lengths shown fall where the reflector recedes. */
@@ -4071,6 +4072,8 @@ export interface components {
                 readings: number;
                 rms_um: number;
                 normalised_rms: number;
+                scale_um_per_m?: number;
+                scale_u_um_per_m?: number;
                 segments?: {
                     segment: string;
                     readings: number;
@@ -4116,6 +4119,15 @@ export interface components {
                         chance: number;
                     };
                 };
+            } | null;
+            /** @description Null where parts, a station with a tool each, differ in scale no more than chance lets them. */
+            part_scales?: {
+                /** @description Standard deviation of a part. */
+                spread_um_per_m: number;
+                /** @description That scatter alone lets them differ so much. */
+                chance: number;
+                /** @description Taken out, and in all uncertainties. */
+                held: boolean;
             } | null;
             findings: components["schemas"]["VolumetricFinding"][];
             model: components["schemas"]["VolumetricModel"];

@@ -11,6 +11,7 @@ const t = texts({
   reversed: 'lengths fall where the reflector recedes',
   find_breaks: 'look for breaks of the beam that the file does not tell',
   find_outliers: 'set lengths aside that no model explains',
+  find_part_scales: 'look for parts that were warmer or colder than others',
   curves: 'Curves',
   spans: 'Spans',
   spans_hint: 'one number, or three for X, Y, Z; empty: as many as the lengths support',
@@ -41,7 +42,7 @@ const t = texts({
 export type Options = Readonly<Record<string, unknown>>;
 
 const fields = {
-  tolerances: 'tolerances', rule: 'rule', reversed: 'reversed', find_breaks: 'find_breaks', find_outliers: 'find_outliers', break_threshold_mm: 'break_threshold',
+  tolerances: 'tolerances', rule: 'rule', reversed: 'reversed', find_breaks: 'find_breaks', find_outliers: 'find_outliers', find_part_scales: 'find_part_scales', break_threshold_mm: 'break_threshold',
   curves: 'curves', spans: 'spans', reversal: 'reversal', smoothness: 'smoothness', drift: 'drift',
 } as const;
 
@@ -119,7 +120,7 @@ function word_of(key: keyof typeof choices, one: string) {
 
 export function OptionsFields({ kind, form, on_change }: { kind: CalibrationKind; form: OptionsForm; on_change: (form: OptionsForm) => void }) {
   const set = (key: string, value: unknown) => on_change({ ...form, options: { ...form.options, [key]: value } });
-  const check = (key: 'reversed' | 'find_breaks' | 'find_outliers', otherwise: boolean) => (
+  const check = (key: 'reversed' | 'find_breaks' | 'find_outliers' | 'find_part_scales', otherwise: boolean) => (
     <label><input type="checkbox" checked={(form.options[key] ?? otherwise) === true} onChange={(event) => set(key, event.currentTarget.checked)} />{t(key)}</label>
   );
   const choice = (key: keyof typeof choices) => (
@@ -171,6 +172,7 @@ export function OptionsFields({ kind, form, on_change }: { kind: CalibrationKind
       {check('reversed', false)}
       {check('find_breaks', true)}
       {check('find_outliers', true)}
+      {check('find_part_scales', true)}
     </>
   );
 }

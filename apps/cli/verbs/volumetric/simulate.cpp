@@ -97,6 +97,13 @@ void add_faults(const Verb& verb, volumetric::SimulatedFaults& faults) {
              return {};
            })
       ->group(group);
+  add_number(
+      verb, {"--part-scale", "UM_PER_M", "Standard deviation of the scale of axes at a station with a tool (0)"},
+      [&faults](double x) {
+        if (!(x >= 0.0 && x <= 1e4)) throw UsageError("--part-scale", "expected 0 to 10000");
+        faults.part_scale_um_per_m = x;
+      })
+      ->group(group);
   const auto count = [&](const char* name, std::size_t& target, const char* description) {
     add_count(verb, {name, "N", description}, [&target](unsigned long long n) {
       target = static_cast<std::size_t>(n);

@@ -89,6 +89,7 @@ Result<json::Value> bench_volumetric(const VolumetricBench& bench) {
   options.drift = DriftModel::none;
   options.find_breaks = false;
   options.find_outliers = false;
+  options.find_part_scales = false;
   options.threads = bench.threads;
   const VolumetricLengths lengths = bench_lengths(machine, bench.observations, bench.seed);
   json::Value value = json::Value::object();

@@ -73,6 +73,8 @@ Value stations_value(const IdentifiedMachine& identified) {
     station.add("readings", own.readings);
     station.add("rms_um", own.rms_um);
     station.add("normalised_rms", own.normalised_rms);
+    if (own.scale_um_per_m) station.add("scale_um_per_m", *own.scale_um_per_m);
+    if (own.scale_u_um_per_m) station.add("scale_u_um_per_m", *own.scale_u_um_per_m);
     Value& stretches = station.add("segments", Value::array());
     for (const IdentifiedStretch& s : found.stretches) {
       if (s.station != v) continue;
@@ -110,6 +112,16 @@ Value smoothness_value(const IdentifiedMachine& identified) {
     error.add("bend_ratio", s.bend_ratio);
     error.add("chance", s.chance);
   }
+  return value;
+}
+
+/// Null where parts differ in scale no more than chance lets them.
+Value part_scales_value(const Identification& found) {
+  if (!found.part_scales) return {};
+  Value value = Value::object();
+  value.add("spread_um_per_m", found.part_scales->spread_um_per_m);
+  value.add("chance", found.part_scales->chance);
+  value.add("held", found.part_scales->held);
   return value;
 }
 
@@ -195,6 +207,7 @@ Value to_json(const IdentifiedMachine& identified) {
   }
   root.add("drift", found.drift);
   root.add("smoothness", smoothness_value(identified));
+  root.add("part_scales", part_scales_value(found));
   root.add("findings", findings_value(found.findings));
   root.add("model", formats::error_model_value(found.model));
   return root;

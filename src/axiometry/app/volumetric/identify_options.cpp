@@ -184,6 +184,7 @@ Result<IdentifyChoices> identify_choices_from(const Value& value) {
   AXIOMETRY_TRY_VOID(take_parsed(members, "drift", &parse_drift, model.drift));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_breaks", model.find_breaks));
   AXIOMETRY_TRY_VOID(take_switch(members, "find_outliers", model.find_outliers));
+  AXIOMETRY_TRY_VOID(take_switch(members, "find_part_scales", model.find_part_scales));
   AXIOMETRY_TRY_VOID(take_parts(members, choices.parts));
   AXIOMETRY_TRY_VOID(take_recording(members, choices.recording));
   AXIOMETRY_TRY_VOID(take_switch(members, "reversed", choices.recording.matcher.reversed));
@@ -206,6 +207,7 @@ Value to_json(const IdentifyChoices& choices, const RecordingTexts& recording) {
   if (model.drift != usual.drift) object.add("drift", word_of<DriftModel>(drift_words, model.drift));
   if (!model.find_breaks) object.add("find_breaks", false);
   if (!model.find_outliers) object.add("find_outliers", false);
+  if (!model.find_part_scales) object.add("find_part_scales", false);
   if (!choices.parts.empty()) {
     Value& parts = object.add("parts", Value::array());
     for (const PartRange& p : choices.parts)

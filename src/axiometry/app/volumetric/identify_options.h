@@ -23,9 +23,9 @@ struct IdentifyChoices {
 
 /// {"curves": "b-spline", "legendre" or "nodes", "spans": 8 or [8, 6, 4], "reversal": "none", "constant" or "curves",
 /// "smoothness": "none", "auto", 5 or [5, 8] (µm, µrad), "drift": "auto", "none" or "linear", "find_breaks",
-/// "find_outliers", "parts": ["1", "5-8"], "reversed", "recording": {"rate": "1000"}}; all may be left out. Fails, with
-/// line and column, on members that are unknown or of another kind, on spans that are no whole numbers from 1 to 400,
-/// on a smoothness beyond its bounds, on more than 500 parts, and as take_recording() does.
+/// "find_outliers", "find_part_scales", "parts": ["1", "5-8"], "reversed", "recording": {"rate": "1000"}}; all may be
+/// left out. Fails, with line and column, on members that are unknown or of another kind, on spans that are no whole
+/// numbers from 1 to 400, on a smoothness beyond its bounds, on more than 500 parts, and as take_recording() does.
 Result<IdentifyChoices> identify_choices_from(const json::Value& value);
 
 /// The same back, but for what is as usual: identify_choices_from() of it is `choices`. `recording` is what

@@ -19,7 +19,7 @@ std::string written_again(const std::string& text, const RecordingTexts& recordi
 TEST(IdentifyChoices, AreWrittenAsTheyAreRead) {
   const std::string every =
       R"({"curves":"legendre","spans":[8,6,4],"reversal":"curves","smoothness":[5,8.5],"drift":"linear",)"
-      R"("find_breaks":false,"find_outliers":false,"parts":["1","5-8"],"reversed":true,)"
+      R"("find_breaks":false,"find_outliers":false,"find_part_scales":false,"parts":["1","5-8"],"reversed":true,)"
       R"("recording":{"rate":"1000"}})";
   EXPECT_EQ(written_again(every, {{"rate", "1000"}}), every);
   EXPECT_EQ(written_again(R"({"spans":4})"), R"({"spans":4})");

@@ -182,6 +182,7 @@ Value truth_value(const SimulatedCalibration& calibration) {
     item.add("tool", calibration.machine.tools[p.tool].name);
     item.add("dead_path_mm", p.dead_path_mm);
     item.add("drift_um", p.drift_um);
+    if (p.scale_um_per_m != 0.0) item.add("scale_um_per_m", p.scale_um_per_m);
   }
   Value& jumps = root.add("beam_breaks", Value::array());
   for (const volumetric::SimulatedJump& j : simulated.jumps) {

@@ -223,17 +223,31 @@ class VolumetricComposition {
 
   Section station_section() const {
     Table table;
-    table.groups = {{{}, 2}, {plain("Place / mm"), 3}, {{}, 2}};
+    const bool scales = found_.part_scales && found_.part_scales->held;
+    table.groups = {{{}, 2}, {plain("Place / mm"), 3}, {{}, scales ? 4u : 2u}};
     table.columns = {{plain("Station"), Align::start, true}, {plain("Tool"), Align::start}};
     for (const char* axis : {"X", "Y", "Z"}) table.columns.push_back({plain(axis), Align::decimal});
     table.columns.push_back({plain("Readings"), Align::decimal});
     table.columns.push_back({plain("rms / µm"), Align::decimal});
+    if (scales) {
+      table.columns.push_back({plain("Scale / µm/m"), Align::decimal});
+      table.columns.push_back({joined({italic("u"), plain(" / µm/m")}), Align::decimal});
+      table.notes.push_back(
+          plain("Scale: how much longer the axes seemed with this station and tool, as where the "
+                "machine or the air was warmer or colder. It is taken out of the errors."));
+    }
     for (const IdentifiedStation& station : found_.stations) {
       auto& row = table.rows.emplace_back();
       row = {verbatim_cell(s_.lengths.stations[station.station]), verbatim_cell(s_.lengths.tools[station.tool])};
       for (std::size_t k = 0; k < 3; ++k) row.push_back(cell(station.at_mm[k], 4));
       row.push_back(text_cell(fmt::format("{}", station.readings)));
       row.push_back(cell(station.rms_um, 3));
+      if (scales && station.scale_um_per_m) {
+        row.push_back(cell(*station.scale_um_per_m, 2));
+        row.push_back(cell(*station.scale_u_um_per_m, 2));
+      } else if (scales) {
+        for (int k = 0; k < 2; ++k) row.push_back(text_cell("–"));
+      }
     }
     table.dense = true;
     return {"stations", "Stations", true, {std::move(table)}};
@@ -252,6 +266,10 @@ class VolumetricComposition {
         ". Each station has a place of its own with each tool, so that a wrong offset of a tool enters as a lever "
         "alone. "
         "Covariances are multiplied by χ²/ν where that is above 1.";
+    if (s_.found.part_scales && s_.found.part_scales->held)
+      text +=
+          " Each part has a scale of its own, normal with half of its variance common to the parts of a station; what "
+          "the lengths leave open of it is in all uncertainties.";
     if (s_.found.smoothed)
       text +=
           " To the squares of the residuals are added those of how far curves bend, over what the findings say of it: "

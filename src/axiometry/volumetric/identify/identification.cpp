@@ -34,6 +34,22 @@ MachineModel with_seen_tools(MachineModel machine, const Identifier& done, const
   return machine;
 }
 
+/// Those of the parts, and what they leave open of places.
+void add_scales(const Identifier& done, std::vector<IdentifiedStation>& stations) {
+  const auto& scales = done.part_scales();
+  if (!scales || !scales->can_be_held()) return;
+  for (std::size_t v = 0; v < stations.size(); ++v) {
+    const std::vector<double> left_open = covariance_by_scales(*scales, done.unknowns().stations[v].column, 3);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k) stations[v].covariance_um2[i][k] += left_open[3 * i + k];
+  }
+  for (std::size_t p = 0; p < scales->parts.size(); ++p) {
+    const auto at = static_cast<Eigen::Index>(p);
+    stations[scales->parts[p]].scale_um_per_m = scales->um_per_m[at];
+    stations[scales->parts[p]].scale_u_um_per_m = std::sqrt(scales->covariance(at, at));
+  }
+}
+
 /// Where they stand with the tools as stated: a tool that counts elsewhere moves all places it was seen from as far.
 std::vector<IdentifiedStation> stations_of(const Identifier& done, const MachineModel& machine,
                                            const VolumetricLengths& lengths, double factor) {
@@ -52,6 +68,7 @@ std::vector<IdentifiedStation> stations_of(const Identifier& done, const Machine
       for (double& c : row) c *= factor;
     stations.push_back(station);
   }
+  add_scales(done, stations);
   for (std::size_t i = 0; i < lengths.readings.size(); ++i) {
     if (done.set_aside()[i] || done.in_doubt(i) || done.is_copy(i) || done.is_of_unknown_direction(i)) continue;
     IdentifiedStation& station = stations[unknowns.stretches[unknowns.stretch_of[i]].virtual_station];
@@ -137,8 +154,12 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   });
   std::optional<SmoothedCurves> smoothed;
   if (done.penalty()) smoothed = detail::smoothed_curves(*done.penalty(), done.coefficients(), fit, covariance);
-  // Of what the smoothness tells, whole unknowns only: fewer degrees of freedom make uncertainties larger.
-  const std::size_t fitted = told - (smoothed ? static_cast<std::size_t>(smoothed->taken) : 0);
+  // Of what smoothness tells, whole unknowns only, and whole ones that scales take: fewer degrees of freedom make
+  // uncertainties larger.
+  const auto& scales = done.part_scales();
+  const bool has_scales = scales && scales->can_be_held();
+  const std::size_t fitted = told - (smoothed ? static_cast<std::size_t>(smoothed->taken) : 0) +
+                             (has_scales ? static_cast<std::size_t>(std::ceil(scales->taken)) : 0);
   const std::size_t dof = done.count() > fitted ? done.count() - fitted : 0;
   const double ratio = dof > 0 ? fit.chi_squared / static_cast<double>(dof) : 1.0;
   const double factor = std::max(1.0, ratio);
@@ -146,6 +167,10 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   if (smoothed && options.smoothness.kind == Smoothness::Kind::automatic)
     scaled = detail::with_bend_uncertainty(*done.penalty(), done.coefficients(), fit, covariance, std::move(scaled));
   if (smoothed) set_ratios(done, scaled, *smoothed);
+  if (has_scales) {
+    const std::vector<double> left_open = covariance_by_scales(*scales, 0, done.coefficients().raw());
+    for (std::size_t k = 0; k < scaled.size(); ++k) scaled[k] += left_open[k];
+  }
   detail::add_common_scale(done.problem(), fit.state, fit.beams, fit.solution, scaled);
   std::vector<std::vector<double>> unseen = fit.solution.unseen();
   const auto by_shape = detail::told_by_shape_alone(done.problem(), fit.state);
@@ -166,7 +191,9 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
                         .iterations = fit.iterations,
                         .drift = done.drift(),
                         .smoothed = std::move(smoothed),
+                        .part_scales = {},
                         .findings = {}};
+  if (scales) result.part_scales = PartScales{scales->spread_um_per_m, scales->chance, has_scales};
   result.findings = detail::findings_of(done, machine, lengths, result);
   return result;
 }

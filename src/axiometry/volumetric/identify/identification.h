@@ -47,10 +47,11 @@ struct IdentifyOptions {
   Reversal reversal = Reversal::none;
   Smoothness smoothness = {};  ///< not of Legendre polynomials, which are as smooth as their degree
   DriftModel drift = DriftModel::automatic;
-  bool find_breaks = true;    ///< look for breaks of the beam that the file does not tell
-  bool find_outliers = true;  ///< set readings aside that no model explains
-  std::size_t threads = 0;    ///< 0: as many as there are cores. The result does not depend on it
-  std::stop_token stop = {};  ///< nobody waits for it any more: fails, as unavailable
+  bool find_breaks = true;       ///< look for breaks of the beam that the file does not tell
+  bool find_outliers = true;     ///< set readings aside that no model explains
+  bool find_part_scales = true;  ///< look for parts that differ in scale, as of other temperatures
+  std::size_t threads = 0;       ///< 0: as many as there are cores. The result does not depend on it
+  std::stop_token stop = {};     ///< nobody waits for it any more: fails, as unavailable
 };
 
 /// Where the instrument stood, as one tool sees it.
@@ -62,6 +63,16 @@ struct IdentifiedStation {
   std::size_t readings = 0;
   double rms_um = 0.0;          ///< root mean square of its residuals
   double normalised_rms = 0.0;  ///< root mean square of its residuals over σ
+  std::optional<double> scale_um_per_m,
+      scale_u_um_per_m;  ///< where parts have scales of their own: that of axes and air
+};
+
+/// Parts, a station with a tool each, that were measured at temperatures of their own: their axes, or the air, differ
+/// in scale (docs/theory/volumetric.md, "Parts at temperatures of their own").
+struct PartScales {
+  double spread_um_per_m = 0.0;  ///< standard deviation of a part
+  double chance = 1.0;           ///< chance that scatter alone lets parts differ so much, or more
+  bool held = false;             ///< taken out, and in all uncertainties; else too few parts show it
 };
 
 struct IdentifiedStretch {
@@ -133,6 +144,7 @@ struct Identification {
   std::size_t iterations = 0;
   bool drift = false;                       ///< whether dead paths drift in the model
   std::optional<SmoothedCurves> smoothed;   ///< absent: nothing was taken for known of the curves
+  std::optional<PartScales> part_scales;    ///< absent: parts differ in scale no more than chance lets them
   std::vector<VolumetricFinding> findings;  ///< serious ones first
 
   double chi_squared_per_dof() const {

@@ -481,6 +481,7 @@ TEST(NoiseTrials, ScatterAsTheCovarianceSays) {
   const VolumetricLengths lengths = measured(machine, four_stations());
   IdentifyOptions options = with_spans(6);
   options.drift = DriftModel::none;
+  options.find_part_scales = false;
   const auto found = identify(machine.model, lengths, options);
   const auto trials = noise_trials(machine.model, lengths, options, 2000, 1);
   ASSERT_TRUE(found && trials);

@@ -373,7 +373,19 @@ Result<void> Identifier::run() {
   }
   AXIOMETRY_TRY_VOID(find_outliers());
   AXIOMETRY_TRY_VOID(drop_unclear_breaks());
-  return smooth();
+  AXIOMETRY_TRY_VOID(smooth());
+  find_part_scales();
+  return {};
+}
+
+void Identifier::find_part_scales() {
+  if (!options_.find_part_scales) return;
+  const double freedom = static_cast<double>(count()) - static_cast<double>(fit_->solution.told());
+  const Vector3 middle_mm = 0.5 * (observed_.lowest_mm + observed_.highest_mm);
+  auto found = part_scale_fit(problem(), *fit_, freedom, middle_mm);
+  if (!found || found->chance > (found->can_be_held() ? part_scales_level : untold_scales_level)) return;
+  if (found->can_be_held()) take_out(*found, problem(), *fit_);
+  part_scales_ = std::move(found);
 }
 
 }  // namespace axiometry::volumetric::detail

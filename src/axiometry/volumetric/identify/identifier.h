@@ -13,6 +13,7 @@
 #include "axiometry/volumetric/identify/curve_choice.h"
 #include "axiometry/volumetric/identify/equations/least_squares.h"
 #include "axiometry/volumetric/identify/identification.h"
+#include "axiometry/volumetric/identify/part_scales.h"
 
 /// The order of things in identify(). Internal.
 namespace axiometry::volumetric::detail {
@@ -30,7 +31,7 @@ class Identifier {
                                  const IdentifyOptions& options);
 
   /// Breaks, readings set aside, sizes of the curves, drift, all by the lengths alone; then smooth curves where they
-  /// are asked for; then the last fit.
+  /// are asked for; then the last fit, from which scales of the parts are taken where they have some of their own.
   Result<void> run();
 
   const std::vector<BreakPlace>& breaks() const { return judged_.places; }
@@ -52,7 +53,9 @@ class Identifier {
   const Smoothness& smoothness() const { return options_.smoothness; }
   bool bends_settled() const { return bends_settled_; }                 ///< what smoothness() lets find was found
   const PerCurve& plain_variances() const { return plain_variances_; }  ///< variances without the penalty, before φ
-  std::size_t count() const;                                            ///< readings that are used
+  /// Absent where parts were not looked at, or differ in scale no more than chance lets them.
+  const std::optional<PartScaleFit>& part_scales() const { return part_scales_; }
+  std::size_t count() const;  ///< readings that are used
   bool is_copy(std::size_t reading) const { return is_copy_[reading]; }
   /// Left out because nothing tells in which direction an axis had come to rest.
   bool is_of_unknown_direction(std::size_t reading) const { return of_unknown_direction_[reading]; }
@@ -103,6 +106,7 @@ class Identifier {
   Result<void> find_drift_and_breaks();
   Result<void> take_finer_sizes();
   Result<void> smooth();
+  void find_part_scales();
   bool set_aside_beyond_limit();
   void weigh_what_is_used();
   std::vector<double> stated_weights() const;  ///< 0 where nothing tells which dead path a reading has
@@ -131,6 +135,7 @@ class Identifier {
   std::optional<CurvaturePenalty> penalty_;
   PerCurve plain_variances_{};
   bool bends_settled_ = true;
+  std::optional<PartScaleFit> part_scales_;
 };
 
 }  // namespace axiometry::volumetric::detail

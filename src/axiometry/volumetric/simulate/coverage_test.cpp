@@ -47,6 +47,30 @@ TEST(Coverage, IsThatOfANormalDistributionWhereTheCurvesHoldTheTruth) {
   EXPECT_NEAR(coverage->chi_squared_per_dof(), 1.0, 4.0 * std::sqrt(2.0 / dof));
 }
 
+Share squareness_share(const CoverageStudy& study) {
+  Share share;
+  for (const CoverageTrial& trial : study.trials)
+    for (std::size_t k = 18; k < trial.errors.size(); ++k) share.add(trial.errors[k]);
+  return share;
+}
+
+/// Temperatures that differ by some 0.2 °C from station to station and tool to tool, on a machine of steel.
+TEST(Coverage, HoldsWhereStationsAndToolsHaveTemperaturesOfTheirOwn) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
+  const MachineModel machine = machine_to_try();
+  CoverageOptions options{.trials = 60, .seed = 9, .errors = parabolas(machine.travel), .points = 60};
+  options.faults.part_scale_um_per_m = 2.0;
+  options.identify = {.sizes = {2, 2, 2}, .drift = DriftModel::none, .find_breaks = false, .find_outliers = false};
+  const auto held = try_coverage(machine, options);
+  ASSERT_TRUE(held) << held.error().message;
+  EXPECT_GE(squareness_share(*held).share(), 0.90);
+  EXPECT_GE(held->total(&CoverageTrial::curves).share.share(), 0.90);
+  options.identify.find_part_scales = false;
+  const auto missed = try_coverage(machine, options);
+  ASSERT_TRUE(missed);
+  EXPECT_LE(squareness_share(*missed).share(), 0.75);
+}
+
 /// The same with halves of reversal of a constant and a slope.
 TrueErrors parabolas_with_halves(const TravelBox& travel) {
   TrueErrors errors = parabolas(travel);

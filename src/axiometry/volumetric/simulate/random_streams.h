@@ -20,6 +20,7 @@ enum Stream : std::uint64_t {
   stream_check,
   stream_order,
   stream_half,  ///< the first of 18, likewise
+  stream_scale = stream_half + 18,
 };
 
 }  // namespace axiometry::volumetric::detail

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -148,10 +149,12 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
   const std::size_t runs = machine.stations.size() * machine.tools.size();
   const std::vector<double> dead = uniforms(draw, detail::stream_dead_path, runs);
   const std::vector<double> drifts = normals(draw, detail::stream_drift, runs);
+  const std::vector<double> scales = normals(draw, detail::stream_scale, machine.stations.size() + runs);
   const std::vector<double> noise = normals(draw, detail::stream_noise, visits.size());
   VolumetricLengths& lengths = simulated.lengths;
   for (const NamedStation& station : machine.stations) lengths.stations.push_back(station.name);
   for (const Tool& tool : machine.tools) lengths.tools.push_back(tool.name);
+  constexpr double half = 1.0 / std::numbers::sqrt2;  // of the variance: as much of a station as of each of its runs
   auto jump = simulated.jumps.begin();
   std::size_t begin = 0, end = 0, segment = 0;
   double jumped_um = 0.0;
@@ -164,7 +167,8 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
       segment = 0;
       jumped_um = 0.0;
       simulated.dead_paths.push_back(
-          {visit.station, visit.tool, 100.0 + 700.0 * dead[run], faults.drift_um * drifts[run]});
+          {visit.station, visit.tool, 100.0 + 700.0 * dead[run], faults.drift_um * drifts[run],
+           faults.part_scale_um_per_m * half * (scales[visit.station] + scales[machine.stations.size() + run])});
     }
     for (; jump != simulated.jumps.end() && jump->before_reading == i; ++jump) {
       jumped_um += jump->jump_um;
@@ -174,12 +178,13 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
       lengths.segments.push_back(fmt::format("{}", lengths.segments.size() + 1));
     const Vector3 tool = machine.tools[visit.tool].offset_mm;
     const Vector3 delta = displacement_exact_um(machine, errors.at(visit.axes_mm, approaches[i]), visit.axes_mm, tool);
-    const double d = distance(visit.axes_mm + tool + 1e-3 * delta, machine.stations[visit.station].at_mm);
+    const SimulatedDeadPath& path = simulated.dead_paths.back();
+    const Vector3 at = (1.0 + 1e-6 * path.scale_um_per_m) * visit.axes_mm + tool + 1e-3 * delta;
+    const double d = distance(at, machine.stations[visit.station].at_mm);
     if (d < nearest_mm)
       return fail(fmt::format("found a point at the station {} itself, expected it elsewhere",
                               machine.stations[visit.station].name));
     const double along = end - begin > 1 ? static_cast<double>(i - begin) / static_cast<double>(end - begin - 1) : 0.0;
-    const SimulatedDeadPath& path = simulated.dead_paths.back();
     const double added_um =
         path.drift_um * along + jumped_um + wrong[i] + (faults.noise ? machine.sigma_um(d) * noise[i] : 0.0);
     lengths.readings.push_back(

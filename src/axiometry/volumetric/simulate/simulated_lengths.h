@@ -47,12 +47,13 @@ SimulatedCourse simulated_course(const MachineModel& machine, const SimulationCh
 
 /// What goes wrong; 0 does not.
 struct SimulatedFaults {
-  bool noise = true;              ///< whether instrument and machine scatter as the machine's file states
-  double drift_um = 0.0;          ///< standard deviation of what a dead path drifts from its first to its last reading
-  std::size_t told_breaks = 0;    ///< breaks of the beam that begin a segment
-  std::size_t untold_breaks = 0;  ///< which the file does not tell
-  std::size_t lost = 0;           ///< readings that are not there
-  std::size_t outliers = 0;       ///< readings that are wrong by 20 µm to 2 mm
+  bool noise = true;      ///< whether instrument and machine scatter as the machine's file states
+  double drift_um = 0.0;  ///< standard deviation of what a dead path drifts from its first to its last reading
+  double part_scale_um_per_m = 0.0;  ///< standard deviation of how much longer axes are at a station with a tool
+  std::size_t told_breaks = 0;       ///< breaks of the beam that begin a segment
+  std::size_t untold_breaks = 0;     ///< which the file does not tell
+  std::size_t lost = 0;              ///< readings that are not there
+  std::size_t outliers = 0;          ///< readings that are wrong by 20 µm to 2 mm
 };
 
 struct SimulatedJump {
@@ -67,8 +68,9 @@ struct SimulatedOutlier {
 struct SimulatedDeadPath {
   std::size_t station = 0;
   std::size_t tool = 0;
-  double dead_path_mm = 0.0;  ///< dead path at its first reading, before any break
-  double drift_um = 0.0;      ///< drift of the lengths up to its last reading
+  double dead_path_mm = 0.0;    ///< dead path at its first reading, before any break
+  double drift_um = 0.0;        ///< drift of the lengths up to its last reading
+  double scale_um_per_m = 0.0;  ///< how much longer axes are than the errors say
 };
 
 struct SimulatedLengths {
@@ -82,9 +84,9 @@ struct SimulatedLengths {
 
 /// In which direction axes came to rest is told by the visit before, as identify() has it, lost ones included; before
 /// the first move at a station with a tool an axis came moving up.
-/// length = |q + t + δ − s| − dead path + drift + jumps + noise, with δ by exact transformations (kinematics.h), s the
-/// stations of the machine and σ after MachineModel::sigma_um(). Fails on no station, no visit, a point within 1 mm of
-/// its station, and on more faults than a quarter of the readings.
+/// length = |(1 + scale) q + t + δ − s| − dead path + drift + jumps + noise, with δ by exact transformations
+/// (kinematics.h), s the stations of the machine and σ after MachineModel::sigma_um(). Fails on no station, no visit, a
+/// point within 1 mm of its station, and on more faults than a quarter of the readings.
 Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const TrueErrors& errors,
                                           const std::vector<Visit>& visits, const SimulatedFaults& faults, Draw draw);
 

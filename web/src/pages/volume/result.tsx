@@ -80,6 +80,10 @@ function Stations({ result: { stations } }: { result: VolumetricResult }) {
       { key: 'readings', head: t('readings'), number: true, cell: ({ readings }) => count(readings) },
       { key: 'rms', head: t('rms'), number: true, cell: ({ rms_um }) => fixed(rms_um, 2) },
       { key: 'normalised', head: t('normalised'), number: true, cell: ({ normalised_rms }) => fixed(normalised_rms, 2) },
+      ...(stations.some(({ scale_um_per_m }) => scale_um_per_m !== undefined) ? [
+        { key: 'scale', head: t('part_scale'), number: true, cell: ({ scale_um_per_m: scale, scale_u_um_per_m: u }: (typeof stations)[number]) =>
+          (scale === undefined || u === undefined ? absent : `${fixed(scale, 2)} ± ${fixed(2 * u, 2)}`) },
+      ] : []),
     ]} />
   );
 }

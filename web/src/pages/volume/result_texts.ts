@@ -50,6 +50,7 @@ export const t = texts({
   readings: 'Lengths',
   rms: 'rms of residuals / µm',
   normalised: 'in units of the stated σ',
+  part_scale: 'longer axes, U (k = 2) / µm/m',
   field: 'The error in the volume',
   field_how: 'Each arrow is the error of the tool point at its place, enlarged; the colour of a slice is its length.',
   computing: 'Computing …',

@@ -25,18 +25,6 @@ constexpr double slow = 0.2;  // ratio of one step to the one before; 1e-4 is us
 constexpr int halvings_most = 10;
 constexpr double huber_limit = 2.0;
 
-void apply(const Unknowns& unknowns, std::span<const double> step, State& state) {
-  constexpr double mm_per_um = 1e-3;
-  for (std::size_t k = 0; k < unknowns.coefficients; ++k) state.coefficients[k] += step[k];
-  for (std::size_t v = 0; v < unknowns.stations.size(); ++v)
-    for (std::size_t k = 0; k < 3; ++k) state.stations_mm[v][k] += mm_per_um * step[unknowns.stations[v].column + k];
-  for (std::size_t j = 0; j < unknowns.stretches.size(); ++j) {
-    const std::size_t column = unknowns.stretches[j].column;
-    state.dead_paths_mm[j] += mm_per_um * step[column];
-    if (unknowns.drift) state.drifts_um[j] += step[column + 1];
-  }
-}
-
 double farthest(std::span<const Vector3> from, std::span<const Vector3> to) {
   double most = 0.0;
   for (std::size_t k = 0; k < from.size(); ++k) most = std::max(most, distance(from[k], to[k]));
@@ -79,7 +67,7 @@ Result<Fit> least_squares(const Problem& problem, State state) {
     const double size = std::sqrt(std::max(0.0, decrease));
     if (!std::isfinite(size) || (step_number > steps_most && size > small_step)) break;
     if (size < (step_number < small_steps_most ? converged_step : near_enough)) {
-      apply(problem.unknowns, step, state);
+      add_step(problem.unknowns, step, state);
       return Fit{std::move(state),          std::move(now.seen.residuals_um),
                  std::move(now.seen.beams), std::move(solution),
                  now.chi_squared,           step_number};
@@ -88,7 +76,7 @@ Result<Fit> least_squares(const Problem& problem, State state) {
     const double sum_before = now.sum();
     for (int halved = 0;; ++halved) {
       state = from;
-      apply(problem.unknowns, step, state);
+      add_step(problem.unknowns, step, state);
       now = look(problem, state);
       if (now.sum() <= sum_before * (1.0 + 1e-9) + 1e-9 || halved == halvings_most) break;
       for (double& x : step) x *= 0.5;

@@ -89,7 +89,7 @@ std::vector<double> gradient(const Problem& problem, std::span<const Vector3> be
   for_chunks(problem, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     std::vector<double> sum(problem.unknowns.columns, 0.0);
     for (std::size_t i = begin; i < end; ++i)
-      if (problem.weights[i] != 0.0)
+      if (problem.weights[i] != 0.0 && v[i] != 0.0)
         add_times(problem, beam_row(problem, i), i, beams[i], problem.weights[i] * v[i], sum);
     parts[chunk] = std::move(sum);
   });

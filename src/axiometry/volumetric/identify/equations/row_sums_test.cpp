@@ -103,7 +103,7 @@ TEST(LeastSquares, OfVeryManyReadingsEndsWhereAllOfThemSay) {
   IdentifyOptions options;
   options.sizes = {2, 2, 2};
   options.drift = DriftModel::none;
-  options.find_breaks = options.find_outliers = false;
+  options.find_breaks = options.find_outliers = options.find_part_scales = false;
   options.threads = 1;
   auto done = Identifier::make(machine.model, lengths, options);
   ASSERT_TRUE(done);

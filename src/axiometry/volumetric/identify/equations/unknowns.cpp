@@ -42,4 +42,16 @@ Unknowns unknowns_of(const Coefficients& coefficients, std::span<const Volumetri
   return unknowns;
 }
 
+void add_step(const Unknowns& unknowns, std::span<const double> step, State& state) {
+  constexpr double mm_per_um = 1e-3;
+  for (std::size_t k = 0; k < unknowns.coefficients; ++k) state.coefficients[k] += step[k];
+  for (std::size_t v = 0; v < unknowns.stations.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) state.stations_mm[v][k] += mm_per_um * step[unknowns.stations[v].column + k];
+  for (std::size_t j = 0; j < unknowns.stretches.size(); ++j) {
+    const std::size_t column = unknowns.stretches[j].column;
+    state.dead_paths_mm[j] += mm_per_um * step[column];
+    if (unknowns.drift) state.drifts_um[j] += step[column + 1];
+  }
+}
+
 }  // namespace axiometry::volumetric::detail

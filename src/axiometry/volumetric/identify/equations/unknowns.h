@@ -52,4 +52,7 @@ struct State {
   std::vector<double> drifts_um;  ///< drift over each stretch
 };
 
+/// `step`: of all columns, raw, µm and µrad.
+void add_step(const Unknowns& unknowns, std::span<const double> step, State& state);
+
 }  // namespace axiometry::volumetric::detail

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "axiometry/base/text/number_text.h"
+#include "axiometry/base/text/rounded_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/numeric/distributions/chi_square.h"
 #include "axiometry/volumetric/field/unseen_reasons.h"
@@ -77,6 +78,31 @@ void add_scatter(const Identification& result, std::vector<VolumetricFinding>& f
                         fmt::format("the residuals are {:.2f} times what the uncertainties of instrument and machine "
                                     "let one expect: these are stated too large, and so are all uncertainties",
                                     std::sqrt(ratio))});
+}
+
+void add_part_scales(const VolumetricLengths& lengths, const Identification& result,
+                     std::vector<VolumetricFinding>& findings) {
+  if (!result.part_scales) return;
+  const PartScales& scales = *result.part_scales;
+  if (!scales.held) {
+    findings.push_back({"volumetric-part-scales", true,
+                        fmt::format("the axes seem longer at one part, a station with a tool, than at another ({}), as "
+                                    "where machine or air became warmer or colder between them: so few parts do not "
+                                    "tell by how much, and uncertainties, of squareness too, do not hold it",
+                                    format_chance(scales.chance))});
+    return;
+  }
+  const auto size = [](const IdentifiedStation& s) { return std::abs(s.scale_um_per_m.value_or(0.0)); };
+  const IdentifiedStation& farthest = *std::ranges::max_element(result.stations, {}, size);
+  findings.push_back(
+      {"volumetric-part-scales", false,
+       fmt::format("the axes differ in length from part to part, a station with a tool each, by {} µm/m (standard "
+                   "deviation, {}), as where machine or air become warmer or colder between them; at station {} with "
+                   "tool {} they seem {} µm/m {} than on average: this was taken out, and uncertainties hold how well "
+                   "it is known",
+                   format_significant(scales.spread_um_per_m, 2), format_chance(scales.chance),
+                   text::quoted(lengths.stations[farthest.station]), text::quoted(lengths.tools[farthest.tool]),
+                   format_significant(size(farthest), 2), farthest.scale_um_per_m > 0.0 ? "longer" : "shorter")});
 }
 
 void add_set_aside(const VolumetricLengths& lengths, const Identification& result,
@@ -319,6 +345,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_unseen(machine, lengths, result, findings);
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
+  add_part_scales(lengths, result, findings);
   const bool in_rows = is_in_rows(lengths.readings);
   add_residual_causes(done, machine, lengths, in_rows, findings);
   if (!in_rows) {

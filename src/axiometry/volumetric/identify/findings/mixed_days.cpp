@@ -6,15 +6,14 @@
 
 #include "axiometry/numeric/dense/dense.h"
 #include "axiometry/volumetric/identify/findings/tried_fit.h"
+#include "axiometry/volumetric/identify/strain_system.h"
 
 namespace axiometry::volumetric::detail {
 namespace {
 
 constexpr std::size_t part_readings_least = 10;  // readings; the place and the dead path of the part take four unknowns
 constexpr double days_chance_most = 1e-4;        // low, since every set of lengths is searched unasked
-constexpr int kinds = 6;                         // components of strain: three scales, three squarenesses
-
-using Strains = Eigen::Matrix<double, kinds, 1>;
+constexpr int kinds = strain_count;
 
 /// Readings of one station, tool and segment, earlier or later ones; where breaks of the beam were found does not
 /// matter.
@@ -61,14 +60,6 @@ std::vector<SegmentPart> parts_of(const Problem& problem, std::span<const std::s
   return parts;
 }
 
-/// What axes of its own make of a length, with half the difference of both parts.
-Strains strain_row(const Problem& problem, std::size_t i, Vector3 u, Vector3 middle_mm) {
-  const Vector3 q = 1e-3 * (problem.readings[i].axes_mm - middle_mm);
-  Strains row;
-  row << u.x * q.x, u.y * q.y, u.z * q.z, -u.x * q.y, u.x * q.z, -u.y * q.z;
-  return row;
-}
-
 /// Sums over the parts, of strains of which nothing is left that a place or a dead path of a part could do.
 struct StrainSums {
   Eigen::Matrix<double, kinds, kinds> matrix = decltype(matrix)::Zero();
@@ -84,7 +75,7 @@ void add_part(const Problem& problem, const Fit& fit, const SegmentPart& part, V
     const Vector3 u = fit.beams[i];
     const Eigen::Vector4d place(u.x, u.y, u.z, 1.0);  // three coordinates of the station and its dead path
     const double w = problem.weights[i];
-    const Strains strain = part.sign * strain_row(problem, i, u, middle_mm);
+    const Strains strain = part.sign * strained_um(u, 1e-3 * (problem.readings[i].axes_mm - middle_mm));
     places += w * place * place.transpose();
     rights.leftCols<kinds>() += w * place * strain.transpose();
     rights.col(kinds) += w * fit.residuals_um[i] * place;

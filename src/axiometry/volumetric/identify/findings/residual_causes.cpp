@@ -15,6 +15,7 @@
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
 #include "axiometry/volumetric/identify/findings/reversal_causes.h"
 #include "axiometry/volumetric/identify/findings/tried_fit.h"
+#include "axiometry/volumetric/identify/strain_system.h"
 #include "axiometry/volumetric/machine/error_motion.h"
 
 namespace axiometry::volumetric::detail {
@@ -58,12 +59,6 @@ std::optional<VolumetricFinding> other_order(const Identifier& done, const Machi
                   machine.chain.text(), own.ratio())};
 }
 
-/// What axes of its own change in a length: three that are longer or shorter, in mm/m, and three angles between them.
-constexpr std::size_t strain_count = 6;
-std::array<double, strain_count> strains(Vector3 u, Vector3 q_m) {
-  return {u.x * q_m.x, u.y * q_m.y, u.z * q_m.z, -u.x * q_m.y, u.x * q_m.z, -u.y * q_m.z};
-}
-
 /// How much less χ² were if each of some stretches had axes of its own, and what each has of that.
 struct StrainGain {
   double chi_squared = 0.0;
@@ -75,33 +70,17 @@ struct StrainGain {
 /// in common is in the curves, and is no gain.
 StrainGain strain_gain(const Problem& some, const Fit& fit, Vector3 middle_mm, std::span<const std::size_t> stretches) {
   constexpr double told_least = 1e-6;  // smallest eigenvalue of the scaled matrix that counts as told
-  const auto columns = static_cast<Eigen::Index>(strain_count * stretches.size());
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(columns, columns);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(columns);
-  std::vector<std::vector<double>> gradients, steps;
-  for (std::size_t j = 0; j < stretches.size(); ++j) {
-    std::array<std::vector<double>, strain_count> changes;
-    for (auto& change : changes) change.assign(some.readings.size(), 0.0);
-    const auto first = static_cast<Eigen::Index>(strain_count * j);
-    for (std::size_t i = 0; i < some.readings.size(); ++i) {
-      if (some.unknowns.stretch_of[i] != stretches[j]) continue;
-      const auto row = strains(fit.beams[i], 1e-3 * (some.readings[i].axes_mm - middle_mm));
-      const Eigen::Map<const Eigen::VectorXd> s(row.data(), strain_count);
-      matrix.block(first, first, strain_count, strain_count) += some.weights[i] * s * s.transpose();
-      right.segment(first, strain_count) += some.weights[i] * fit.residuals_um[i] * s;
-      for (std::size_t k = 0; k < strain_count; ++k) changes[k][i] = row[k];
-    }
-    for (const auto& change : changes) {
-      gradients.push_back(gradient(some, fit.beams, change));
-      steps.push_back(fit.solution.step(gradients.back()));
-    }
+  std::vector<ReadingGroup> groups;
+  for (const std::size_t stretch : stretches) {
+    groups.emplace_back();
+    for (std::size_t i = 0; i < some.readings.size(); ++i)
+      if (some.unknowns.stretch_of[i] == stretch) groups.back().push_back(i);
   }
-  const Eigen::VectorXd scale = matrix.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  for (Eigen::Index c = 0; c < columns; ++c)
-    for (Eigen::Index d = 0; d < columns; ++d) {
-      const auto& g = gradients[static_cast<std::size_t>(c)];
-      matrix(c, d) -= std::inner_product(g.begin(), g.end(), steps[static_cast<std::size_t>(d)].begin(), 0.0);
-    }
+  std::vector<Strains> modes;
+  for (int k = 0; k < strain_count; ++k) modes.push_back(Strains::Unit(k));
+  const auto& [matrix, right, whole, steps] = strain_system(some, fit, groups, modes, middle_mm);
+  const Eigen::Index columns = right.size();
+  const Eigen::VectorXd scale = whole.cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(scaled);
   const Eigen::VectorXd scaled_right = scale.cwiseProduct(right);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "axiometry/volumetric/identify/part_scales.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "axiometry/volumetric/identify/findings/finding_test_support.h"
+#include "tests/support/statistics_of_trials.h"
+
+namespace axiometry::volumetric {
+namespace {
+
+using test::beam;
+using test::four_stations;
+using test::identified;
+using test::machine_with_repeatability;
+using test::measured;
+using test::told;
+using test::TrueMachine;
+using ::testing::HasSubstr;
+
+/// Axes that are longer by so much at each station with each tool.
+template <typename Scale>
+void make_longer(const TrueMachine& machine, VolumetricLengths& lengths, const Scale& um_per_m) {
+  for (VolumetricReading& reading : lengths.readings)
+    reading.length_mm += 1e-6 * um_per_m(reading.station, reading.tool) * dot(reading.axes_mm, beam(machine, reading));
+}
+
+TEST(PartScales, AreThoseOfEachStationAndToolLessWhatAllHaveInCommon) {
+  TrueMachine machine = machine_with_repeatability("XFYZ", 31);
+  VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});
+  const auto scale = [](std::size_t station, std::size_t tool) { return 4.0 * double(station) - 3.0 * double(tool); };
+  make_longer(machine, lengths, scale);
+  const Identification found = identified(machine, lengths);
+  ASSERT_TRUE(found.part_scales);
+  EXPECT_TRUE(found.part_scales->held);
+  EXPECT_LT(found.part_scales->chance, 1e-6);
+  EXPECT_LT(found.chi_squared_per_dof(), 1.15);
+  double mean = 0.0;
+  for (const IdentifiedStation& s : found.stations) mean += (*s.scale_um_per_m - scale(s.station, s.tool)) / 12.0;
+  for (const IdentifiedStation& s : found.stations)
+    EXPECT_NEAR(*s.scale_um_per_m - mean, scale(s.station, s.tool), 3.0) << s.station << " " << s.tool;
+  EXPECT_THAT(told(found, "volumetric-part-scales"), HasSubstr("the axes differ in length from part to part"));
+  EXPECT_EQ(told(found, "volumetric-axes-changed"), "");
+  EXPECT_EQ(told(found, "volumetric-scatter"), "");
+}
+
+TEST(PartScales, AreNotLookedForWhereNobodyWantsThem) {
+  TrueMachine machine = machine_with_repeatability("XFYZ", 32);
+  VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});
+  make_longer(machine, lengths, [](std::size_t station, std::size_t) { return 5.0 * double(station); });
+  EXPECT_FALSE(identified(machine, lengths, {.find_part_scales = false}).part_scales);
+  EXPECT_TRUE(identified(machine, lengths).part_scales);
+}
+
+TEST(PartScales, OfFewPartsAreASeriousFinding) {
+  TrueMachine machine = machine_with_repeatability("XFYZ", 33);
+  machine.model.tools.resize(1);
+  auto stations = four_stations();
+  stations.resize(3);
+  VolumetricLengths lengths = measured(machine, stations, {.points = 200});
+  make_longer(machine, lengths, [](std::size_t station, std::size_t) { return station == 1 ? 40.0 : 0.0; });
+  const Identification found = identified(machine, lengths);
+  ASSERT_TRUE(found.part_scales);
+  EXPECT_FALSE(found.part_scales->held);
+  EXPECT_FALSE(found.stations.front().scale_um_per_m);
+  EXPECT_THAT(told(found, "volumetric-part-scales"), HasSubstr("so few parts do not tell by how much"));
+  EXPECT_TRUE(found.findings.front().serious);
+}
+
+TEST(PartScales, AreSeldomFoundWhereThereAreNone) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
+  std::size_t found = 0, tried = 0;
+  for (unsigned seed = 400; seed < 450; ++seed, ++tried) {
+    TrueMachine machine = machine_with_repeatability("XFYZ", seed);
+    found += identified(machine, measured(machine, four_stations(), {.points = 80})).part_scales ? 1u : 0u;
+  }
+  EXPECT_LE(static_cast<double>(found), 0.4 * static_cast<double>(tried));  // 0.2 are asked for
+}
+
+}  // namespace
+}  // namespace axiometry::volumetric
