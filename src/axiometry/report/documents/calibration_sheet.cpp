@@ -174,7 +174,8 @@ class CalibrationSheet {
                             told(expected.u_mean), told(expected.u_most)});
     }
     table.notes = {plain(
-        "Standard uncertainties (k = 1), from the uncertainties that are stated of the instrument and the machine.")};
+        "Standard uncertainties (k = 1), from the uncertainties that are stated of the instrument and the machine, where "
+        "all parts are measured at one temperature.")};
     table.dense = true;
     return table;
   }

@@ -83,6 +83,15 @@ void tell_geometry(const FindingInput& in, std::vector<Finding>& findings) {
                      station_name(in.options, in.weakest_station), in.fit.rank.weakest_mm, bend)});
 }
 
+/// What no residual shows and no covariance holds.
+void tell_scale(const FindingInput& in, std::vector<Finding>& findings) {
+  if (in.options.scale != ScaleModel::fixed) return;
+  findings.push_back({"multilateration-scale-known", false,
+                      "the scale of the lengths counts as known: an error that all have in common, as of the "
+                      "wavelength in air, changes the size of everything, while uncertainties count lengths that err "
+                      "each by itself; a common scale with its prior uncertainty holds it"});
+}
+
 }  // namespace
 
 std::string station_name(const MultilaterationOptions& options, std::size_t j) {
@@ -105,6 +114,7 @@ std::vector<Finding> multilateration_findings(const FindingInput& in) {
   tell_breaks(in, findings);
   tell_outliers(in, findings);
   tell_chi_squared(in, findings);
+  tell_scale(in, findings);
   return findings;
 }
 
