@@ -4120,7 +4120,7 @@ export interface components {
                     };
                 };
             } | null;
-            /** @description Null where parts, a station with a tool each, differ in scale no more than chance lets them. */
+            /** @description Null where it was not looked for, or parts, a station with a tool each, differ in scale no more than chance lets them in four of five calibrations. */
             part_scales?: {
                 /** @description Standard deviation of a part. */
                 spread_um_per_m: number;
@@ -4128,6 +4128,8 @@ export interface components {
                 chance: number;
                 /** @description Taken out, and in all uncertainties. */
                 held: boolean;
+                /** @description Where a scale moves nothing. */
+                about_mm: number[];
             } | null;
             findings: components["schemas"]["VolumetricFinding"][];
             model: components["schemas"]["VolumetricModel"];

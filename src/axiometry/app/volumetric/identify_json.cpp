@@ -122,6 +122,7 @@ Value part_scales_value(const Identification& found) {
   value.add("spread_um_per_m", found.part_scales->spread_um_per_m);
   value.add("chance", found.part_scales->chance);
   value.add("held", found.part_scales->held);
+  value.add("about_mm", vector_value(found.part_scales->about_mm));
   return value;
 }
 

@@ -70,9 +70,12 @@ class CalibrationSheet {
 
   Table run_table() const {
     Table table;
-    table.columns = {{plain("Run number"), Align::decimal, true}, {plain("Station"), Align::start},
-                     {plain("Tool"), Align::start},        {plain("Points"), Align::decimal},
-                     {plain("Beam lost"), Align::decimal}, {plain("First point"), Align::start}};
+    table.columns = {{plain("Run number"), Align::decimal, true},
+                     {plain("Station"), Align::start},
+                     {plain("Tool"), Align::start},
+                     {plain("Points"), Align::decimal},
+                     {plain("Beam lost"), Align::decimal},
+                     {plain("First point"), Align::start}};
     for (std::size_t k = 0; k < plan_.runs.size(); ++k) {
       const PlannedRun& run = plan_.runs[k];
       const auto lost = std::ranges::count_if(run.stops, [](const PlannedStop& stop) { return !stop.beam_kept; });
@@ -173,9 +176,10 @@ class CalibrationSheet {
       table.rows.push_back({verbatim_cell(names[e]), text_cell(motion && !motion->is_rotation() ? "µm" : "µrad"),
                             told(expected.u_mean), told(expected.u_most)});
     }
-    table.notes = {plain(
-        "Standard uncertainties (k = 1), from the uncertainties that are stated of the instrument and the machine, where "
-        "all parts are measured at one temperature.")};
+    table.notes = {
+        plain("Standard uncertainties (k = 1), from the uncertainties that are stated of the instrument and the "
+              "machine, where "
+              "all parts are measured at one temperature.")};
     table.dense = true;
     return table;
   }

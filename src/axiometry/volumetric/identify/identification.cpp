@@ -193,7 +193,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
                         .smoothed = std::move(smoothed),
                         .part_scales = {},
                         .findings = {}};
-  if (scales) result.part_scales = PartScales{scales->spread_um_per_m, scales->chance, has_scales};
+  if (scales) result.part_scales = PartScales{scales->spread_um_per_m, scales->chance, has_scales, scales->about_mm};
   result.findings = detail::findings_of(done, machine, lengths, result);
   return result;
 }

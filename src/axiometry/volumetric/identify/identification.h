@@ -73,6 +73,7 @@ struct PartScales {
   double spread_um_per_m = 0.0;  ///< standard deviation of a part
   double chance = 1.0;           ///< chance that scatter alone lets parts differ so much, or more
   bool held = false;             ///< taken out, and in all uncertainties; else too few parts show it
+  Vector3 about_mm;              ///< where a scale moves nothing: places of stations are such that it is so
 };
 
 struct IdentifiedStretch {
@@ -142,9 +143,10 @@ struct Identification {
   std::size_t degrees_of_freedom = 0;
   VolumetricRank rank;
   std::size_t iterations = 0;
-  bool drift = false;                       ///< whether dead paths drift in the model
-  std::optional<SmoothedCurves> smoothed;   ///< absent: nothing was taken for known of the curves
-  std::optional<PartScales> part_scales;    ///< absent: parts differ in scale no more than chance lets them
+  bool drift = false;                      ///< whether dead paths drift in the model
+  std::optional<SmoothedCurves> smoothed;  ///< absent: nothing was taken for known of the curves
+  std::optional<PartScales>
+      part_scales;  ///< absent: not looked for, or no more than chance lets parts differ in one of five calibrations
   std::vector<VolumetricFinding> findings;  ///< serious ones first
 
   double chi_squared_per_dof() const {

@@ -106,7 +106,7 @@ class Identifier {
   Result<void> find_drift_and_breaks();
   Result<void> take_finer_sizes();
   Result<void> smooth();
-  void find_part_scales();
+  Result<void> find_part_scales();
   bool set_aside_beyond_limit();
   void weigh_what_is_used();
   std::vector<double> stated_weights() const;  ///< 0 where nothing tells which dead path a reading has

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double share_of_station = 0.5;  // of the variance, which the parts of a station have in common
 constexpr std::size_t parts_most = 300;
-constexpr double ratio_most = 4.0;   // χ²/ν: of lengths that fit so badly no part of what is left is a scale
 constexpr double told_least = 1e-4;  // of the largest sum of squares: what is less is what all parts have in common
 
 const Strains all_axes{{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}};
@@ -110,12 +109,14 @@ std::optional<PartScaleFit> part_scale_fit(const Problem& problem, const Fit& fi
   const std::vector<VirtualStation>& stations = problem.unknowns.stations;
   std::vector<ReadingGroup> readings(stations.size());
   for (std::size_t i = 0; i < problem.readings.size(); ++i)
-    if (problem.weights[i] > 0.0)
-      readings[problem.unknowns.stretches[problem.unknowns.stretch_of[i]].virtual_station].push_back(i);
+    readings[problem.unknowns.stretches[problem.unknowns.stretch_of[i]].virtual_station].push_back(i);
+  const auto counts = [&](const ReadingGroup& group) {
+    return std::ranges::any_of(group, [&](std::size_t i) { return problem.weights[i] > 0.0; });
+  };
   PartScaleFit found;
   for (std::size_t v = 0; v < stations.size(); ++v)
-    if (!readings[v].empty()) found.parts.push_back(v);
-  std::erase_if(readings, [](const ReadingGroup& group) { return group.empty(); });
+    if (counts(readings[v])) found.parts.push_back(v);
+  std::erase_if(readings, [&](const ReadingGroup& group) { return !counts(group); });
   if (found.parts.size() < 2 || found.parts.size() > parts_most) return std::nullopt;
 
   StrainSystem system = strain_system(problem, fit, readings, {&all_axes, 1}, middle_mm);
@@ -127,9 +128,11 @@ std::optional<PartScaleFit> part_scale_fit(const Problem& problem, const Fit& fi
     gained.unknowns += 1.0;
   }
   const FitQuality larger{fit.chi_squared - gained.chi_squared, degrees_of_freedom - gained.unknowns};
-  if (gained.unknowns < 1.0 || larger.degrees_of_freedom < 1.0 || larger.ratio() > ratio_most) return std::nullopt;
+  if (gained.unknowns < 1.0 || larger.degrees_of_freedom < 1.0) return std::nullopt;
   found.directions = gained.unknowns;
-  found.chance = chance_of(gained, larger);
+  const bool all_explained = !(larger.chi_squared > 0.0) && gained.chi_squared > gained.unknowns;  // but for rounding
+  found.chance = all_explained ? 0.0 : chance_of(gained, larger);
+  found.about_mm = middle_mm;
   take_moments(principal, std::max(1.0, larger.ratio()), found);
   found.in_readings_um = strains_in_readings(problem, fit, readings, {&all_axes, 1}, middle_mm, found.um_per_m);
   found.steps = std::move(system.steps);

@@ -16,12 +16,13 @@ namespace axiometry::volumetric::detail {
 /// makes what is stated of squareness wrong, and one that is none costs little.
 inline constexpr double part_scales_level = 0.2;
 
-/// How often it is told as a fault where so few parts show it that nothing can hold it.
-inline constexpr double untold_scales_level = 0.001;
+/// How often it is told where so few parts show it that nothing can hold it.
+inline constexpr double untold_scales_level = 0.05;
 
 /// Normal scales of the parts, half of their variance common to the parts of a station.
 struct PartScaleFit {
   std::vector<std::size_t> parts;  ///< virtual stations with readings that count, rising
+  Vector3 about_mm;                ///< where a scale moves nothing: the middle of the places that were read
   double chance = 1.0;             ///< chance that scatter alone lets lengths of the parts differ so in scale, by F
   double directions = 0.0;         ///< in how many ways the lengths tell that parts differ
   double spread_um_per_m = 0.0;    ///< standard deviation of a part: root of the mean square that it may have
@@ -36,7 +37,7 @@ struct PartScaleFit {
 };
 
 /// `degrees_of_freedom`: those of the fit. Absent where no two parts can be told from
-/// each other, and where the lengths fit badly with scales too.
+/// each other.
 std::optional<PartScaleFit> part_scale_fit(const Problem& problem, const Fit& fit, double degrees_of_freedom,
                                            Vector3 middle_mm);
 

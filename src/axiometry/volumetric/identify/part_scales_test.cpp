@@ -47,6 +47,29 @@ TEST(PartScales, AreThoseOfEachStationAndToolLessWhatAllHaveInCommon) {
   EXPECT_EQ(told(found, "volumetric-scatter"), "");
 }
 
+// A part that is longer by 8 µm/m makes its far readings look like outliers; with its scale they fit.
+TEST(PartScales, MakeNoReadingAnOutlier) {
+  for (const unsigned seed : {34u, 35u, 36u}) {
+    TrueMachine machine = machine_with_repeatability("XFYZ", seed);
+    VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});
+    make_longer(machine, lengths,
+                [](std::size_t station, std::size_t tool) { return station == 2 && tool == 1 ? 12.0 : 0.0; });
+    const Identification found = identified(machine, lengths);
+    ASSERT_TRUE(found.part_scales) << seed;
+    EXPECT_LE(found.set_aside.size(), 1u) << seed;
+  }
+}
+
+// Of lengths without noise scales explain all: that is no chance.
+TEST(PartScales, AreFoundWhereTheyExplainAllThereIs) {
+  TrueMachine machine = machine_with_repeatability("XFYZ", 37);
+  VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80, .noise = false});
+  make_longer(machine, lengths, [](std::size_t station, std::size_t) { return 4.0 * double(station); });
+  const Identification found = identified(machine, lengths);
+  ASSERT_TRUE(found.part_scales);
+  EXPECT_LT(found.part_scales->chance, 1e-6);
+}
+
 TEST(PartScales, AreNotLookedForWhereNobodyWantsThem) {
   TrueMachine machine = machine_with_repeatability("XFYZ", 32);
   VolumetricLengths lengths = measured(machine, four_stations(), {.points = 80});

@@ -25,6 +25,8 @@ namespace {
 constexpr double aside_share_most = 0.02;
 constexpr double chance_least = 1e-3;
 constexpr double ratio_serious = 4.0;
+constexpr double scales_certain = 0.01;                 // chance above which parts may differ, and no part is named
+constexpr double spread_serious_um_per_m = 10.0;        // as of an axis of steel by 1 °C
 constexpr double decided_u_ratio = 1.4142135623730951;  // √2: smoothness then gives half of the information on a curve
 
 std::string place_text(const VolumetricLengths& lengths, std::size_t i) {
@@ -85,24 +87,38 @@ void add_part_scales(const VolumetricLengths& lengths, const Identification& res
   if (!result.part_scales) return;
   const PartScales& scales = *result.part_scales;
   if (!scales.held) {
-    findings.push_back({"volumetric-part-scales", true,
+    findings.push_back({"volumetric-part-scales", scales.chance < chance_least,
                         fmt::format("the axes seem longer at one part, a station with a tool, than at another ({}), as "
                                     "where machine or air became warmer or colder between them: so few parts do not "
                                     "tell by how much, and uncertainties, of squareness too, do not hold it",
                                     format_chance(scales.chance))});
     return;
   }
+  const std::string by = format_significant(scales.spread_um_per_m, 2), chance = format_chance(scales.chance);
+  if (scales.chance > scales_certain) {
+    findings.push_back(
+        {"volumetric-part-scales", false,
+         fmt::format(
+             "the axes may differ in length from part to part, a station with a tool each, by {} µm/m (standard "
+             "deviation, {}), as where machine or air become warmer or colder between them: what the lengths "
+             "show of it was taken out, and is in the uncertainties",
+             by, chance)});
+    return;
+  }
   const auto size = [](const IdentifiedStation& s) { return std::abs(s.scale_um_per_m.value_or(0.0)); };
   const IdentifiedStation& farthest = *std::ranges::max_element(result.stations, {}, size);
+  const char* cause =
+      result.chi_squared_per_dof() > ratio_serious ? ", or where the lengths show what 21 errors do not describe" : "";
   findings.push_back(
-      {"volumetric-part-scales", false,
+      {"volumetric-part-scales", scales.spread_um_per_m > spread_serious_um_per_m,
        fmt::format("the axes differ in length from part to part, a station with a tool each, by {} µm/m (standard "
-                   "deviation, {}), as where machine or air become warmer or colder between them; at station {} with "
-                   "tool {} they seem {} µm/m {} than on average: this was taken out, and uncertainties hold how well "
-                   "it is known",
-                   format_significant(scales.spread_um_per_m, 2), format_chance(scales.chance),
-                   text::quoted(lengths.stations[farthest.station]), text::quoted(lengths.tools[farthest.tool]),
-                   format_significant(size(farthest), 2), farthest.scale_um_per_m > 0.0 ? "longer" : "shorter")});
+                   "deviation, {}), as where machine or air become warmer or colder between them{}; at station {} with "
+                   "tool {} they seem {} µm/m {} than on average (u = {} µm/m): what the lengths show of it was taken "
+                   "out, and is in the uncertainties",
+                   by, chance, cause, text::quoted(lengths.stations[farthest.station]),
+                   text::quoted(lengths.tools[farthest.tool]), format_significant(size(farthest), 2),
+                   farthest.scale_um_per_m > 0.0 ? "longer" : "shorter",
+                   format_significant(farthest.scale_u_um_per_m.value_or(0.0), 2))});
 }
 
 void add_set_aside(const VolumetricLengths& lengths, const Identification& result,
@@ -328,13 +344,15 @@ void add_smoothness(const Identifier& done, const Identification& result, std::v
   }
 }
 
-void add_scale(const MachineModel& machine, std::vector<VolumetricFinding>& findings) {
+void add_scale(const MachineModel& machine, const Identification& result, std::vector<VolumetricFinding>& findings) {
   if (machine.scale_uncertainty) return;
   findings.push_back(
       {"volumetric-scale-uncertainty", false,
-       "nothing is said of an error that all lengths have in common, as of the wavelength in air or the temperature of "
-       "the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties do not hold it "
-       "(scale_u_um_per_m in the machine's file)"});
+       fmt::format("nothing is said of an error that all lengths have in common, as of the wavelength in air or the "
+                   "temperature of the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties "
+                   "{} (scale_u_um_per_m of the instrument in the machine's file)",
+                   result.part_scales && result.part_scales->held ? "hold no more of it than that of parts that differ"
+                                                                  : "do not hold it")});
 }
 
 }  // namespace
@@ -361,7 +379,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_unknown_directions(done, lengths, findings);
   add_one_sided_places(done, lengths, findings);
   add_smoothness(done, result, findings);
-  add_scale(machine, findings);
+  add_scale(machine, result, findings);
   std::ranges::stable_partition(findings, [](const VolumetricFinding& f) { return f.serious; });
   return findings;
 }
