@@ -154,7 +154,7 @@ def main():
     done = subprocess.run([program, "bench", "volumetric", "--observations", str(n), "--threads", "0"], capture_output=True, text=True, check=True)
     ours_s = json.loads(done.stdout)["seconds"]
     result = json.loads(subprocess.run([program, "volumetric", "identify", folder / "lengths.csv", "--machine", folder / "machine.json", "--spans",
-                                        str(SPANS), "--drift", "none", "--no-breaks", "--no-outliers", "--json", "-"],
+                                        str(SPANS), "--drift", "none", "--no-breaks", "--no-outliers", "--no-part-scales", "--json", "-"],
                                        capture_output=True, text=True).stdout)
     ours = np.array([result["errors"][k]["value"] for k in ("C0Y", "B0Z", "A0Z")])
     u = np.array([result["errors"][k]["u"] for k in ("C0Y", "B0Z", "A0Z")])

@@ -21,7 +21,7 @@ void add_length_switches(const Verb& verb, const std::function<void()>& reversed
 /// Of lines: --set, --break-threshold, the tolerances with their table and rule; `table` is FILE[:NAME].
 void add_lines_flags(const Verb& verb, app::TrackingEvaluateOptions& options, std::string& table);
 
-/// Of the 21 errors: --curves, --spans, --reversal, --smoothness, --drift, --no-outliers and --parts.
+/// Of the 21 errors: --curves, --spans, --reversal, --smoothness, --drift, --no-outliers, --no-part-scales and --parts.
 void add_identify_flags(const Verb& verb, app::IdentifyChoices& choices);
 
 /// What was said of a continuous recording (add_length_recording_flags()), in the order of the help.

@@ -122,9 +122,10 @@ TEST(CsvLongRows, ReadFilesLargerThanTheirBuffer) {
 
 TEST(CsvLongRows, DoNotReadOnBehindALastLineWithoutLineBreak) {
   // The buffer still holds what stood there before; every cut of a long file must end where it was cut.
-  const std::string text = many_tests(testing_support::as_many(700), ',', '.', "\n");
+  const std::string text = many_tests(700, ',', '.', "\n");
   const std::size_t row = text.rfind('\n', text.size() - 2) + 1;
-  for (std::size_t size = row; size <= text.size(); ++size) {
+  constexpr std::size_t step = testing_support::is_watched ? 5 : 1;
+  for (std::size_t size = row; size <= text.size(); size += step) {
     const std::string_view cut = std::string_view(text).substr(0, size);
     ASSERT_EQ(by_pieces(cut, 100000), by_rows(cut, LongRows::Path::general_only)) << size;
   }

@@ -131,7 +131,8 @@ Value volumetric_result_schema() {
                                                  {"tool", text("With which it was seen there.")},
                                                  {"position_mm", numbers(3, "Where it stood.")},
                                                  {"readings", number("So many.")},
-                                                 {"rms_um", number("Of the residuals.")}})},
+                                                 {"rms_um", number("Of the residuals.")},
+                                                 {"scale_um_per_m", number("How much longer axes were there.")}})},
                           {"required", Value::array({"station", "tool", "position_mm"})}});
   Value model = object(
       {{"type", "object"},
@@ -162,6 +163,10 @@ Value volumetric_result_schema() {
                 {"stations", list_of(std::move(station), "For each station and tool.")},
                 {"smoothness", object({{"type", Value::array({"object", "null"})},
                                        {"description", "What was taken for known of the curves; docs/results.md."}})},
+                {"part_scales", object({{"type", Value::array({"object", "null"})},
+                                        {"description",
+                                         "Parts that differ in scale, as of other temperatures: how far, "
+                                         "and whether it is held; docs/results.md."}})},
                 {"findings", list_of(finding(), "Serious ones first.")},
                 {"model", std::move(model)}})},
        {"required",

@@ -385,7 +385,8 @@ Result<void> Identifier::find_part_scales() {
     part_scales_.reset();
     const double freedom = static_cast<double>(count()) - static_cast<double>(fit_->solution.told());
     auto found = part_scale_fit(problem(), *fit_, freedom, middle_mm);
-    if (!found || found->chance > (found->can_be_held() ? part_scales_level : untold_scales_level)) return {};
+    if (!found || found->chance > (found->can_be_held() ? part_scales_level : untold_scales_level))
+      return round > 0 ? find_outliers() : Result<void>{};
     const bool held = found->can_be_held();
     if (held) take_out(*found, problem(), *fit_);
     part_scales_ = std::move(found);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double share_of_station = 0.5;  // of the variance, which the parts of a station have in common
 constexpr std::size_t parts_most = 300;
+constexpr double well_told_least = 1e-2;  // of the largest eigenvalue
 constexpr double told_least = 1e-4;  // of the largest sum of squares: what is less is what all parts have in common
 
 const Strains all_axes{{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}};
@@ -37,6 +38,8 @@ struct PrincipalScales {
   Eigen::VectorXd rights;   ///< ρ
 
   bool is_told(Eigen::Index k) const { return squares[k] > 0.0; }
+  /// What a handful of readings tell is no measure of how far parts differ.
+  bool is_well_told(Eigen::Index k) const { return squares[k] > well_told_least * squares.maxCoeff(); }
 };
 
 PrincipalScales principal_scales(const StrainSystem& system, const Eigen::MatrixXd& factor) {
@@ -57,7 +60,7 @@ std::vector<std::pair<double, double>> weighted_spreads(const PrincipalScales& p
   constexpr double times_largest = 4.0;
   double largest = 0.0;
   for (Eigen::Index k = 0; k < principal.squares.size(); ++k)
-    if (principal.is_told(k)) largest = std::max(largest, std::abs(principal.rights[k]) / principal.squares[k]);
+    if (principal.is_well_told(k)) largest = std::max(largest, std::abs(principal.rights[k]) / principal.squares[k]);
   std::vector<std::pair<double, double>> weighted;
   double best = -std::numeric_limits<double>::infinity(), sum = 0.0;
   for (std::size_t s = 0; s < steps; ++s) {
@@ -126,10 +129,10 @@ std::optional<PartScaleFit> part_scale_fit(const Problem& problem, const Fit& fi
     if (!principal.is_told(k)) continue;
     gained.chi_squared += principal.rights[k] * principal.rights[k] / principal.squares[k];
     gained.unknowns += 1.0;
+    found.directions += principal.is_well_told(k) ? 1.0 : 0.0;
   }
   const FitQuality larger{fit.chi_squared - gained.chi_squared, degrees_of_freedom - gained.unknowns};
   if (gained.unknowns < 1.0 || larger.degrees_of_freedom < 1.0) return std::nullopt;
-  found.directions = gained.unknowns;
   const bool all_explained = !(larger.chi_squared > 0.0) && gained.chi_squared > gained.unknowns;  // but for rounding
   found.chance = all_explained ? 0.0 : chance_of(gained, larger);
   found.about_mm = middle_mm;

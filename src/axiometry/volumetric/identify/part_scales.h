@@ -24,7 +24,7 @@ struct PartScaleFit {
   std::vector<std::size_t> parts;  ///< virtual stations with readings that count, rising
   Vector3 about_mm;                ///< where a scale moves nothing: the middle of the places that were read
   double chance = 1.0;             ///< chance that scatter alone lets lengths of the parts differ so in scale, by F
-  double directions = 0.0;         ///< in how many ways the lengths tell that parts differ
+  double directions = 0.0;         ///< in how many ways the lengths tell well that parts differ
   double spread_um_per_m = 0.0;    ///< standard deviation of a part: root of the mean square that it may have
   double taken = 0.0;              ///< so many unknowns the lengths tell of them
   Eigen::VectorXd um_per_m;        ///< likeliest of each part

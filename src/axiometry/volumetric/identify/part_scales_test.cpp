@@ -47,7 +47,7 @@ TEST(PartScales, AreThoseOfEachStationAndToolLessWhatAllHaveInCommon) {
   EXPECT_EQ(told(found, "volumetric-scatter"), "");
 }
 
-// A part that is longer by 8 µm/m makes its far readings look like outliers; with its scale they fit.
+// A part that is longer by 12 µm/m makes its far readings look like outliers; with its scale they fit.
 TEST(PartScales, MakeNoReadingAnOutlier) {
   for (const unsigned seed : {34u, 35u, 36u}) {
     TrueMachine machine = machine_with_repeatability("XFYZ", seed);

@@ -146,12 +146,12 @@ Finding shifts_finding(const Case& c, const RunShifts& shifts) {
                       deviation_message(c, std::abs(shift)), shift > 0.0 ? "above" : "below", effect));
 }
 
-/// "3", "3, ↑ and ↓ together," or "3 ↑ and 4 ↓ together," where each direction has numbers of its own.
+/// "3", "3, ↑ and ↓ together," or "3 ↑, with 4 ↓," where each direction has numbers of its own.
 Message run_of_tilt(const TiltStudy& tilts) {
   const auto& [up, down] = tilts.farthest;
   if (!up || !down) return fmt::format("{}", up.value_or(down.value_or(0)) + 1);
   if (*up == *down) return message("{}, ↑ and ↓ together,", *up + 1);
-  return message("{} ↑ and {} ↓ together,", *up + 1, *down + 1);
+  return message("{} ↑, with {} ↓,", *up + 1, *down + 1);
 }
 
 Finding tilts_finding(const Case& c, const TiltStudy& tilts) {

@@ -122,8 +122,11 @@ TiltStudy scatter::tilt_study(const DirectionFits& fits, std::span<const double>
   }
   const double noise = std::max(within.variance(), rounding.variance());
   study.of_scatter = per_variance * noise;
-  const bool both = all.front().runs[0] && all.front().runs[1];  // of the mean of both it is half that of each
-  study.of_scatter_each = (both ? 2.0 : 1.0) * study.of_scatter;
+  double per_variance_each = 0.0, tilts = 0.0;
+  for (const TiltFit& fit : of)
+    for (const double w : fit.weights)
+      if (w > 0.0) per_variance_each += 1.0 / w, tilts += 1.0;
+  study.of_scatter_each = per_variance_each / tilts * noise;
   study.within = std::sqrt(within.variance());
   study.in_readings = std::max(0.0, study.variance - study.of_scatter) * levers_squared / readings;
   study.p = ratio_tail(between, within, rounding, level);

@@ -303,8 +303,12 @@ TEST(Scatter, TellsSlopesOfOneDirectionOfTwoRunsAndOfRunsWithNumbersOfTheirOwn) 
   EXPECT_EQ(up.tilts->runs, 5u);
   EXPECT_TRUE(up.tilts->farthest[0]);
   EXPECT_FALSE(up.tilts->farthest[1]);
-  EXPECT_EQ(up.tilts->of_scatter_each, up.tilts->of_scatter);
-  EXPECT_EQ(both.of_scatter_each, 2.0 * both.of_scatter);
+  EXPECT_NEAR(up.tilts->of_scatter_each, up.tilts->of_scatter, 1e-12);
+  EXPECT_NEAR(both.of_scatter_each, 2.0 * both.of_scatter, 1e-12);
+  Runs short_run = runs;  // the first one has too few targets of its own
+  for (std::size_t i = 2; i < 11; ++i) short_run.down[0][i] = none;
+  const TiltStudy lacking = tilt_study(made(short_run));
+  EXPECT_NEAR(lacking.of_scatter_each / both.of_scatter_each, 1.0, 0.25);
 
   std::vector<RunDeviations> up_apart, down_apart;  // ↑ has the numbers 1, 3, 5…, ↓ 2, 4, 6…
   for (std::size_t j = 0; j < 5; ++j) {

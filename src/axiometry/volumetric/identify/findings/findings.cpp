@@ -350,7 +350,7 @@ void add_scale(const MachineModel& machine, const Identification& result, std::v
       {"volumetric-scale-uncertainty", false,
        fmt::format("nothing is said of an error that all lengths have in common, as of the wavelength in air or the "
                    "temperature of the machine: it would appear in the slopes of EXX, EYY and EZZ, whose uncertainties "
-                   "{} (scale_u_um_per_m of the instrument in the machine's file)",
+                   "{} (instrument.scale_u_um_per_m in the machine's file)",
                    result.part_scales && result.part_scales->held ? "hold no more of it than that of parts that differ"
                                                                   : "do not hold it")});
 }
