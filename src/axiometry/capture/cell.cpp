@@ -106,4 +106,10 @@ SampleCell CellMaker::make(std::span<const Sample> samples, const CellSums& sums
   return cell;
 }
 
+double rest_threshold(double quantum, std::vector<double> standard_deviations, const RestLimits& limits) {
+  constexpr double noise_factor = 6.0, quantum_factor = 1.5;  // derivation in docs/theory/capture.md
+  const double noise = numeric::median(std::move(standard_deviations));
+  return std::min(limits.greatest, std::max({limits.smallest, quantum_factor * quantum, noise_factor * noise}));
+}
+
 }  // namespace axiometry::capture

@@ -51,4 +51,13 @@ class CellMaker {
   std::vector<double> distances_;
 };
 
+/// What a window at rest may move by at least and at most.
+struct RestLimits {
+  double smallest = 0.0, greatest = 0.0;
+};
+
+/// T = min(greatest, max(smallest, 1.5 q, 6 s)): within it the means of four cells at rest lie; q the smallest step
+/// between samples (the resolution, where noise is smaller), s the median of the standard deviations of the cells.
+double rest_threshold(double quantum, std::vector<double> standard_deviations, const RestLimits& limits);
+
 }  // namespace axiometry::capture

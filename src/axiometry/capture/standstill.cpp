@@ -15,8 +15,6 @@ constexpr std::size_t cells_per_window = 4;
 constexpr std::size_t fewest_samples = 4;  // least samples of a cell
 constexpr std::size_t noise_memory = 5;
 constexpr std::size_t steps_looked_at = 64;
-constexpr double noise_factor = 6.0;
-constexpr double quantum_factor = 1.5;
 constexpr double gap_steps = 10.0;
 constexpr double feed_share = 0.02;
 constexpr double slowest_limit_per_s = 500.0;
@@ -282,9 +280,7 @@ double StandstillDetector::threshold() const {
   if (options_.threshold) return options_.threshold->in_native();
   std::vector<double> noises;
   for (const SampleCell& c : window_) noises.push_back(c.standard_deviation);
-  const double adaptive = std::max(
-      {options_.smallest.in_native(), quantum_factor * quantum_, noise_factor * numeric::median(std::move(noises))});
-  return std::min(options_.greatest.in_native(), adaptive);
+  return rest_threshold(quantum_, std::move(noises), {options_.smallest.in_native(), options_.greatest.in_native()});
 }
 
 bool StandstillDetector::settled(double threshold) const {

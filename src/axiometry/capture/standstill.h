@@ -23,8 +23,7 @@ namespace axiometry::capture {
 /// How a standstill is told from motion. Distances in mm or °.
 ///
 /// The last window W is four cells. It is at rest when their means (without outliers) lie within
-/// T = min(greatest, max(smallest, 1.5 q, 6 s)), where s is the median standard deviation within the four cells and q
-/// the smallest step between samples seen (the resolution, where noise is smaller). Motion at a constant speed has
+/// T = min(greatest, max(smallest, 1.5 q, 6 s)), rest_threshold(). Motion at a constant speed has
 /// means that lie 10.4 s apart whatever the speed; noise of any size 1.2 s, vibration with a period up to 0.8 W 5.1 s.
 struct StandstillOptions {
   Duration window = Duration::s(0.5);           ///< W

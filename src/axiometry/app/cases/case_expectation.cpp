@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/language/language.h"
 
 namespace axiometry::app {
 namespace {
@@ -199,6 +203,28 @@ bool is_known_clause(std::string_view clause) {
   return term && *term >= 1 && *term <= terms;
 }
 
+/// The first word, of three letters or more, that no message of the program has, nor as a part: where it is not to be
+/// found, it never is, whatever comes.
+std::optional<std::string> word_of_no_message(std::string_view words) {
+  static const std::string messages = [] {
+    std::string all;
+    for (const language::Phrase& phrase : language::phrases(language::Language::german))
+      all += text::to_lower(phrase.english) + '\n';
+    return all;
+  }();
+  constexpr std::size_t letters_least = 3;
+  std::string word;
+  for (const char c : text::to_lower(words) + ' ') {
+    if (c >= 'a' && c <= 'z') {
+      word += c;
+      continue;
+    }
+    if (word.size() >= letters_least && !messages.contains(word)) return word;
+    word.clear();
+  }
+  return std::nullopt;
+}
+
 /// expect [no] finding [CLAUSE] [SEVERITY] ["TEXT"]
 Result<CaseComparison> check_finding(const Statement& s, const OperationOutcome& outcome) {
   const bool wanted = !s.words[1].is("no");
@@ -215,14 +241,17 @@ Result<CaseComparison> check_finding(const Statement& s, const OperationOutcome&
   if (index < s.words.size() && is_severity(s.words[index])) severity = s.words[index++].text;
   if (index < s.words.size() && s.words[index].quoted) {
     if (s.words[index].text.empty()) return unexpected_word(s, index, "a \"text\" that is not empty");
-    part = s.words[index++].text;
+    part = s.words[index].text;
+    if (const auto strange = word_of_no_message(part); !wanted && strange)
+      return unexpected_word(s, index, fmt::format("words that messages have, not {}", text::quoted(*strange)));
+    ++index;
   }
   if (index < s.words.size()) return unexpected_word(s, index, "departure, missing, note or a \"text\"");
   const auto& findings = outcome.assessment.findings;
   const auto match = std::ranges::find_if(findings, [&](const iso230_2::Finding& f) {
     return (clause.empty() || f.clause == clause) &&
            (severity.empty() || severity == iso230_2::severity_name(f.severity)) &&
-           f.message.find(part) != std::string::npos;
+           text::to_lower(f.message).contains(text::to_lower(part));
   });
   if (wanted && match == findings.end()) {
     std::vector<std::string> all;

@@ -67,6 +67,9 @@ TEST(CheckCase, RefusesWhatIsMetWhateverComes) {
               HasSubstr("line 6:19: found \"5.9.9\", expected a clause"));
   EXPECT_THAT(error_of(small_with("expect no finding \"\"\n")), HasSubstr("expected a \"text\" that is not empty"));
   EXPECT_THAT(error_of(small_with("expect finding 8.1 \"\"\n")), HasSubstr("expected a \"text\" that is not empty"));
+  EXPECT_THAT(error_of(small_with("expect no finding \"outlyer\"\n")),
+              HasSubstr("found \"outlyer\", expected words that messages have, not \"outlyer\""));
+  EXPECT_EQ(error_of(small_with("expect no finding \"an Outlier\"\nexpect no finding \"repeatab\"\n")), "no error");
   EXPECT_THAT(error_of(small_with("expect error \"\"\n")), HasSubstr("expected a \"text\" of the message"));
   EXPECT_EQ(error_of(small_with("expect no finding 3.17\nexpect no finding Annex D\nexpect no finding source\n")),
             "no error");

@@ -24,12 +24,14 @@ enum class RawLayout {
 /// Fails on other extensions ("-" is text).
 Result<RawLayout> raw_layout_of(std::string_view name);
 
+inline const Length simulated_wavelength = Length::nm(632.991);  ///< in air, where nothing else is asked for
+
 struct RawSetting {
   AxisKind kind = AxisKind::linear;
-  std::size_t samples = 0;  ///< samples that will be written
-  double rate = 1.0;        ///< samples a second
-  Length wavelength;        ///< wavelength in air; a count of `umd` is half of it
-  bool lengths = false;     ///< whether positions are lengths of a tracking interferometer, no coordinates of an axis
+  std::size_t samples = 0;                   ///< samples that will be written
+  double rate = 1.0;                         ///< samples a second
+  Length wavelength = simulated_wavelength;  ///< wavelength in air; a count of `umd` is half of it
+  bool lengths = false;  ///< whether positions are lengths of a tracking interferometer, no coordinates of an axis
 };
 
 inline constexpr std::size_t simulated_head_most = 64;  ///< bytes of a recording that says_simulated() looks at

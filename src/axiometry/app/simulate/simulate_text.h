@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/app/recordings/raw_recording.h"
 #include "axiometry/base/result.h"
 #include "axiometry/simulation/simulate.h"
 
@@ -16,7 +17,7 @@ namespace axiometry::app {
 struct SimulationRequest {
   simulation::Request simulate;
   simulation::RecordingRequest recording;
-  Length wavelength = Length::nm(632.991);  ///< wavelength in air, of a stream of counts
+  Length wavelength = simulated_wavelength;  ///< wavelength in air, of a stream of counts
 };
 
 /// Group of the options that change nothing without a recording.

@@ -17,8 +17,6 @@ namespace axiometry::capture {
 namespace {
 
 constexpr std::size_t quarters = 4;
-constexpr double noise_share = 6.0;    // factor of the noise s; derivation in docs/theory/capture.md
-constexpr double quantum_share = 1.5;  // factor of the quantum q
 constexpr double greatest_share = 10.0;
 
 using Quarters = std::array<SampleCell, quarters>;
@@ -50,8 +48,7 @@ double threshold_of(const Quarters& cells, double quantum, const StillOptions& o
   if (options.threshold) return *options.threshold;
   std::vector<double> noises;
   for (const SampleCell& cell : cells) noises.push_back(cell.standard_deviation);
-  const double follows = std::max(quantum_share * quantum, noise_share * numeric::median(std::move(noises)));
-  return std::min(greatest_share * options.smallest, std::max(options.smallest, follows));
+  return rest_threshold(quantum, std::move(noises), {options.smallest, greatest_share * options.smallest});
 }
 
 double slope_of(const Quarters& cells) {

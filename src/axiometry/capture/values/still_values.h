@@ -13,8 +13,8 @@
 /// Sample::position; derivations: docs/theory/capture.md.
 namespace axiometry::capture {
 
-/// The four means of a quarter of the samples each lie within T = min(greatest, max(smallest, 1.5 q, 6 s)): the rule
-/// of StandstillOptions. Nothing but the readings tells what is too much, so that `greatest` is ten times `smallest`.
+/// The four means of a quarter of the samples each lie within rest_threshold(). Nothing but the readings tells what is
+/// too much, so that `greatest` is ten times `smallest`.
 struct StillOptions {
   double smallest = 1.0;              ///< 1 µm, 1″ or as much in µrad
   std::optional<double> threshold{};  ///< T itself, instead of all that

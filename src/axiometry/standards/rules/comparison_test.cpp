@@ -172,6 +172,15 @@ TEST(CompareRules, TakesTheFirstSevenOfMoreApproaches) {
   }
 }
 
+// A reading is missing at a target that the rule does not look at.
+TEST(CompareRules, TellsOfADriftBetweenRunsWhereverItGivesARepeatability) {
+  std::vector<RunDeviations> up(7, {0, 1, 2, 3, 4});
+  up[3][1] = none;
+  const RuleComparison c = compared(test_of(make_series({0, 1, 2, 3, 4}, up, {})));
+  EXPECT_DOUBLE_EQ(value(c, "jis-b-6201", "repeatability_up"), 0.0);
+  EXPECT_THAT(messages(c.findings, "JIS B 6201, JIS B 6330"), Contains(HasSubstr("a drift between the runs")));
+}
+
 TEST(CompareRules, SaysNothingOfADriftBetweenRunsWhereApproachesFollowOneAnother) {
   axiometry::Test test = test_of(make_series({0, 1}, std::vector<RunDeviations>(7, {1, 2}), {}));
   test.metadata.conditions.cycle = TestCycle::step;

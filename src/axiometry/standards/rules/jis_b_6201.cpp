@@ -106,7 +106,8 @@ constexpr auto pass_figures = std::to_array<RuleFigure>({
 /// Seven passes over the travel are not seven approaches one after the other.
 std::vector<iso230_2::Finding> pass_findings(const RuleCase& c) {
   std::vector<iso230_2::Finding> all;
-  if (fewest_approaches(c) >= approaches_to_a_place && c.metadata.conditions.cycle != TestCycle::step)
+  const bool is_taken = half_range_of_seven<Direction::up>(c) || half_range_of_seven<Direction::down>(c);
+  if (is_taken && c.metadata.conditions.cycle != TestCycle::step)
     all.push_back({"jis-b-6201-runs-for-approaches", "", iso230_2::Severity::note,
                    "repeatability and lost motion are taken of seven runs, expected approaches to one place one after "
                    "the other: a drift between the runs is in them"});

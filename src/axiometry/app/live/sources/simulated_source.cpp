@@ -134,7 +134,7 @@ Result<Connect> simulated_source(const SimulatedCapture& capture) {
                               .seed = capture.seed,
                               .fault = std::string(preset->id)};
   AXIOMETRY_TRY(const std::size_t samples, simulation::count_samples(request, {.rate = simulated_rate_hz}));
-  const RawSetting setting{capture.plan.axis.kind, samples, simulated_rate_hz, Length::nm(632.991)};
+  const RawSetting setting{capture.plan.axis.kind, samples, simulated_rate_hz};
   const auto record = [request](const SampleSink& sink) -> Result<void> {
     AXIOMETRY_TRY_VOID(simulation::record(request, {.rate = simulated_rate_hz}, sink));
     return {};
