@@ -51,7 +51,8 @@ void add_line_flags(const Verb& verb, MotionChoices& choices, bool none) {
            });
   add_read(verb,
            {"--instrument", "A[,B]",
-            "Expanded uncertainty (k = 2) of a reading, in the unit of the readings, and for each metre of travel"},
+            "Expanded uncertainty (k = 2) of a reading, in the unit of the results (um, urad or arcsec), and for each "
+            "metre of travel"},
            [&choices](const std::string& given) -> Result<void> {
              AXIOMETRY_TRY(choices.instrument, instrument_of(given));
              return {};

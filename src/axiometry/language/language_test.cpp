@@ -78,7 +78,7 @@ TEST(Translated, FindsWhatIsSaidOfAnErrorOfTheMachineOrOfSeveral) {
   for (const std::string names : {"EYX", "EAX, ECZ", "C0Y, EXZ, EZZ, B0Z"}) {
     EXPECT_EQ(german(names + ": " + said), names + ": " + in_german);
     EXPECT_TRUE(
-        is_known("of the errors measured singly, from which this was made: " + names + ": " + said, Language::french));
+        is_known(said + " (" + names + ", of the errors measured singly, from which this was made)", Language::french));
   }
   EXPECT_FALSE(is_known("EYQ: " + said, Language::german));
   EXPECT_FALSE(is_known("EYXX: " + said, Language::german));

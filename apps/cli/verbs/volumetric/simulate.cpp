@@ -97,12 +97,18 @@ void add_faults(const Verb& verb, volumetric::SimulatedFaults& faults) {
              return {};
            })
       ->group(group);
-  add_number(
-      verb, {"--part-scale", "UM_PER_M", "Standard deviation of the scale of axes at a station with a tool (0)"},
-      [&faults](double x) {
-        if (!(x >= 0.0 && x <= 1e4)) throw UsageError("--part-scale", "expected 0 to 10000");
-        faults.part_scale_um_per_m = x;
-      })
+  add_number(verb, {"--part-scale", "UM_PER_M", "Standard deviation of the scale of axes at a station with a tool (0)"},
+             [&faults](double x) {
+               if (!(x >= 0.0 && x <= 1e4)) throw UsageError("--part-scale", "expected 0 to 10000");
+               faults.part_scale_um_per_m = x;
+             })
+      ->group(group);
+  add_number(verb,
+             {"--station-share", "SHARE", "Share of its variance that the tools of a station have in common (0.5)"},
+             [&faults](double x) {
+               if (!(x >= 0.0 && x <= 1.0)) throw UsageError("--station-share", "expected 0 to 1");
+               faults.share_of_station = x;
+             })
       ->group(group);
   const auto count = [&](const char* name, std::size_t& target, const char* description) {
     add_count(verb, {name, "N", description}, [&target](unsigned long long n) {

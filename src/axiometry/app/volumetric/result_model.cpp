@@ -9,6 +9,7 @@
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/base/json/json.h"
 #include "axiometry/base/text/text.h"
+#include "axiometry/digest/sha256.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
 
 namespace axiometry::app {
@@ -25,7 +26,7 @@ Result<KeptModel> kept_model(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
   AXIOMETRY_TRY(const json::Value root, in_file(json::parse(bytes), file));
   AXIOMETRY_TRY(volumetric::ErrorModel model, in_file(formats::error_model_of(root), file));
-  KeptModel kept{std::move(model), findings_against(kept_findings(root))};
+  KeptModel kept{std::move(model), findings_against(kept_findings(root)), sha256(bytes)};
   for (NamedFinding& note : remarks_of_singles(root)) kept.against.push_back(std::move(note));
   return kept;
 }
@@ -61,8 +62,8 @@ std::vector<NamedFinding> notes_of_remarks(const json::Value& remarks) {
   std::vector<NamedFinding> notes;
   for (const auto& [names, words] : told)
     notes.push_back({"volumetric-singles-remark", false,
-                     "of the errors measured singly, from which this was made: " +
-                         (names.empty() ? words : fmt::format("{}: {}", names, words))});
+                     fmt::format("{} ({}of the errors measured singly, from which this was made)", words,
+                                 names.empty() ? "" : names + ", ")});
   return notes;
 }
 

@@ -20,6 +20,7 @@ namespace axiometry::app {
 struct KeptModel {
   volumetric::ErrorModel model;
   std::vector<NamedFinding> against;  ///< findings_against() of the result, and notes of errors measured singly
+  std::string sha256 = {};            ///< hash of its file; empty of one that is at hand
 };
 
 /// Serious findings of a result, each under its own name and as one of what is made of it. But for errors that are not

@@ -268,8 +268,8 @@ class VolumetricComposition {
         "Covariances are multiplied by χ²/ν where that is above 1.";
     if (s_.found.part_scales && s_.found.part_scales->held)
       text +=
-          " Each part has a scale of its own, normal with half of its variance common to the parts of a station; what "
-          "the lengths leave open of it is in all uncertainties.";
+          " Each part has a scale of its own, normal with a share of its variance, which the lengths tell, "
+          "common to the parts of a station; what the lengths leave open of it is in all uncertainties.";
     if (s_.found.smoothed)
       text +=
           " To the squares of the residuals are added those of how far curves bend, over what the findings say of it: "

@@ -15,8 +15,9 @@ constexpr double gain_of_ratio = 0.05;
 constexpr std::size_t places_looked_for = 100;
 
 double chi_squared_per_dof(const Identifier& done) {
-  const std::size_t told = done.fit().solution.told();
-  return done.count() > told ? done.fit().chi_squared / static_cast<double>(done.count() - told) : 1.0;
+  const double left =
+      static_cast<double>(done.count()) - static_cast<double>(done.fit().solution.told()) - done.taken_by_scales();
+  return left > 0.0 ? done.fit().chi_squared / left : 1.0;
 }
 
 /// Spans of a spline with four functions for five places, where half as many as places hold it down; else 0.

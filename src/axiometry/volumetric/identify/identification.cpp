@@ -36,8 +36,8 @@ MachineModel with_seen_tools(MachineModel machine, const Identifier& done, const
 
 /// Those of the parts, and what they leave open of places.
 void add_scales(const Identifier& done, std::vector<IdentifiedStation>& stations) {
+  if (!done.has_part_scales()) return;
   const auto& scales = done.part_scales();
-  if (!scales || !scales->can_be_held()) return;
   for (std::size_t v = 0; v < stations.size(); ++v) {
     const std::vector<double> left_open = covariance_by_scales(*scales, done.unknowns().stations[v].column, 3);
     for (std::size_t i = 0; i < 3; ++i)
@@ -157,9 +157,8 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   // Of what smoothness tells, whole unknowns only, and whole ones that scales take: fewer degrees of freedom make
   // uncertainties larger.
   const auto& scales = done.part_scales();
-  const bool has_scales = scales && scales->can_be_held();
   const std::size_t fitted = told - (smoothed ? static_cast<std::size_t>(smoothed->taken) : 0) +
-                             (has_scales ? static_cast<std::size_t>(std::ceil(scales->taken)) : 0);
+                             static_cast<std::size_t>(std::ceil(done.taken_by_scales()));
   const std::size_t dof = done.count() > fitted ? done.count() - fitted : 0;
   const double ratio = dof > 0 ? fit.chi_squared / static_cast<double>(dof) : 1.0;
   const double factor = std::max(1.0, ratio);
@@ -167,7 +166,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
   if (smoothed && options.smoothness.kind == Smoothness::Kind::automatic)
     scaled = detail::with_bend_uncertainty(*done.penalty(), done.coefficients(), fit, covariance, std::move(scaled));
   if (smoothed) set_ratios(done, scaled, *smoothed);
-  if (has_scales) {
+  if (done.has_part_scales()) {
     const std::vector<double> left_open = covariance_by_scales(*scales, 0, done.coefficients().raw());
     for (std::size_t k = 0; k < scaled.size(); ++k) scaled[k] += left_open[k];
   }
@@ -193,7 +192,7 @@ Result<Identification> identify(const MachineModel& machine, const VolumetricLen
                         .smoothed = std::move(smoothed),
                         .part_scales = {},
                         .findings = {}};
-  if (scales) result.part_scales = PartScales{scales->spread_um_per_m, scales->chance, has_scales, scales->about_mm};
+  if (scales) result.part_scales = scales->told;
   result.findings = detail::findings_of(done, machine, lengths, result);
   return result;
 }

@@ -70,7 +70,7 @@ struct IdentifiedStation {
 /// Parts, a station with a tool each, that were measured at temperatures of their own: their axes, or the air, differ
 /// in scale (docs/theory/volumetric.md, "Parts at temperatures of their own").
 struct PartScales {
-  double spread_um_per_m = 0.0;  ///< standard deviation of a part
+  double spread_um_per_m = 0.0;  ///< standard deviation of a part, in the middle of what it may be
   double chance = 1.0;           ///< chance that scatter alone lets parts differ so much, or more
   bool held = false;             ///< taken out, and in all uncertainties; else too few parts show it
   Vector3 about_mm;              ///< where a scale moves nothing: places of stations are such that it is so

@@ -380,17 +380,15 @@ Result<void> Identifier::run() {
 /// What scales explain is no outlier: readings are judged once more where scales were taken out.
 Result<void> Identifier::find_part_scales() {
   if (!options_.find_part_scales) return {};
-  const Vector3 middle_mm = 0.5 * (observed_.lowest_mm + observed_.highest_mm);
   for (std::size_t round = 0; round < outlier_rounds; ++round) {
     part_scales_.reset();
     const double freedom = static_cast<double>(count()) - static_cast<double>(fit_->solution.told());
-    auto found = part_scale_fit(problem(), *fit_, freedom, middle_mm);
-    if (!found || found->chance > (found->can_be_held() ? part_scales_level : untold_scales_level))
+    auto found = part_scale_fit(problem(), *fit_, freedom, middle_mm());
+    if (!found || found->told.chance > (found->told.held ? part_scales_level : untold_scales_level))
       return round > 0 ? find_outliers() : Result<void>{};
-    const bool held = found->can_be_held();
-    if (held) take_out(*found, problem(), *fit_);
     part_scales_ = std::move(found);
-    const bool is_last = !held || !options_.find_outliers || round + 1 == outlier_rounds;
+    if (has_part_scales()) take_out(*part_scales_, problem(), *fit_);
+    const bool is_last = !has_part_scales() || !options_.find_outliers || round + 1 == outlier_rounds;
     if (is_last || !set_aside_beyond_limit()) return {};
     AXIOMETRY_TRY_VOID(refit());
   }

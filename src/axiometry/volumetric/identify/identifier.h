@@ -47,6 +47,7 @@ class Identifier {
   const Fit& fit() const { return *fit_; }
   const std::array<CurveDomain, axis_count>& domains() const { return domains_; }
   const TravelBox& observed() const { return observed_; }
+  Vector3 middle_mm() const { return 0.5 * (observed_.lowest_mm + observed_.highest_mm); }
   const std::vector<double>& weights() const { return judged_.weights; }
   bool drift() const { return drift_; }
   const std::optional<CurvaturePenalty>& penalty() const { return penalty_; }
@@ -55,7 +56,9 @@ class Identifier {
   const PerCurve& plain_variances() const { return plain_variances_; }  ///< variances without the penalty, before φ
   /// Absent where parts were not looked at, or differ in scale no more than chance lets them.
   const std::optional<PartScaleFit>& part_scales() const { return part_scales_; }
-  std::size_t count() const;  ///< readings that are used
+  bool has_part_scales() const { return part_scales_ && part_scales_->told.held; }  ///< they are taken out of the fit
+  double taken_by_scales() const { return has_part_scales() ? part_scales_->taken : 0.0; }  ///< so many unknowns
+  std::size_t count() const;                                                                ///< readings that are used
   bool is_copy(std::size_t reading) const { return is_copy_[reading]; }
   /// Left out because nothing tells in which direction an axis had come to rest.
   bool is_of_unknown_direction(std::size_t reading) const { return of_unknown_direction_[reading]; }

@@ -12,21 +12,14 @@
 namespace axiometry::volumetric {
 namespace {
 
-using test::beam;
 using test::four_stations;
 using test::identified;
 using test::machine_with_repeatability;
+using test::make_longer;
 using test::measured;
 using test::told;
 using test::TrueMachine;
 using ::testing::HasSubstr;
-
-/// Axes that are longer by so much at each station with each tool.
-template <typename Scale>
-void make_longer(const TrueMachine& machine, VolumetricLengths& lengths, const Scale& um_per_m) {
-  for (VolumetricReading& reading : lengths.readings)
-    reading.length_mm += 1e-6 * um_per_m(reading.station, reading.tool) * dot(reading.axes_mm, beam(machine, reading));
-}
 
 TEST(PartScales, AreThoseOfEachStationAndToolLessWhatAllHaveInCommon) {
   TrueMachine machine = machine_with_repeatability("XFYZ", 31);

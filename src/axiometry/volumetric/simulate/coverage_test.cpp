@@ -71,6 +71,25 @@ TEST(Coverage, HoldsWhereStationsAndToolsHaveTemperaturesOfTheirOwn) {
   EXPECT_LE(squareness_share(*missed).share(), 0.75);
 }
 
+/// Slopes of EXX, EYY and EZZ are those of a mean temperature: of twelve parts, or of four stations alone.
+TEST(Coverage, HoldsSlopesWhateverShareOfItsTemperatureAStationHasInCommon) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
+  const MachineModel machine = machine_to_try();
+  for (const double share_of_station : {0.0, 1.0}) {
+    CoverageOptions options{.trials = 100, .seed = 10, .errors = parabolas(machine.travel), .points = 60};
+    options.faults.part_scale_um_per_m = 4.0;
+    options.faults.share_of_station = share_of_station;
+    options.identify = {.sizes = {2, 2, 2}, .drift = DriftModel::none, .find_breaks = false, .find_outliers = false};
+    const auto held = try_coverage(machine, options);
+    ASSERT_TRUE(held) << held.error().message;
+    Share positioning;
+    for (const CoverageTrial& trial : held->trials)
+      for (const std::size_t error : {std::size_t{0}, std::size_t{7}, std::size_t{14}})
+        positioning.add(trial.errors[error]);
+    EXPECT_GE(positioning.share(), 0.90) << share_of_station;
+  }
+}
+
 /// The same with halves of reversal of a constant and a slope.
 TrueErrors parabolas_with_halves(const TravelBox& travel) {
   TrueErrors errors = parabolas(travel);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -154,7 +153,8 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
   VolumetricLengths& lengths = simulated.lengths;
   for (const NamedStation& station : machine.stations) lengths.stations.push_back(station.name);
   for (const Tool& tool : machine.tools) lengths.tools.push_back(tool.name);
-  constexpr double root_half = 1.0 / std::numbers::sqrt2;  // of the variance half is a station's, half a run's own
+  const double of_station = faults.part_scale_um_per_m * std::sqrt(faults.share_of_station);
+  const double of_run = faults.part_scale_um_per_m * std::sqrt(1.0 - faults.share_of_station);
   auto jump = simulated.jumps.begin();
   std::size_t begin = 0, end = 0, segment = 0;
   double jumped_um = 0.0;
@@ -168,7 +168,7 @@ Result<SimulatedLengths> simulate_lengths(const MachineModel& machine, const Tru
       jumped_um = 0.0;
       simulated.dead_paths.push_back(
           {visit.station, visit.tool, 100.0 + 700.0 * dead[run], faults.drift_um * drifts[run],
-           faults.part_scale_um_per_m * root_half * (scales[visit.station] + scales[machine.stations.size() + run])});
+           of_station * scales[visit.station] + of_run * scales[machine.stations.size() + run]});
     }
     for (; jump != simulated.jumps.end() && jump->before_reading == i; ++jump) {
       jumped_um += jump->jump_um;

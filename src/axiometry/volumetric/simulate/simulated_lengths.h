@@ -50,6 +50,7 @@ struct SimulatedFaults {
   bool noise = true;      ///< whether instrument and machine scatter as the machine's file states
   double drift_um = 0.0;  ///< standard deviation of what a dead path drifts from its first to its last reading
   double part_scale_um_per_m = 0.0;  ///< standard deviation of how much longer axes are at a station with a tool
+  double share_of_station = 0.5;     ///< share of its variance that the tools of a station have in common
   std::size_t told_breaks = 0;       ///< breaks of the beam that begin a segment
   std::size_t untold_breaks = 0;     ///< which the file does not tell
   std::size_t lost = 0;              ///< readings that are not there

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axiometry/app/volumetric/result_model.h"
+#include "axiometry/language/language.h"
 #include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
@@ -81,7 +82,13 @@ TEST(AssembleSingles, TellTheReversalThatTheirMeansLose) {
     EXPECT_FALSE(note.serious);
     told.push_back(note.message);
   }
-  EXPECT_THAT(told, Contains(std::string("of the errors measured singly, from which this was made: ") + U_lacks));
+  const std::string of_exx =
+      "no uncertainty of the instrument is stated: U does not hold it (EXX, of the errors measured singly, from which "
+      "this was made)";
+  EXPECT_THAT(told, Contains(of_exx));
+  const std::string french = language::translated(of_exx, language::Language::french);
+  EXPECT_THAT(french, HasSubstr("aucune incertitude de l’instrument"));
+  EXPECT_THAT(french, HasSubstr("(EXX, des erreurs mesurées une à une"));
   EXPECT_THAT(told, Contains(HasSubstr("10.00 µm of EXX")));
 }
 

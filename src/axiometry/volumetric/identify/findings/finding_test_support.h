@@ -47,4 +47,11 @@ inline Vector3 beam(const TrueMachine& machine, const VolumetricReading& reading
   return unit(reading.axes_mm + machine.model.tools[reading.tool].offset_mm - four_stations()[reading.station].at_mm);
 }
 
+/// Axes that are longer by so much at each station with each tool.
+template <typename Scale>
+void make_longer(const TrueMachine& machine, VolumetricLengths& lengths, const Scale& um_per_m) {
+  for (VolumetricReading& reading : lengths.readings)
+    reading.length_mm += 1e-6 * um_per_m(reading.station, reading.tool) * dot(reading.axes_mm, beam(machine, reading));
+}
+
 }  // namespace axiometry::volumetric::test

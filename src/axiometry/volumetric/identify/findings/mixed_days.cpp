@@ -99,7 +99,7 @@ void add_mixed_days(const Identifier& done, std::vector<VolumetricFinding>& find
   const std::vector<std::size_t> kept = readings_to_try(done);
   const std::vector<SegmentPart> parts = parts_of(problem, kept);
   if (parts.empty()) return;
-  const Vector3 middle_mm = 0.5 * (done.observed().lowest_mm + done.observed().highest_mm);
+  const Vector3 middle_mm = done.middle_mm();
   StrainSums sums;
   for (const SegmentPart& part : parts) add_part(problem, done.fit(), part, middle_mm, sums);
   const double largest = sums.matrix.diagonal().maxCoeff();

@@ -45,7 +45,7 @@ std::optional<VolumetricFinding> other_order(const Identifier& done, const Machi
     const ThinnedProblem few({other, whole.coefficients, whole.unknowns, whole.readings, whole.tools_mm,
                               whole.approaches, whole.weights, whole.threads},
                              kept);
-    auto tried = fitted_to(few.problem(), done.fit().state);
+    auto tried = fitted_to(few.problem(), done);
     if (!tried || (best && tried->quality.ratio() >= best->quality.ratio())) continue;
     best = std::move(tried);
     best_order = order;
@@ -66,15 +66,15 @@ struct StrainGain {
   std::size_t worst_stretch = 0;
 };
 
-/// g (SᵀWS − SᵀWJ N⁻¹ JᵀWS)⁻¹ gᵀ, g = SᵀWv, with S the strains of every stretch and J what was fitted. What all have
-/// in common is in the curves, and is no gain.
+/// Of rising stretches: g (SᵀWS − SᵀWJ N⁻¹ JᵀWS)⁻¹ gᵀ, g = SᵀWv, with S the strains of every stretch and J what was
+/// fitted. What all have in common is in the curves, and is no gain.
 StrainGain strain_gain(const Problem& some, const Fit& fit, Vector3 middle_mm, std::span<const std::size_t> stretches) {
   constexpr double told_least = 1e-6;  // smallest eigenvalue of the scaled matrix that counts as told
-  std::vector<ReadingGroup> groups;
-  for (const std::size_t stretch : stretches) {
-    groups.emplace_back();
-    for (std::size_t i = 0; i < some.readings.size(); ++i)
-      if (some.unknowns.stretch_of[i] == stretch) groups.back().push_back(i);
+  std::vector<ReadingGroup> groups(stretches.size());
+  for (std::size_t i = 0; i < some.readings.size(); ++i) {
+    const auto found = std::ranges::lower_bound(stretches, some.unknowns.stretch_of[i]);
+    if (found != stretches.end() && *found == some.unknowns.stretch_of[i])
+      groups[static_cast<std::size_t>(found - stretches.begin())].push_back(i);
   }
   std::vector<Strains> modes;
   for (int k = 0; k < strain_count; ++k) modes.push_back(Strains::Unit(k));
@@ -119,7 +119,7 @@ std::optional<VolumetricFinding> changed_axes(const Identifier& done, const Volu
   const FitQuality& own = tried.quality;
   const std::vector<std::size_t> stretches = stretches_to_strain(some);
   if (stretches.size() < 2 || stretches.size() > strained_stretches_most) return std::nullopt;
-  const Vector3 middle_mm = 0.5 * (done.observed().lowest_mm + done.observed().highest_mm);
+  const Vector3 middle_mm = done.middle_mm();
   const StrainGain gain = strain_gain(some, tried.fit, middle_mm, stretches);
   const double left = own.degrees_of_freedom - static_cast<double>(gain.unknowns);
   if (left < 1.0 || !explains({own.chi_squared - gain.chi_squared, left}, own)) return std::nullopt;
@@ -143,7 +143,7 @@ void add_residual_causes(const Identifier& done, const MachineModel& machine, co
   const std::vector<std::size_t> kept = readings_to_try(done);
   const ThinnedProblem few(done.problem(), kept);
   const Problem some = few.problem();
-  const auto own = fitted_to(some, done.fit().state);
+  const auto own = fitted_to(some, done);
   if (!own || own->quality.excess() < gain_least) return;
   auto cause = other_order(done, machine, kept, own->quality);
   if (!cause && !in_rows) cause = reversal_that_explains(done, lengths, kept);

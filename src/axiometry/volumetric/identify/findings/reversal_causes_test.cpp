@@ -14,6 +14,7 @@ using test::beam;
 using test::four_stations;
 using test::identified;
 using test::machine_with_repeatability;
+using test::make_longer;
 using test::measured;
 using test::told;
 using test::TrueMachine;
@@ -58,6 +59,19 @@ TEST(ReversalCauses, TellsAReversalThatNobodyAskedForHoweverLargeResidualsAre) {
       EXPECT_THAT(found, HasSubstr("EYY differs")) << other_um << " " << stated_um;
       EXPECT_THAT(found, HasSubstr(" between both directions of Y")) << other_um << " " << stated_um;
     }
+}
+
+/// A fit that is tried holds the scales that the other one holds: without them it would look worse than it is.
+TEST(ReversalCauses, TellsAReversalBesideScalesOfTheParts) {
+  for (const unsigned seed : {35u, 36u, 37u}) {
+    TrueMachine machine = machine_with_repeatability("XFYZ", seed);
+    VolumetricLengths lengths = with_reversal_along_y(machine, 1.5, 0.0);
+    make_longer(machine, lengths,
+                [](std::size_t station, std::size_t tool) { return (station + tool) % 2 ? 3.0 : 0.0; });
+    const Identification found = identified(machine, lengths);
+    ASSERT_TRUE(found.part_scales && found.part_scales->held) << seed;
+    EXPECT_THAT(told(found, "volumetric-reversal"), HasSubstr("EYY differs")) << seed;
+  }
 }
 
 /// Curves of one span cannot follow the errors: what is left goes with places, not with directions.

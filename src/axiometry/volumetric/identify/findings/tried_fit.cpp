@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "axiometry/numeric/distributions/f_distribution.h"
 #include "axiometry/volumetric/identify/curve_choice.h"
 #include "axiometry/volumetric/identify/equations/thinned_problem.h"
 
@@ -17,23 +16,15 @@ namespace {
 constexpr std::size_t tried_readings_most = 20'000;
 constexpr double share_least = 0.8;  // share of the excess of χ² that a cause must explain
 
-FitQuality quality_of(const Fit& fit, std::span<const double> weights) {
-  const std::size_t told = fit.solution.told();
-  const auto used = static_cast<std::size_t>(std::ranges::count_if(weights, [](double w) { return w > 0.0; }));
-  return {fit.chi_squared, static_cast<double>(used) - static_cast<double>(told)};
+double degrees_of_freedom(const Fit& fit, std::span<const double> weights) {
+  const auto used = std::ranges::count_if(weights, [](double w) { return w > 0.0; });
+  return static_cast<double>(used) - static_cast<double>(fit.solution.told());
 }
 
 }  // namespace
 
 bool explains(const FitQuality& other, const FitQuality& own) {
   return own.excess() - other.excess() > gain_least && other.ratio() - 1.0 < (1.0 - share_least) * (own.ratio() - 1.0);
-}
-
-double chance_of(const Gained& gained, const FitQuality& larger) {
-  if (!(gained.chi_squared > 0.0 && gained.unknowns >= 1.0 && larger.chi_squared > 0.0)) return 1.0;
-  if (!(larger.degrees_of_freedom >= 1.0)) return 1.0;
-  return numeric::f_tail(gained.chi_squared / gained.unknowns / larger.ratio(),
-                         {gained.unknowns, larger.degrees_of_freedom});
 }
 
 bool is_in_rows(std::span<const VolumetricReading> readings) {
@@ -61,12 +52,19 @@ std::vector<std::size_t> readings_to_try(const Identifier& done) {
   return all;
 }
 
-std::optional<TriedFit> fitted_to(const Problem& some, State start) {
+std::optional<TriedFit> fitted_to(const Problem& some, const Identifier& done) {
+  State start = done.fit().state;
   start.coefficients.assign(some.coefficients.raw(), 0.0);
   auto fit = least_squares(some, std::move(start));
   if (!fit) return std::nullopt;
-  const FitQuality quality = quality_of(*fit, some.weights);
-  if (quality.degrees_of_freedom < 1.0) return std::nullopt;
+  double freedom = degrees_of_freedom(*fit, some.weights);
+  if (done.has_part_scales())
+    if (const auto scales = part_scale_fit(some, *fit, freedom, done.middle_mm()); scales && scales->told.held) {
+      take_out(*scales, some, *fit);
+      freedom -= scales->taken;
+    }
+  if (freedom < 1.0) return std::nullopt;
+  const FitQuality quality{fit->chi_squared, freedom};
   return TriedFit{*std::move(fit), quality};
 }
 
@@ -84,16 +82,17 @@ std::optional<TriedFit> fitted_with(const Coefficients& coefficients, const Iden
   const ThinnedProblem few(
       {whole.machine, coefficients, unknowns, whole.readings, whole.tools_mm, approaches, whole.weights, whole.threads},
       kept);
-  return fitted_to(few.problem(), done.fit().state);
+  return fitted_to(few.problem(), done);
 }
 
 std::optional<FitQuality> own_quality(const Identifier& done, std::span<const std::size_t> kept) {
   if (kept.size() == done.weights().size() && !done.penalty()) {
-    const FitQuality quality = quality_of(done.fit(), done.weights());
+    const FitQuality quality{done.fit().chi_squared,
+                             degrees_of_freedom(done.fit(), done.weights()) - done.taken_by_scales()};
     return quality.degrees_of_freedom < 1.0 ? std::nullopt : std::optional(quality);
   }
   const ThinnedProblem few(done.problem(), kept);
-  const auto tried = fitted_to(few.problem(), done.fit().state);
+  const auto tried = fitted_to(few.problem(), done);
   return tried ? std::optional(tried->quality) : std::nullopt;
 }
 
@@ -105,8 +104,8 @@ FitQuality seen_quality(const Identifier& done, std::span<const std::size_t> kep
     seen.chi_squared += w * v * v;
     used += w > 0.0 ? 1.0 : 0.0;
   }
-  const std::size_t told = done.fit().solution.told();
-  seen.degrees_of_freedom = used * (1.0 - static_cast<double>(told) / static_cast<double>(done.count()));
+  const double told = static_cast<double>(done.fit().solution.told()) + done.taken_by_scales();
+  seen.degrees_of_freedom = used * (1.0 - told / static_cast<double>(done.count()));
   return seen;
 }
 

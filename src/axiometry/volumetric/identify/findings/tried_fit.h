@@ -5,33 +5,17 @@
 #include <span>
 #include <vector>
 
+#include "axiometry/volumetric/identify/equations/fit_quality.h"
 #include "axiometry/volumetric/identify/identifier.h"
 
 /// What else may be fitted to the lengths, beside what was asked for. Internal to identify().
 namespace axiometry::volumetric::detail {
-
-/// How well something fits.
-struct FitQuality {
-  double chi_squared = 0.0;
-  double degrees_of_freedom = 1.0;
-
-  double excess() const { return chi_squared - degrees_of_freedom; }
-  double ratio() const { return chi_squared / degrees_of_freedom; }
-};
 
 /// What χ² must lose: a few dozen unknowns take less by chance.
 inline constexpr double gain_least = 100.0;
 
 /// Whether it takes most of what the other has too much, by more than the number of its unknowns alone does.
 bool explains(const FitQuality& other, const FitQuality& own);
-
-/// Of more unknowns: by the F test of two fits of which the larger one holds the other, which needs no σ, the chance of
-/// as much or more where the smaller one is true.
-struct Gained {
-  double chi_squared = 0.0;  ///< by which it falls
-  double unknowns = 0.0;
-};
-double chance_of(const Gained& gained, const FitQuality& larger);
 
 struct TriedFit {
   Fit fit;
@@ -45,8 +29,9 @@ bool is_in_rows(std::span<const VolumetricReading> readings);
 /// All that were looked at, or some of very many.
 std::vector<std::size_t> readings_to_try(const Identifier& done);
 
-/// From the places of the stations as they were found: errors are so small that these hardly depend on them.
-std::optional<TriedFit> fitted_to(const Problem& some, State start);
+/// From the places of the stations as `done` found them: errors are so small that these hardly depend on them. Scales
+/// of the parts are taken out where `done` has some: a fit without them would look worse for what it is not tried for.
+std::optional<TriedFit> fitted_to(const Problem& some, const Identifier& done);
 
 Coefficients with_reversal(const Coefficients& c, Reversal reversal);
 std::optional<TriedFit> fitted_with(const Coefficients& coefficients, const Identifier& done,
