@@ -2547,6 +2547,19 @@ export interface components {
                 change_um: {
                     [key: string]: number[] | null;
                 };
+                /** @description The same of positive approaches, where all angles have both directions. */
+                change_up_um?: {
+                    [key: string]: number[];
+                };
+                /** @description The same of negative approaches. */
+                change_down_um?: {
+                    [key: string]: number[];
+                };
+                /**
+                 * @description Of change_um: the mean of both directions where all angles have both. Null where no angle is enough.
+                 * @enum {unknown}
+                 */
+                course?: "up" | "down" | "mean" | null;
                 /** @description By the name of the error, what was not measured. */
                 missing: {
                     [key: string]: string;

@@ -172,6 +172,11 @@ void add_limits(DynamicMotion& motion) {
       "scale "
       "nor "
       "a reversal error can be told");
+  if (const double step = motion.course.resolution * deviation_per_position(motion.kind); step > 0.0)
+    motion.remarks.push_back(
+        fmt::format("the positions come in steps of {:.3g} {}, which hide what is smaller: the noise counts as that of "
+                    "rounding to such steps",
+                    step, deviation_unit(motion.kind)));
   if (!motion.feed)
     motion.remarks.push_back("the feed that was asked for is not stated: how far the axis is from it is not known");
 }

@@ -19,6 +19,8 @@
 namespace axiometry::app {
 namespace {
 
+using error_motions::PathKind;
+
 Result<void> put_name(MeasuredMotion& measured, const MotionRequest& request, bool angle) {
   const std::optional<MotionName>& stated = request.error;
   if (stated && measured.error && *stated != *measured.error)
@@ -157,6 +159,11 @@ Result<MeasuredMotion> evaluated(const MotionRequest& request, formats::MotionFi
   if (states_nothing(options.instrument)) options.instrument.reset();
   measured.motion = error_motions::axis_motion(series, options);
   measured.instrument = options.instrument;
+  if (measured.instrument && !file.unit_in_file.empty())
+    measured.remarks.push_back(fmt::format(
+        "the readings of the file are in {}: the uncertainty of the instrument was taken as stated in {}, as "
+        "the figures are",
+        file.unit_in_file, motion_unit_symbol(file.unit)));
   add_gaps(measured, request.options.instrument.has_value());
   return measured;
 }
@@ -188,31 +195,71 @@ Result<void> name_by_senses(SquarenessMeasurement& s) {
   return in_file(check_axis(s.second), s.second.file);
 }
 
-/// ε of each angle at each position, µrad, of the mean of both directions.
-Result<error_motions::AxisAngles> angles_of(const std::vector<MeasuredMotion>& list) {
-  error_motions::AxisAngles angles;
+/// Whether they may be put together: each rotation of one axis once, at the same positions.
+Result<void> check_angles(const std::vector<MeasuredMotion>& list) {
   const MeasuredMotion& first = list.front();
+  std::string coordinates;
   for (const MeasuredMotion& m : list) {
     if (!m.error)
       return in_file(
-          Result<error_motions::AxisAngles>(
-              fail("found no name of the error, expected # error: EAX, EBX or ECX, or one stated beside the file")),
+          Result<void>(fail("found no name of the error, expected # error: EAX, EBX or ECX, or one stated beside the "
+                            "file")),
           m.file);
     if (m.error->axis != first.error->axis)
       return fail(fmt::format("found {} and {}, expected rotations of one axis", first.error->text(), m.error->text()));
-    auto& place = angles.urad[static_cast<std::size_t>(m.error->coordinate - 'A')];
-    if (place) return fail(fmt::format("found {} twice, expected each rotation once", m.error->text()));
-    bool same = m.motion.positions.size() == first.motion.positions.size();
-    for (std::size_t i = 0; same && i < m.motion.positions.size(); ++i)
-      same = m.motion.positions[i].position_mm == first.motion.positions[i].position_mm;
-    if (!same)
+    if (coordinates.contains(m.error->coordinate))
+      return fail(fmt::format("found {} twice, expected each rotation once", m.error->text()));
+    coordinates += m.error->coordinate;
+    if (!std::ranges::equal(m.motion.positions, first.motion.positions, {}, &error_motions::MotionPosition::position_mm,
+                            &error_motions::MotionPosition::position_mm))
       return fail(fmt::format("found {} and {} at different positions, expected the same", first.error->text(),
                               m.error->text()));
-    place = m.motion.principal().means;
+  }
+  return {};
+}
+
+const error_motions::MotionPath* path_of(const MeasuredMotion& m, PathKind kind) {
+  const auto path = std::ranges::find(m.motion.paths, kind, &error_motions::MotionPath::kind);
+  return path == m.motion.paths.end() ? nullptr : &*path;
+}
+
+/// ε of each angle at each position, µrad; nothing where not all files have that course.
+std::optional<error_motions::AxisAngles> angles_of(const std::vector<MeasuredMotion>& list, PathKind kind) {
+  error_motions::AxisAngles angles;
+  for (const MeasuredMotion& m : list) {
+    const error_motions::MotionPath* path = path_of(m, kind);
+    if (path == nullptr) return std::nullopt;
+    auto& place = angles.urad[static_cast<std::size_t>(m.error->coordinate - 'A')];
+    place = path->means;
     if (m.motion.unit == MotionUnit::arcsec)
       for (double& x : *place) x *= urad_per_arcsec;
   }
   return angles;
+}
+
+/// ↑, ↓ and the mean of both, as far as all files have them.
+Result<std::vector<AbbeComponent>> at_offset(const std::vector<MeasuredMotion>& list, const Vector3& offset_mm) {
+  AXIOMETRY_TRY_VOID(check_angles(list));
+  const char axis = list.front().error->axis;
+  std::vector<AbbeComponent> components;
+  for (std::size_t c = 0; c < 3; ++c)
+    components.push_back({.name = {'E', static_cast<char>('X' + c), axis}, .courses = {}, .missing = {}});
+  bool any = false;
+  for (const PathKind kind : {PathKind::up, PathKind::down, PathKind::mean}) {
+    const auto angles = angles_of(list, kind);
+    if (!angles) continue;
+    const auto changes = error_motions::abbe_displacement(*angles, offset_mm);
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      if (changes[c]) components[c].courses.push_back({kind, *changes[c]});
+      if (!any)
+        for (const char angle : error_motions::missing_angles(*angles, offset_mm, c))
+          components[c].missing += fmt::format("{}E{}{}", components[c].missing.empty() ? "" : ", ", angle, axis);
+    }
+    any = true;
+  }
+  if (!any)
+    return fail("found angles of one direction beside ones of the other, expected a direction that all of them have");
+  return components;
 }
 
 }  // namespace
@@ -262,15 +309,7 @@ Result<AnglesMeasurement> measure_angles(const AnglesRequest& request) {
     measurement.angles.push_back(std::move(angle));
   }
   if (!request.offset_mm) return measurement;
-  AXIOMETRY_TRY(const error_motions::AxisAngles angles, angles_of(measurement.angles));
-  const auto changes = error_motions::abbe_displacement(angles, *request.offset_mm);
-  const char axis = measurement.angles.front().error->axis;
-  for (std::size_t c = 0; c < changes.size(); ++c) {
-    AbbeComponent component{.name = {'E', static_cast<char>('X' + c), axis}, .change_um = changes[c], .missing = {}};
-    for (const char angle : error_motions::missing_angles(angles, *request.offset_mm, c))
-      component.missing += fmt::format("{}E{}{}", component.missing.empty() ? "" : ", ", angle, axis);
-    measurement.abbe.push_back(std::move(component));
-  }
+  AXIOMETRY_TRY(measurement.abbe, at_offset(measurement.angles, *request.offset_mm));
   return measurement;
 }
 

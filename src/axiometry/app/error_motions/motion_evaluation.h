@@ -44,7 +44,7 @@ struct MeasuredMotion {
   Metadata metadata;
   std::vector<std::string> remarks;  ///< remarks on its reading, and what its figures lack
   error_motions::AxisMotion motion;
-  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< its uncertainty, in the unit of the readings
+  std::optional<error_motions::InstrumentUncertainty> instrument{};  ///< its uncertainty, in the unit of `motion`
 
   /// Whether its numbers are stated to be those of the named error, in axes of the machine.
   bool in_axes() const { return error && sense; }
@@ -81,10 +81,15 @@ struct AnglesRequest {
   std::vector<MotionRequest> files;
   std::optional<Vector3> offset_mm{};  ///< (dx, dy, dz), abbe_offset.h
 };
+struct AbbeCourse {
+  error_motions::PathKind kind = error_motions::PathKind::mean;
+  std::vector<double> change_um;  ///< change at each position
+};
 struct AbbeComponent {
-  std::string name;                              ///< "EXX"
-  std::optional<std::vector<double>> change_um;  ///< change at each position
-  std::string missing;                           ///< "EBX, ECX"; empty where change_um is there
+  std::string name;  ///< "EXX"
+  std::vector<AbbeCourse>
+      courses;          ///< those that all files have, the principal one last; none where an angle is missing
+  std::string missing;  ///< "EBX, ECX"; empty where there are courses
 };
 struct AnglesMeasurement {
   std::vector<MeasuredMotion> angles;
@@ -92,7 +97,7 @@ struct AnglesMeasurement {
   std::vector<AbbeComponent> abbe;  ///< three with an offset, none without
 };
 /// Fails on files of different machines; with an offset on an angle without a name, one twice, angles of several axes
-/// and lists of positions that differ.
+/// and lists of positions that differ, and where no direction was measured of all of them.
 Result<AnglesMeasurement> measure_angles(const AnglesRequest& request);
 
 /// What is made of a result besides its figures in a terminal: each costs memory for every position.

@@ -202,6 +202,73 @@ TEST(MeasuredMotion, DoesNotBelieveAnInstrumentWithoutUncertainty) {
   EXPECT_EQ(std::ranges::count(growing->remarks, zero_instrument_remark), 0);
 }
 
+/// A file in mm is evaluated in µm; what 0.0004 beside it means must not be guessed in silence.
+TEST(MeasuredMotion, SaysInWhichUnitTheInstrumentWasTaken) {
+  const auto told = [](const std::string& head) {
+    const std::string rows = "position_mm," + head + "\n0,0\n400,0.002\n800,0.001\n";
+    MotionRequest request{.file = "a.csv", .options = {}, .bytes = rows};
+    request.options.instrument = error_motions::InstrumentUncertainty{.a = 0.4};
+    const auto measured = measure_straightness(request);
+    EXPECT_TRUE(measured);
+    return std::ranges::count_if(measured->remarks, [](const std::string& remark) {
+      return remark.contains("was taken as stated in µm") && language::is_known(remark, language::Language::german);
+    });
+  };
+  EXPECT_EQ(told("straightness_mm"), 1);
+  EXPECT_EQ(told("straightness_um"), 0);
+}
+
+TEST(MeasuredMotion, HasNoUncertaintyOfASquarenessWhereOneLineHasNone) {
+  const std::string scatters =
+      "position_mm,run,straightness_um\n0,1,1\n400,1,2\n800,1,3.5\n0,2,1\n400,2,2.1\n800,2,3.3\n";
+  const std::string copied = "position_mm,run,straightness_um\n0,1,1\n400,1,2\n800,1,2\n0,2,1\n400,2,2\n800,2,2\n";
+  const auto tells = [&](const std::string& second) {
+    SquarenessRequest request{.first = "a.csv", .second = "b.csv", .options = {}, .square = {}};
+    request.bytes = {scatters, second};
+    request.senses = {*reading_sense("+Y"), *reading_sense("+X")};
+    request.square.square_uncertainty_arcsec = 0.2;
+    const auto measured = measure_squareness(request);
+    EXPECT_TRUE(measured) << measured.error().message;
+    EXPECT_EQ(measured->location->urad.tells_U(), measured->result.squareness_arcsec.tells_U());
+    return measured->result.squareness_arcsec.tells_U();
+  };
+  EXPECT_TRUE(tells(scatters));
+  EXPECT_FALSE(tells(copied));
+}
+
+TEST(Angles, DoAtAnotherPointWhatEachDirectionDoes) {
+  const std::string both =
+      "# error: EBX\nposition_mm,direction,pitch_urad\n0,up,10\n100,up,10\n100,down,-10\n0,down,-10\n";
+  const std::string one = "# error: EAX\n# positive: +A\nposition_mm,direction,roll_urad\n0,up,1\n100,up,2\n";
+  const std::string other = "# error: EAX\nposition_mm,direction,roll_urad\n0,down,1\n100,down,2\n";
+  const auto measured =
+      measure_angles({.files = {{.file = "b.csv", .options = {}, .bytes = both}}, .offset_mm = Vector3{0, 0, 250}});
+  ASSERT_TRUE(measured);
+  ASSERT_EQ(measured->abbe[0].courses.size(), 3u);
+  EXPECT_DOUBLE_EQ(measured->abbe[0].courses[0].change_um[0], 2.5);
+  EXPECT_DOUBLE_EQ(measured->abbe[0].courses[1].change_um[0], -2.5);
+  EXPECT_DOUBLE_EQ(measured->abbe[0].courses[2].change_um[0], 0.0);
+  const Experiment shown = present(*measured, {}, {});
+  EXPECT_EQ(row_of(shown.document, "EXX"), (std::vector<std::string>{"EXX", "↑", "0.000", "2.500", ""}));
+  EXPECT_EQ(shown.json.find("abbe")->find("change_down_um")->find("EXX")->items().size(), 2u);
+  EXPECT_THAT(json::dump(*shown.json.find("remarks")), HasSubstr("which way the readings of EBX are positive"));
+
+  const auto mixed = measure_angles(
+      {.files = {{.file = "a.csv", .options = {}, .bytes = one}, {.file = "b.csv", .options = {}, .bytes = both}},
+       .offset_mm = Vector3{0, 0, 250}});
+  ASSERT_TRUE(mixed);
+  ASSERT_EQ(mixed->abbe[0].courses.size(), 1u) << "roll was read in one direction";
+  EXPECT_EQ(mixed->abbe[0].courses[0].kind, error_motions::PathKind::up);
+  const auto apart = measure_angles({.files = {{.file = "a.csv", .options = {}, .bytes = other},
+                                               {.file = "b.csv",
+                                                .error = *motion_name("EBX"),
+                                                .options = {},
+                                                .bytes = "position_mm,direction,angle_urad\n0,up,1\n100,up,2\n"}},
+                                     .offset_mm = Vector3{0, 0, 250}});
+  ASSERT_FALSE(apart);
+  EXPECT_THAT(apart.error().message, HasSubstr("expected a direction that all of them have"));
+}
+
 TEST(Angles, RefuseAColumnOfRollForAnErrorThatIsNone) {
   const auto fault = [](const char* column, const char* error) -> std::string {
     const std::string bytes = std::string("position_mm,") + column + "_urad\n0,1\n400,2\n";

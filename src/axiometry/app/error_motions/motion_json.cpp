@@ -20,10 +20,6 @@ Value scatter_word(MotionEstimate::Scatter scatter) {
   return {};
 }
 
-std::string_view course_key(PathKind kind) {
-  return kind == PathKind::up ? "up" : kind == PathKind::down ? "down" : "mean";
-}
-
 Value course_to_json(const error_motions::AxisMotion& motion, const error_motions::MotionPath& path) {
   Value object = Value::object();
   object.add("course", course_key(path.kind));
@@ -67,6 +63,10 @@ Value motion_positions_to_json(const error_motions::AxisMotion& motion) {
 }
 
 }  // namespace
+
+std::string_view course_key(PathKind kind) {
+  return kind == PathKind::up ? "up" : kind == PathKind::down ? "down" : "mean";
+}
 
 Value texts_to_json(const std::vector<std::string>& texts) {
   Value list = Value::array();

@@ -8,6 +8,7 @@
 #include "axiometry/app/error_motions/motion_tables.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/base/text/number_text.h"
+#include "axiometry/report/sections/sections.h"
 #include "axiometry/report/shown_number.h"
 
 namespace axiometry::app {
@@ -50,7 +51,9 @@ std::vector<std::string> square_remarks(const SquarenessMeasurement& s) {
 report::Section square_section(const SquarenessMeasurement& s, const report::Options& options) {
   report::Section section{"results", "Results", true, {}};
   report::Table table = estimate_table(
-      s.square.square_uncertainty_arcsec
+      !s.result.squareness_arcsec.tells_U()
+          ? "Of at least one line nothing tells an uncertainty: none is stated of the squareness."
+      : s.square.square_uncertainty_arcsec
           ? "U for about 95 %, from both lines, whose tables say what theirs holds, and the optical square."
           : "U for about 95 %, from both lines, whose tables say what theirs holds.");
   table.rows.push_back(estimate_row("Slope of the first line, θ₁", "", s.result.theta_1_arcsec, "″", options));
@@ -95,6 +98,14 @@ double largest_of(const std::vector<double>& values) {
   return *std::ranges::max_element(values, {}, [](double x) { return std::abs(x); });
 }
 
+/// Names of the errors of which nothing states which way their readings are positive, "EBX, ECX".
+std::string without_sense(const AnglesMeasurement& a) {
+  std::string names;
+  for (const MeasuredMotion& m : a.angles)
+    if (!m.in_axes()) names += (names.empty() ? "" : ", ") + name_of(m);
+  return names;
+}
+
 report::Section abbe_section(const AnglesMeasurement& a, const report::Options& options) {
   report::Section section{"abbe", "At another point", true, {}};
   report::Table table;
@@ -103,43 +114,68 @@ report::Section abbe_section(const AnglesMeasurement& a, const report::Options& 
                         report::shown_exact(a.offset_mm->x, options), report::shown_exact(a.offset_mm->y, options),
                         report::shown_exact(a.offset_mm->z, options)));
   table.columns = {{plain("Error"), Align::start, true},
+                   {plain("Course"), Align::centre},
                    {plain("Range of the change, µm"), Align::decimal},
                    {plain("Largest change, µm"), Align::decimal},
                    {plain("Not known without")}};
   for (const AbbeComponent& c : a.abbe) {
-    auto& row = table.rows.emplace_back();
-    row.push_back(word_cell(c.name));
-    if (c.change_um) {
-      const auto [low, high] = std::ranges::minmax(*c.change_um);
-      row.push_back(number_cell(high - low, change_decimals, options));
-      row.push_back(number_cell(largest_of(*c.change_um), change_decimals, options));
-    } else {
-      row.push_back({plain("–"), report::Tone::quiet});
-      row.push_back({plain("–"), report::Tone::quiet});
+    if (c.courses.empty())
+      table.rows.push_back(
+          {word_cell(c.name), word_cell(""), report::quiet_cell("–"), report::quiet_cell("–"), word_cell(c.missing)});
+    for (const AbbeCourse& course : c.courses) {
+      const auto [low, high] = std::ranges::minmax(course.change_um);
+      table.rows.push_back({word_cell(c.name), word_cell(error_motions::path_mark(course.kind)),
+                            number_cell(high - low, change_decimals, options),
+                            number_cell(largest_of(course.change_um), change_decimals, options), word_cell("")});
     }
-    row.push_back(word_cell(c.missing));
   }
   table.notes = {
-      plain("Added to the error at the measured line. Of the moving part, in axes of the machine; where it "
-            "carries the workpiece, the tool sees the opposite sign. No uncertainty of the change is "
-            "stated.")};
+      plain(without_sense(a).empty()
+                ? "Added to the error at the measured line. Of the moving part, in axes of the machine; where it "
+                  "carries the workpiece, the tool sees the opposite sign. No uncertainty of the change is "
+                  "stated."
+                : "Added to the error at the measured line, as if all readings were positive by the right-hand rule "
+                  "about the axes of the machine. Of the moving part; where it carries the workpiece, the tool sees "
+                  "the opposite sign. No uncertainty of the change is stated.")};
+  if (a.angles.front().motion.reference != error_motions::Reference::none)
+    table.notes.push_back(plain("Of the readings as they are: no line is taken from them here."));
   section.blocks.emplace_back(std::move(table));
   return section;
 }
 
+std::vector<std::string> angle_remarks(const AnglesMeasurement& a, const std::vector<const MeasuredMotion*>& files) {
+  std::vector<std::string> remarks = all_remarks(files);
+  if (const std::string names = without_sense(a); a.offset_mm && !names.empty())
+    remarks.push_back(
+        fmt::format("nothing states which way the readings of {} are positive, as # positive: +B in a file does: what "
+                    "they change at another point may have the other sign",
+                    names));
+  return remarks;
+}
+
+/// `change_um` is that of the principal course; that of each direction stands beside it where there are both.
 Value abbe_to_json(const AnglesMeasurement& a) {
   Value object = Value::object();
   Value& offset = object.add("offset_mm", Value::array());
   for (std::size_t k = 0; k < 3; ++k) offset.push((*a.offset_mm)[k]);
+  const auto list_of = [](const std::vector<double>& numbers) {
+    Value list = Value::array();
+    for (const double x : numbers) list.push(x);
+    return list;
+  };
   Value& changes = object.add("change_um", Value::object());
-  for (const AbbeComponent& c : a.abbe) {
-    if (!c.change_um) {
-      changes.add(c.name, Value());
-      continue;
-    }
-    Value& list = changes.add(c.name, Value::array());
-    for (const double x : *c.change_um) list.push(x);
+  for (const AbbeComponent& c : a.abbe)
+    changes.add(c.name, c.courses.empty() ? Value() : list_of(c.courses.back().change_um));
+  for (const auto& [key, kind] : {std::pair{"change_up_um", error_motions::PathKind::up},
+                                  std::pair{"change_down_um", error_motions::PathKind::down}}) {
+    Value of_direction = Value::object();
+    for (const AbbeComponent& c : a.abbe)
+      for (const AbbeCourse& course : c.courses)
+        if (c.courses.size() > 1 && course.kind == kind) of_direction.add(c.name, list_of(course.change_um));
+    if (!of_direction.members().empty()) object.add(key, std::move(of_direction));
   }
+  const auto told = std::ranges::find_if(a.abbe, [](const AbbeComponent& c) { return !c.courses.empty(); });
+  object.add("course", told == a.abbe.end() ? Value() : Value(course_key(told->courses.back().kind)));
   Value& missing = object.add("missing", Value::object());
   for (const AbbeComponent& c : a.abbe)
     if (!c.missing.empty()) missing.add(c.name, c.missing);
@@ -222,7 +258,7 @@ Experiment present(const AnglesMeasurement& a, const report::Options& options, M
         motion_results(*files[k], file_id("results", k, files.size()), "Results", options));
   if (a.offset_mm) experiment.document.sections.push_back(abbe_section(a, options));
   if (outputs.report) add_details(experiment.document, files, options);
-  const std::vector<std::string> remarks = all_remarks(files);
+  const std::vector<std::string> remarks = angle_remarks(a, files);
   add_remarks(experiment.document, remarks);
   if (!outputs.json) return experiment;
   Value& json = experiment.json = measurement_value("angles");

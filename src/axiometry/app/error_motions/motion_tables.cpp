@@ -275,11 +275,19 @@ report::Section motion_provenance(const std::vector<const MeasuredMotion*>& file
 
 report::Section motion_method(const MeasuredMotion& measured) {
   std::string text =
-      "Means over the runs at each position; the mean of both directions where there are two. U of a slope and of a "
-      "range is from the same figure of each run, as a mean of independent runs, or from the noise within the runs "
-      "where "
-      "that is larger; the instrument’s part holds for every correlation between positions and falls neither with "
-      "positions nor with runs. The position of the highest and the lowest residual is taken as known.";
+      measured.motion.runs > 1
+          ? "Means over the runs at each position; the mean of both directions where there are two. U of a slope and "
+            "of "
+            "a range is from the same figure of each run, as a mean of independent runs, or from the noise within the "
+            "runs where that is larger; the instrument’s part holds for every correlation between positions and falls "
+            "neither with positions nor with runs. The position of the highest and the lowest residual is taken as "
+            "known."
+          : "One run: the mean of both directions where there are two. U of a line is from what it leaves, in which "
+            "the "
+            "shape of the way is too, and a range has none of this kind; the instrument’s part holds for every "
+            "correlation between positions and does not fall with positions. The position of the highest and the "
+            "lowest "
+            "residual is taken as known.";
   if (measured.motion.reference == Reference::none)
     text += " No line is removed from angles: their slope is a bend or a twist of the way.";
   return {"method", "Method", false, {report::Paragraph{plain(text)}}};

@@ -42,6 +42,7 @@ report::Section motion_method(const MeasuredMotion& measured);
 /// "EYX", or "" where nobody said.
 std::string name_of(const MeasuredMotion& measured);
 
+std::string_view course_key(error_motions::PathKind kind);  ///< of JSON: "up", "down", "mean"
 json::Value estimate_to_json(const error_motions::MotionEstimate& estimate);
 json::Value instrument_to_json(const std::optional<error_motions::InstrumentUncertainty>& instrument);
 json::Value motion_to_json(const MeasuredMotion& measured);

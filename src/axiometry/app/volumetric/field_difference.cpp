@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/app/volumetric/field_difference.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/json_members.h"
 #include "axiometry/volumetric/field/field_difference.h"
 
@@ -57,7 +61,13 @@ Result<Value> field_difference(const KeptModel& before, const KeptModel& after, 
   if (!box)
     return fail("found two results whose travels do not overlap, expected two of one machine: before and after");
   const KeptModel first{volumetric::seen_over(before.model, *box), before.against};
-  const KeptModel second{volumetric::seen_over(after.model, *box), after.against};
+  KeptModel second{volumetric::seen_over(after.model, *box), after.against};
+  const std::string &earlier = before.model.machine().name, &later = after.model.machine().name;
+  if (!earlier.empty() && !later.empty() && earlier != later)
+    second.against.push_back({"volumetric-two-machines", false,
+                              fmt::format("found results of the machines {} and {}, expected two of one machine: what "
+                                          "they differ by need not have changed",
+                                          text::quoted(earlier), text::quoted(later))});
   Value tools = Value::array();
   for (const Tool& tool : second.model.machine().tools) {
     if (same_tool(first.model, tool) == nullptr) continue;

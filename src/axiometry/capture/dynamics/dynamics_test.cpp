@@ -61,6 +61,27 @@ TEST(MotionCourse, TellsTheNoiseAndWhatItMakesOfVelocities) {
   EXPECT_NEAR(std::sqrt(a2) / course->acceleration_noise, 1.0, 0.05);
 }
 
+/// At rest most differences of rounded positions are 0, and so is their median: what is smaller than a step is hidden,
+/// and not absent.
+TEST(MotionCourse, TakesPositionsThatComeInStepsForNoBetterThanThese) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal(0.0, 2e-4);
+  const auto record = recorded(1000, 10'000, [&](double t) {
+    const double place = t < 7.0 ? 0.0 : 10.0 * (t - 7.0);
+    return std::round((place + normal(random)) * 1e3) / 1e3;
+  });
+  const auto course = motion_course(record, 0.011);
+  EXPECT_NEAR(course->resolution, 1e-3, 1e-9);
+  EXPECT_NEAR(course->noise, 1e-3 / std::sqrt(12.0), 1e-9);
+  const auto exact = recorded(1000, 1000, [](double t) { return 100.0 * t; });
+  EXPECT_LT(motion_course(exact, 0.011)->noise, 1e-12) << "equal ways are no steps";
+  const auto corners = recorded(1000, 4000, [](double t) {  // 1 m/s² for 0.1 s, then even, from 1 s on
+    const double s = std::max(0.0, t - 1.0), begun = std::min(s, 0.1);
+    return 500.0 * begun * begun + 100.0 * (s - begun);
+  });
+  EXPECT_LT(motion_course(corners, 0.011)->noise, 1e-12) << "nor are corners";
+}
+
 TEST(MotionCourse, RefusesWindowsThatTheRecordingCannotHold) {
   const auto record = recorded(100, 100, [](double t) { return t; });
   for (const double window : {0.0, -1.0, 0.02, 0.5, 1e300, std::nan("")}) EXPECT_FALSE(motion_course(record, window));

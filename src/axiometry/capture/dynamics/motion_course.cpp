@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "axiometry/numeric/median.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t half_least = 2, windows_least = 4;
 constexpr double usual_s = 0.01;
+constexpr double steps_least = 0.005;  // share of third differences that are not 0
 constexpr double per_median = 0.6745;  // of the magnitudes of a normal distribution
 // Windows slide by sums that are updated; they are made anew so often that rounding stays below 1e-12 of the sums.
 constexpr std::size_t slides_at_once = 1024;
@@ -41,11 +43,36 @@ void slide(WindowSums& s, double out, double in, double h) {
   s.constant += in - out;
 }
 
-/// Third differences of a parabola are 0, of white noise they have the variance 20 σ².
-double noise_of(std::span<const double> x) {
+/// What third differences tell, which are 0 of a parabola.
+struct StepNoise {
+  double sd = 0.0;          ///< of white noise they have the variance 20 σ²
+  double resolution = 0.0;  ///< of values in steps they are whole multiples of one; 0 where they are not
+};
+
+StepNoise step_noise(std::span<const double> x) {
+  double largest = 0.0;
+  for (const double value : x) largest = std::max(largest, std::abs(value));
+  const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * largest;
   std::vector<double> steps;
   for (std::size_t k = 3; k < x.size(); ++k) steps.push_back(std::abs(x[k] - x[k - 3] - 3.0 * (x[k - 1] - x[k - 2])));
-  return steps.empty() ? 0.0 : numeric::upper_median(std::move(steps)) / per_median / std::sqrt(20.0);
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t some = 0;
+  for (const double step : steps)
+    if (step > rounding) {
+      least = std::min(least, step);
+      ++some;
+    }
+  const auto is_multiple = [&](double step) {
+    const double times = std::nearbyint(step / least);
+    return std::abs(step - times * least) <= (1.0 + times) * rounding;
+  };
+  StepNoise noise;
+  // The corners of a motion without noise are few.
+  if (static_cast<double>(some) >= steps_least * static_cast<double>(steps.size()) && some > 0 &&
+      std::ranges::all_of(steps, is_multiple))
+    noise.resolution = least;
+  if (!steps.empty()) noise.sd = numeric::upper_median(std::move(steps)) / per_median / std::sqrt(20.0);
+  return noise;
 }
 
 double quarter_of(const MotionRecord& record) {
@@ -109,7 +136,10 @@ Result<MotionCourse> motion_course(const MotionRecord& record, double window_s) 
     course.acceleration[end] = course.acceleration[last];
     course.velocity[end] = course.velocity[last] + before_s * course.acceleration[last];
   }
-  course.noise = noise_of(x);
+  const StepNoise noise = step_noise(x);
+  const double of_steps = noise.resolution / std::sqrt(12.0);
+  course.noise = std::max(noise.sd, of_steps);
+  if (of_steps > noise.sd) course.resolution = noise.resolution;
   course.velocity_noise = course.noise / std::sqrt(s2) * rate;
   course.acceleration_noise = 2.0 * course.noise / std::sqrt(spread) * rate * rate;
   return course;

@@ -32,7 +32,9 @@ struct MotionCourse {
   double window_s = 0.0;             ///< T = (2h + 1) τ
   std::vector<double> velocity;      ///< native units per s
   std::vector<double> acceleration;  ///< native units per s²
-  double noise = 0.0;                ///< standard deviation of a position, from third differences (median), native
+  double noise = 0.0;                ///< standard deviation of a position, from third differences (median), native;
+                                     ///< that of rounding to steps, q/√12, where more is not seen
+  double resolution = 0.0;           ///< q then; else 0
   double velocity_noise = 0.0;       ///< what that makes of a velocity: noise/(√S_2 τ)
   double acceleration_noise = 0.0;   ///< noise of an acceleration: 2 noise/(√(S_4 − S_2²/n) τ²)
 };

@@ -151,9 +151,10 @@ class MotionRows {
     AXIOMETRY_TRY(MotionReading r, plan_ != nullptr ? planned(line.number) : stated(cells, line.number));
     const CsvCell& reading = cells[*columns_.at[value_column]];
     r.at = {line.number, reading.column};
-    if (!columns_.at[direction_column] && plan_ == nullptr) order_of_rows_.take(r.run, r.position_mm);
+    if (plan_ == nullptr) order_of_rows_.take({r.run, r.direction}, r.position_mm);
     if (is_missing(reading.text)) {
       empty_mm_.insert(r.position_mm + 0.0);  // −0 is 0
+      empty_runs_.insert({r.run, r.direction});
       return {};
     }
     AXIOMETRY_TRY(const double value, numbers_.read(reading.text, r.at));
@@ -171,9 +172,12 @@ class MotionRows {
 
   /// What is to be told of the rows as a whole.
   Result<void> remark(MotionFile& file) const {
-    if (!columns_.at[direction_column] && plan_ == nullptr) AXIOMETRY_TRY_VOID(order_of_rows_.put_remark(file.remarks));
+    if (plan_ == nullptr)
+      AXIOMETRY_TRY_VOID(order_of_rows_.put_remark(columns_.at[direction_column].has_value(), file.remarks));
     if (const auto left = positions_without_reading(empty_mm_, file.readings); !left.empty())
       file.remarks.push_back(left_out_positions(left));
+    if (const auto left = runs_without_reading(empty_runs_, file.readings); !left.empty())
+      file.remarks.push_back(left_out_runs(left));
     return {};
   }
 
@@ -232,7 +236,8 @@ class MotionRows {
   std::size_t next_ = 0;
   std::map<std::pair<double, Direction>, std::size_t> approaches_;
   MotionRowOrder order_of_rows_;
-  std::set<double> empty_mm_;  ///< positions of cells without a reading
+  std::set<double> empty_mm_;       ///< positions of cells without a reading
+  std::set<MotionRun> empty_runs_;  ///< runs of such cells
 };
 
 Result<void> put_error(MotionFile& file, const MotionName& error, std::size_t line) {
@@ -345,6 +350,7 @@ Result<MotionFile> read_motion_table(std::string_view bytes, const Plan* plan) {
     if (rows) return rows->row(line, file);
     AXIOMETRY_TRY(MotionColumns columns, motion_columns(line.text, line.number, plan != nullptr));
     file.unit = motion_unit_of(*columns.value_unit);
+    if (motion_value(*columns.value_unit, 1.0) != 1.0) file.unit_in_file = columns.value_unit->symbol;
     file.may_be_positions = columns.may_be_positions;
     file.turn = columns.turn;
     if (columns.error) AXIOMETRY_TRY_VOID(put_error(file, *columns.error, line.number));

@@ -15,6 +15,7 @@ namespace axiometry::formats {
 
 struct MotionFile {
   std::vector<MotionReading> readings;
+  std::string_view unit_in_file{};    ///< "mm", where that is another than `unit`; empty where it is the same
   MotionUnit unit = MotionUnit::um;   ///< lengths as µm, ″ and ° as ″, µrad, mrad and rad as µrad
   std::optional<MotionName> error;    ///< stated by `# error: EYX` or the column's name
   std::optional<ReadingSense> sense;  ///< stated by `# positive: -Y`

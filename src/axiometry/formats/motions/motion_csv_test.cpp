@@ -39,6 +39,23 @@ TEST(MotionCsv, ReadsOneReadingInARow) {
   EXPECT_THAT(file.remarks[1].message, HasSubstr("no reading was taken at 300 mm"));
 }
 
+TEST(MotionCsv, NamesRunsOfWhichNothingWasRead) {
+  const auto file = read_motions(
+      "position_mm,run,direction,straightness_um\n0,1,up,1\n100,1,up,2\n0,3,up,\n100,3,up,\n100,1,down,\n0,1,down,\n");
+  ASSERT_EQ(file.remarks.size(), 1u);
+  EXPECT_EQ(file.remarks[0].message, "found rows without any reading of the runs 1 ↓, 3 ↑: these count as not driven");
+}
+
+TEST(MotionCsv, SaysWhereAllRowsGoTheOtherWayThanTheirDirection) {
+  const auto remarks = [](const std::string& rows) {
+    const auto told = read_motions("position_mm,direction,straightness_um\n" + rows).remarks;
+    return std::ranges::count_if(told, [](const SourceRemark& r) { return r.message.starts_with("the rows of all"); });
+  };
+  EXPECT_EQ(remarks("0,down,1\n100,down,2\n100,up,2\n0,up,1\n"), 1);
+  EXPECT_EQ(remarks("0,up,1\n100,up,2\n100,down,2\n0,down,1\n"), 0);
+  EXPECT_EQ(remarks("0,up,1\n100,up,2\n0,down,1\n100,down,2\n"), 0) << "sorted by positions";
+}
+
 TEST(MotionCsv, KeepsAnglesInTheUnitTheyAreStatedIn) {
   EXPECT_EQ(read_motions("position_mm,direction,EAX_urad\n0,up,0.1\n").readings[0].value, 0.1);
   EXPECT_EQ(read_motions("position_mm,direction,roll_mrad\n0,up,0.1\n").unit, MotionUnit::urad);
@@ -166,7 +183,7 @@ TEST(MotionCsv, TellsThePositionsOfWhichNoReadingWasTaken) {
   std::string many = "position_mm,direction,straightness_um\n0,up,1\n";
   for (int k = 1; k < 9; ++k) many += std::to_string(k) + ",up,\n";
   EXPECT_THAT(read_motions(many).remarks.at(0).message, HasSubstr("at 1, 2, 3, 4, 5, 6, … mm"));
-  EXPECT_TRUE(read_motions("position_mm,run,direction,EYX_um\n0,1,up,1\n0,2,up,\n").remarks.empty())
+  EXPECT_TRUE(read_motions("position_mm,run,direction,EYX_um\n0,1,up,1\n9,1,up,1\n0,2,up,\n9,2,up,1\n").remarks.empty())
       << "one that another run has is the series' to refuse";
 }
 

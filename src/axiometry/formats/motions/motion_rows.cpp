@@ -13,7 +13,7 @@
 namespace axiometry::formats {
 namespace {
 
-constexpr std::size_t positions_named = 6;  // the others are counted
+constexpr std::size_t named_most = 6;  // the others are counted
 
 /// Metadata keys have a group: "machine.nam" is meant as one of them, "v1.2" is not.
 bool begins_like_a_field(std::string_view key) {
@@ -33,9 +33,17 @@ std::optional<std::string_view> word_meant(std::string_view key, std::string_vie
   return meant ? near : std::nullopt;
 }
 
+/// "1 ↑, 3 ↓".
+std::string run_names(std::span<const MotionRun> runs) {
+  std::string names;
+  for (const auto& [run, direction] : runs.first(std::min(runs.size(), named_most)))
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", run, arrow(direction));
+  return runs.size() > named_most ? names + ", …" : names;
+}
+
 }  // namespace
 
-void MotionRowOrder::take(std::size_t run, double position_mm) {
+void MotionRowOrder::take(const MotionRun& run, double position_mm) {
   const auto [at, is_first] = runs_.try_emplace(run, Course{.last_mm = position_mm});
   Course& course = at->second;
   if (is_first) return;
@@ -44,14 +52,30 @@ void MotionRowOrder::take(std::size_t run, double position_mm) {
   course.last_mm = position_mm;
 }
 
-Result<void> MotionRowOrder::put_remark(std::vector<SourceRemark>& remarks) const {
+Result<void> MotionRowOrder::put_remark(bool has_directions, std::vector<SourceRemark>& remarks) const {
+  if (has_directions) {
+    const auto goes_against = [&](Direction direction) {
+      bool any = false, all = true;
+      for (const auto& [run, course] : runs_) {
+        if (run.second != direction) continue;
+        any = true;
+        all = all && course.rises != course.falls && course.falls == (direction == Direction::up);
+      }
+      return any && all;
+    };
+    if (goes_against(Direction::up) && goes_against(Direction::down))
+      remarks.push_back({false,
+                         "the rows of all runs go the other way than their directions say: the sign of the reversal "
+                         "depends on which of them is right"});
+    return {};
+  }
   const auto rising = std::ranges::find_if(runs_, [](const auto& r) { return r.second.rises && !r.second.falls; });
   const auto falling = std::ranges::find_if(runs_, [](const auto& r) { return r.second.falls && !r.second.rises; });
   if (rising != runs_.end() && falling != runs_.end())
     return fail(
         fmt::format("found rising positions in run {} and falling ones in run {} and no column direction, "
                     "expected one: it tells from which side each was approached",
-                    rising->first, falling->first));
+                    rising->first.first, falling->first.first));
   remarks.push_back({false, falling == runs_.end()
                                 ? "no column direction: all readings are taken as positive approaches"
                                 : "no column direction, and the positions fall from row to row: all readings are taken "
@@ -66,11 +90,22 @@ std::vector<double> positions_without_reading(const std::set<double>& empty_mm,
   return {left.begin(), left.end()};
 }
 
+std::vector<MotionRun> runs_without_reading(const std::set<MotionRun>& empty, std::span<const MotionReading> readings) {
+  std::set<MotionRun> left = empty;
+  for (const MotionReading& r : readings) left.erase({r.run, r.direction});
+  return {left.begin(), left.end()};
+}
+
+SourceRemark left_out_runs(std::span<const MotionRun> runs) {
+  return {false,
+          fmt::format("found rows without any reading of the runs {}: these count as not driven", run_names(runs))};
+}
+
 SourceRemark left_out_positions(std::span<const double> positions_mm) {
   std::string places;
-  for (const double mm : positions_mm.first(std::min(positions_mm.size(), positions_named)))
+  for (const double mm : positions_mm.first(std::min(positions_mm.size(), named_most)))
     places += fmt::format("{}{}", places.empty() ? "" : ", ", format_exact(mm));
-  if (positions_mm.size() > positions_named) places += ", …";
+  if (positions_mm.size() > named_most) places += ", …";
   return {false, fmt::format("no reading was taken at {} mm: the figures are those of the other positions", places)};
 }
 

@@ -26,6 +26,7 @@ std::unexpected<Error> fail_long_line(TextPosition at) {
 
 std::vector<std::string> LineReader::remarks() const {
   std::vector<std::string> all = judge_.remarks();
+  all.insert(all.end(), remarks_.begin(), remarks_.end());
   if (text_.is_utf16()) all.push_back(encoding_remarks({{}, "UTF-16"}).front().message);
   if (kind_ == StampJudge::Kind::times && options_.rate_hz) all.emplace_back(unused_rate);
   return all;

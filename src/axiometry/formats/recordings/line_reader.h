@@ -52,6 +52,7 @@ class LineReader : public RecordingReader {
   Result<void> put(Sample sample);
   void add_lost(std::size_t samples) { lost_ += samples; }
   std::size_t line_number() const { return line_; }
+  void remark(std::string text) { remarks_.push_back(std::move(text)); }
 
  private:
   Result<void> take_lines(std::string_view bytes, const SampleSink& sink);
@@ -65,6 +66,7 @@ class LineReader : public RecordingReader {
   StampJudge judge_;
   StreamedText text_;
   bool skip_to_break_ = false;
+  std::vector<std::string> remarks_;
   std::string begun_;  // a line whose break has not come yet
   std::uint64_t without_break_ = 0;
   std::size_t line_ = 0;

@@ -73,6 +73,19 @@ TEST(TimePosition, ReadsUtf16AsUtf8) {
   EXPECT_EQ(text_of(read_samples("camonitor-stream", log, {})), "0:-5.0001 0.1:-5");
 }
 
+TEST(TimePosition, SaysWhichUnitsItTookForGranted) {
+  const auto remarks = [](std::string_view bytes) {
+    const auto reader = (*recognise_recording(bytes))->open({});
+    EXPECT_TRUE(reader && (*reader)->feed(bytes, [](auto) { return Result<void>{}; }));
+    return (*reader)->remarks();
+  };
+  EXPECT_THAT(remarks("t,pos\n0,1\n1,2\n"),
+              testing::ElementsAre("the header names no unit of the time, which is taken to be in seconds",
+                                   "the header names no unit of the position, which is taken to be in mm"));
+  EXPECT_THAT(remarks("t [ms];x [mm]\n0;1\n1;2\n"), testing::IsEmpty());
+  EXPECT_THAT(remarks("0;1\n1;2\n"), testing::IsEmpty()) << "s and mm by definition";
+}
+
 TEST(TimePosition, TakesUnitsFromTheHeader) {
   EXPECT_EQ(from_text("time_s,position_mm\n1,2\n"), "1:2");
   EXPECT_EQ(from_text("\xEF\xBB\xBFt [ms];x [µm]\n250;1500\n"), "0.25:1.5");

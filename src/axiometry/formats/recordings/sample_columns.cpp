@@ -196,6 +196,7 @@ std::optional<SampleColumns> time_columns(const std::vector<Heading>& headings, 
   columns.delimiter = delimiter;
   columns.time = static_cast<std::size_t>(time - headings.begin());
   columns.seconds_per_unit = time->seconds.value_or(1.0);
+  columns.time_has_unit = time->seconds.has_value();
   return columns;
 }
 
@@ -288,6 +289,7 @@ Result<SampleColumns> columns_by_header(std::string_view line, AxisKind kind, Po
   if (!choice.stated && position.unit == nullptr && names_other(position.name))
     return fail(fmt::format("found the column {}, expected positions", text::quoted(cells[columns.position])));
   if (position.unit != nullptr) {
+    columns.position_has_unit = true;
     columns.position_factor = position.unit->factor;
     columns.position_divisor = position.unit->divisor * deviation_per_position(kind);
   }

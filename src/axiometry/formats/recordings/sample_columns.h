@@ -23,8 +23,10 @@ struct SampleColumns {
   double position_factor = 1.0;   ///< mm or ° per unit
   double position_divisor = 1.0;  ///< so that 0.1 µm is exactly 0.0001 mm
   bool by_header = false;
-  const Unit* unit = nullptr;  ///< unit that the header names
-  std::string name{};          ///< what the header calls the column that is read, without its unit
+  bool time_has_unit = false;      ///< of a header: whether it names one
+  bool position_has_unit = false;  ///< likewise
+  const Unit* unit = nullptr;      ///< unit that the header names
+  std::string name{};              ///< what the header calls the column that is read, without its unit
 };
 
 /// The cells of a line, without quotes about them; with blanks as delimiter, date and time of day that a blank parts

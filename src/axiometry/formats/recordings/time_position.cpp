@@ -60,7 +60,10 @@ class TimePositionReader final : public LineReader {
   }
 
   Result<double> time_of(std::string_view cell) {
-    if (columns_->by_header && !time_seen_) columns_->stamps = parse_time_stamp(cell).has_value();
+    if (!time_seen_) {
+      if (columns_->by_header) columns_->stamps = parse_time_stamp(cell).has_value();
+      tell_units_assumed();
+    }
     time_seen_ = true;
     if (!columns_->stamps) {
       const auto time = number_of(cell, columns_->delimiter);
@@ -72,6 +75,16 @@ class TimePositionReader final : public LineReader {
       return fail(fmt::format("found {}, expected a time such as 2026-11-21T12:34:56.789", text::quoted(cell)));
     if (!first_stamp_ns_) first_stamp_ns_ = stamp_ns;
     return seconds_between(*first_stamp_ns_, *stamp_ns);
+  }
+
+  /// Of a header, whose names could have said it; two columns of numbers alone are s and mm or ° by definition.
+  void tell_units_assumed() {
+    if (!columns_->by_header) return;
+    if (!columns_->stamps && !columns_->time_has_unit)
+      remark("the header names no unit of the time, which is taken to be in seconds");
+    if (meaning_ == ChannelMeaning::position && !columns_->position_has_unit)
+      remark(kind_ == AxisKind::linear ? "the header names no unit of the position, which is taken to be in mm"
+                                       : "the header names no unit of the position, which is taken to be in degrees");
   }
 
   Result<void> end() override {

@@ -9,10 +9,11 @@
 namespace axiometry::error_motions {
 
 /// Expanded uncertainty (k = 2) of one reading at the distance L from the lowest position: U = a + b·L, from the
-/// certificate or the data sheet of the instrument, in the unit of the readings, b per metre. Nothing is assumed of how
-/// the instrument's errors at different positions go together: an estimate Σ c_i y_i has at most Σ |c_i| u_i of it,
-/// whatever their correlation. It therefore does not fall with more positions or runs. An error of the instrument's
-/// gain (a share of the reading) and of its own reference (the straightness of an optic) must be in a and b.
+/// certificate or the data sheet of the instrument, in µm, µrad or ″ as the series has it, b per metre. Nothing is
+/// assumed of how the instrument's errors at different positions go together: an estimate Σ c_i y_i has at most
+/// Σ |c_i| u_i of it, whatever their correlation. It therefore does not fall with more positions or runs. An error of
+/// the instrument's gain (a share of the reading) and of its own reference (the straightness of an optic) must be in a
+/// and b.
 struct InstrumentUncertainty {
   double a = 0.0;
   double b_per_m = 0.0;

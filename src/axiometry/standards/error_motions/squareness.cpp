@@ -40,9 +40,11 @@ Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const Ax
   const ScatterPart scatter = combined_scatter(parts);
   sum.scatter_u = scatter.u;
   sum.scatter_degrees = scatter.degrees;
-  if (one.instrument_u && two.instrument_u) sum.instrument_u = *one.instrument_u + *two.instrument_u;
+  if (one.instrument_u || two.instrument_u)
+    sum.instrument_u = one.instrument_u.value_or(0.0) + two.instrument_u.value_or(0.0);
   if (options.square_uncertainty_arcsec) sum.other_u = *options.square_uncertainty_arcsec / 2.0;
   s.squareness_arcsec = combined(sum);
+  if (!one.tells_U() || !two.tells_U()) s.squareness_arcsec.u.reset();
   return s;
 }
 
@@ -56,7 +58,9 @@ LocationError location_error(const MotionName& first, const MeasuredSquareness& 
   error.urad.scatter_u *= urad;
   if (error.urad.instrument_u) *error.urad.instrument_u *= urad;
   if (error.urad.other_u) *error.urad.other_u *= urad;
+  const bool tells_U = error.urad.tells_U();
   error.urad = combined(error.urad);
+  if (!tells_U) error.urad.u.reset();
   return error;
 }
 

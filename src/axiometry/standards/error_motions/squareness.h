@@ -32,7 +32,7 @@
 ///
 /// Uncertainty: of each slope as axis_motion.h has it; the scatter of the two lines is independent. What the instrument
 /// adds to both may be common, with either sign, and counts as the sum of both (at most that, whatever the
-/// correlation). The square adds its own.
+/// correlation). The square adds its own. Where nothing tells U of one of the lines there is none of S either.
 namespace axiometry::error_motions {
 
 struct SquarenessOptions {

@@ -102,15 +102,24 @@ function Squareness({ result }: { result: MotionResult }) {
 }
 
 function AtPoint({ abbe }: { abbe: NonNullable<MotionResult['abbe']> }) {
-  const changes = Object.entries(abbe.change_um as Record<string, number[] | null>);
+  type Changes = Record<string, number[] | null>;
+  const { change_um, change_up_um = {}, change_down_um = {} } = abbe as unknown as { change_um: Changes; change_up_um?: Changes; change_down_um?: Changes };
+  const { course: told } = abbe as { course?: 'up' | 'down' | 'mean' | null }; // absent of what an older version kept
+  const mark = told === 'mean' ? t('mean') : told ? arrows[told] : '';
+  const changes = Object.entries(change_um).flatMap(([name, list]) => [
+    ...(change_up_um[name] ? [{ name, course: arrows.up, list: change_up_um[name] }] : []),
+    ...(change_down_um[name] ? [{ name, course: arrows.down, list: change_down_um[name] }] : []),
+    { name, course: list ? mark : '', list },
+  ]);
   const missing = abbe.missing as Record<string, string>;
   return (
     <section class="panel">
       <header><h2>{t('at_point')} <span class="quiet small">{abbe.offset_mm.map((mm) => fixed(mm, 1)).join(', ')} mm</span></h2></header>
-      <DataTable<(typeof changes)[number]> caption={t('at_point')} rows={changes} row_key={([name]) => name} columns={[
-        { key: 'name', head: t('quantity'), row_head: true, cell: ([name]) => name },
-        { key: 'range', head: t('change_range'), number: true, cell: ([, list]) => (list ? fixed(Math.max(...list) - Math.min(...list), 3) : absent) },
-        { key: 'missing', head: t('missing'), cell: ([name]) => missing[name] ?? '' },
+      <DataTable<(typeof changes)[number]> caption={t('at_point')} rows={changes} row_key={({ name, course }) => `${name} ${course}`} columns={[
+        { key: 'name', head: t('quantity'), row_head: true, cell: ({ name }) => name },
+        ...(changes.some(({ course }) => course !== '') ? [{ key: 'course', head: t('course'), cell: ({ course }: (typeof changes)[number]) => course }] : []),
+        { key: 'range', head: t('change_range'), number: true, cell: ({ list }) => (list ? fixed(Math.max(...list) - Math.min(...list), 3) : absent) },
+        { key: 'missing', head: t('missing'), cell: ({ name }) => missing[name] ?? '' },
       ]} />
     </section>
   );

@@ -274,6 +274,7 @@ TEST(AssembleResults, RefuseWhatDoesNotTellItsSignOrIsAnother) {
   // A line over less of the travel than the errors of its axis have in common.
   m.machine.travel.highest_mm.x = 800.0;
   square.first = folder.written("first.csv", readings_of(m, {0, 1}, 1, false));
+  square.second = folder.written("second.csv", readings_of(m, {1, 0}, 1, false));
   const std::string shorter = folder.written("shorter.json", json_of(*measure_squareness(square)));
   m.machine.travel.highest_mm.x = 900.0;
   EXPECT_THAT(fault("C0Y", shorter), HasSubstr("found the line EYX of C0Y read from 0 to 800 mm, expected it over the "

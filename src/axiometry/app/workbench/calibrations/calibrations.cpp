@@ -132,6 +132,10 @@ Result<KeptCalibration> keep_calibration(store::Store& archive, const NewCalibra
   AXIOMETRY_TRY(const EvaluatedCalibration evaluated,
                 evaluate_calibration(sent.kind, sent.files, sent.options, sent.stop));
   const SuggestedText own = suggested(evaluated);
+  // Later on a person may correct it, with a name in the trail; nobody contradicts a file without noticing.
+  if (!sent.measured_on.empty() && !own.measured_on.empty() && sent.measured_on != own.measured_on)
+    return fail(fmt::format("found the date of test {} in the files, expected {} as given", own.measured_on,
+                            sent.measured_on));
   CalibrationRecord calibration = calibration_of(sent.kind, evaluated);
   calibration.title = sent.title.empty() ? report::printable(own.title) : sent.title;
   if (text::trim(calibration.title).empty()) calibration.title = sent.kind;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/programme.h"
 
@@ -34,7 +35,7 @@ class DirectionFindings {
 
   void add(std::vector<Finding>& all, bool name_direction) const {
     for (auto finding : {few_periods(), coarse_targets(), equal_spacing(), not_significant(), at_end(), expected(),
-                         further(), above_scatter(), correlated()}) {
+                         further(), above_scatter(), correlated(), missing_readings()}) {
       if (!finding) continue;
       if (name_direction) finding->message += fmt::format(" ({})", arrow(d_.direction));
       all.push_back(*std::move(finding));
@@ -112,7 +113,7 @@ class DirectionFindings {
   }
 
   std::optional<Finding> at_end() const {
-    if (!d_.peak_at_end || !d_.significant) return std::nullopt;
+    if (!d_.peak_at_end || !(d_.significant || d_.beyond_band)) return std::nullopt;
     return note(
         "periodic-peak-at-end",
         fmt::format("found the highest peak at the end of the searched band, at {}: the error may have a period "
@@ -174,6 +175,14 @@ class DirectionFindings {
                             "enlarged {:.2g} times and U of the line {:.2g} times, and chances of white noise are too "
                             "small",
                             d_.residual_correlation.lag_one, d_.curve_times, d_.line_times));
+  }
+
+  std::optional<Finding> missing_readings() const {
+    if (d_.missing == 0) return std::nullopt;
+    return note("periodic-missing-readings",
+                fmt::format("found {} missing: what the runs are shifted by against each other was taken out before "
+                            "their mean, as far as targets that they share tell it",
+                            counted(d_.missing, "reading")));
   }
 
   const Metadata& metadata_;

@@ -11,15 +11,14 @@
 #include "axiometry/model/plan.h"
 #include "axiometry/numeric/distributions/normal_and_student_t.h"
 #include "axiometry/numeric/harmonic_fit.h"
-#include "axiometry/numeric/moments.h"
 #include "axiometry/numeric/series/period_search.h"
 #include "axiometry/standards/iso230_2/periodic/enlarged_uncertainties.h"
 #include "axiometry/standards/iso230_2/periodic/findings.h"
+#include "axiometry/standards/iso230_2/periodic/run_means.h"
 
 namespace axiometry::iso230_2 {
 namespace {
 
-using numeric::HarmonicData;
 using numeric::HarmonicFit;
 using numeric::PeriodBand;
 using numeric::PeriodSearch;
@@ -31,35 +30,6 @@ constexpr double deg = 180.0 / std::numbers::pi;
 // At twice the spacing equal steps show a cosine and no sine.
 constexpr double shortest_spacings = 2.1;
 constexpr double most_steps = 1e11;
-
-/// Means over the runs at the targets that have any.
-struct Means {
-  std::vector<double> places;
-  std::vector<double> values;
-  std::size_t runs = 0;
-  std::optional<double> scatter;  // s/√n, pooled
-
-  HarmonicData data() const { return {places, values}; }
-  double travel() const { return places.back() - places.front(); }
-  double spacing() const { return travel() / static_cast<double>(places.size() - 1); }
-};
-
-Means means_of(const Series& series, Direction direction) {
-  Means means;
-  double squares = 0.0, cells = 0.0;
-  for (std::size_t i = 0; i < series.target_count(); ++i) {
-    const numeric::Moments cell = numeric::moments(series.cell(i, direction));
-    if (cell.count == 0) continue;
-    means.places.push_back(series.targets()[i].in_native());
-    means.values.push_back(cell.mean);
-    means.runs = std::max(means.runs, cell.count);
-    if (cell.count < 2) continue;
-    squares += cell.standard_deviation * cell.standard_deviation / static_cast<double>(cell.count);
-    cells += 1.0;
-  }
-  if (cells > 0.0) means.scatter = std::sqrt(squares / cells);
-  return means;
-}
 
 std::string_view unit_of(const Test& test) { return position_unit(test.metadata.axis.kind); }
 
@@ -78,7 +48,7 @@ Result<void> check_options(const PeriodicOptions& options, std::string_view unit
 }
 
 /// What is searched; for a known period what the spectrum shows.
-Result<PeriodBand> band_of(const Means& means, const PeriodicOptions& options, std::string_view unit) {
+Result<PeriodBand> band_of(const RunMeans& means, const PeriodicOptions& options, std::string_view unit) {
   PeriodBand band{shortest_spacings * means.spacing(), means.travel() / 2.0};
   if (options.shortest) band.shortest = options.shortest->in_native();
   if (options.longest) band.longest = options.longest->in_native();
@@ -108,7 +78,7 @@ Result<PeriodBand> band_of(const Means& means, const PeriodicOptions& options, s
 }
 
 /// Orders that have more than two targets per period on average, as far as the data tell twice as much.
-std::vector<std::size_t> resolvable(const Means& means, double period) {
+std::vector<std::size_t> resolvable(const RunMeans& means, double period) {
   std::vector<std::size_t> orders = {1};
   for (std::size_t h = 2; h <= most_harmonics; ++h) {
     if (period / static_cast<double>(h) <= 2.0 * means.spacing() * (1.0 + 1e-9)) break;
@@ -126,7 +96,7 @@ struct Fits {
 
 /// Orders that noise alone would make as large have no part in the curve: they would disturb the period, and make its
 /// uncertainty too small. Which they are is seen at the period of the fundamental alone.
-std::optional<Fits> fit(const Means& means, double start, bool known, double rounding) {
+std::optional<Fits> fit(const RunMeans& means, double start, bool known, double rounding) {
   const auto fit_with = [&](double period, std::span<const std::size_t> orders) {
     auto result = known ? std::nullopt : numeric::fit_harmonics_and_period(means.data(), period, orders);
     return result ? result : numeric::fit_harmonics(means.data(), period, orders);
@@ -147,6 +117,13 @@ std::optional<Fits> fit(const Means& means, double start, bool known, double rou
   all = numeric::fit_harmonics(means.data(), curve->period, orders);
   if (!all) return std::nullopt;
   return Fits{*std::move(curve), *std::move(all)};
+}
+
+/// By more than noise moves a period that stands at the end: a tenth of what the travel tells apart.
+bool is_beyond(const PeriodBand& band, double period, double travel) {
+  const double end = period > band.longest ? band.longest : band.shortest;
+  const bool is_outside = period > band.longest || period < band.shortest;
+  return is_outside && std::abs(1.0 / period - 1.0 / end) > 0.1 / travel;
 }
 
 double root(double variance) { return std::sqrt(std::max(variance, 0.0)); }
@@ -233,7 +210,7 @@ double range(const std::vector<double>& values) {
   return high - low;
 }
 
-void add_points(PeriodicDirection& result, const Means& means) {
+void add_points(PeriodicDirection& result, const RunMeans& means) {
   std::vector<double> about_line, residuals;
   for (std::size_t k = 0; k < means.places.size(); ++k) {
     const double place = means.places[k];
@@ -250,7 +227,7 @@ void add_points(PeriodicDirection& result, const Means& means) {
 }
 
 /// The highest peak of what the fit leaves, where it stands out.
-std::optional<FurtherPeriod> further_period(const Means& means, const HarmonicFit& fit, const PeriodSearch& search,
+std::optional<FurtherPeriod> further_period(const RunMeans& means, const HarmonicFit& fit, const PeriodSearch& search,
                                             const NoiseCorrelation& noise, double rounding) {
   const numeric::SpectralLine highest = search.spectrum(fit.residuals).highest;
   const double chance =
@@ -294,7 +271,7 @@ void add_fits(PeriodicDirection& result, const Fits& fits, double rounding) {
 
 /// By white noise, then by noise that is as correlated as the residuals may be, to which a reduction that white noise
 /// gives is less.
-void add_chances(PeriodicDirection& result, const Means& means, const PeriodSearch& search,
+void add_chances(PeriodicDirection& result, const RunMeans& means, const PeriodSearch& search,
                  const numeric::SpectralLine& highest, const HarmonicFit& fit, double rounding) {
   if (std::sqrt(fit.sum_of_squares / static_cast<double>(means.places.size())) > rounding)
     result.residual_correlation = noise_correlation(fit.residuals, fit.degrees_of_freedom);
@@ -314,7 +291,7 @@ void add_chances(PeriodicDirection& result, const Means& means, const PeriodSear
 }
 
 /// What the spectrum says.
-void add_spectrum(PeriodicDirection& result, const Means& means, const PeriodSearch& search,
+void add_spectrum(PeriodicDirection& result, const RunMeans& means, const PeriodSearch& search,
                   const numeric::Spectrum& spectrum, const HarmonicFit& fit, double rounding) {
   add_chances(result, means, search, spectrum.highest, fit, rounding);
   // At a period searched as the highest peak the F test of a period stated beforehand tells nothing.
@@ -322,13 +299,13 @@ void add_spectrum(PeriodicDirection& result, const Means& means, const PeriodSea
   result.harmonics.front().significant = result.significant;
   result.further = further_period(means, fit, search, result.residual_correlation, rounding);
   result.noise_level = Deviation::native(noise_level(fit, search));
-  result.peak_at_end = !result.period_known && spectrum.at_end;
+  result.peak_at_end = !result.period_known && (spectrum.at_end || result.beyond_band);
   for (const numeric::SpectralLine& line : spectrum.lines)
     result.spectrum.push_back({Position::native(line.period), Deviation::native(line.amplitude)});
 }
 
 Result<PeriodicDirection> evaluate_direction(const Test& test, Direction direction, const PeriodicOptions& options) {
-  const Means means = means_of(test.series, direction);
+  const RunMeans means = run_means_of(test.series, direction);
   const std::string_view unit = unit_of(test);
   PeriodicDirection result;
   result.period_known = options.period.has_value();
@@ -342,7 +319,11 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
   const double start = result.period_known ? options.period->in_native() : spectrum.highest.period;
   const double magnitude = std::abs(*std::ranges::max_element(means.values, {}, [](double x) { return std::abs(x); }));
   const double rounding = 1e-12 * magnitude;  // far above the rounding of the fit, far below any measurement
-  const auto fits = fit(means, start, result.period_known, rounding);
+  auto fits = fit(means, start, result.period_known, rounding);
+  // Beyond the band nothing was searched, and no chance is known there: the peak at its end is what was found.
+  result.beyond_band =
+      fits && !result.period_known && spectrum.at_end && is_beyond(band, fits->curve.period, means.travel());
+  if (result.beyond_band) fits = fit(means, start, true, rounding);
   if (!fits)
     return fail(
         fmt::format("found {} targets {} every {:.6g} {} on average that cannot show a period of {:.6g} {}, "
@@ -351,9 +332,10 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
 
   result.direction = direction;
   result.runs = means.runs;
+  result.missing = means.missing;
   if (means.scatter) result.scatter_of_means = Deviation::native(*means.scatter);
   add_fits(result, *fits, rounding);
-  // Of values on a straight line there is no period to refine: it may be any.
+  // What could not be refined, of values on a straight line or at the end of the band, may be any period of it.
   if (!result.period_known && !fits->curve.period_fitted)
     result.period.u = Position::native((band.longest - band.shortest) / std::sqrt(12.0));
   result.periods_covered = means.travel() / fits->curve.period;

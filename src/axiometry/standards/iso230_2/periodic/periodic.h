@@ -73,8 +73,9 @@ struct FurtherPeriod {
 
 struct PeriodicDirection {
   Direction direction = Direction::up;
-  std::size_t runs = 0;  ///< the largest number of readings at a target
-  Position origin;       ///< P_1, the first target with a reading
+  std::size_t runs = 0;     ///< the largest number of readings at a target
+  std::size_t missing = 0;  ///< readings that are missing in runs and at targets that have some
+  Position origin;          ///< P_1, the first target with a reading
   std::vector<PeriodicPoint> points;
 
   Estimate<Deviation> offset;     ///< a, at P_1
@@ -90,7 +91,9 @@ struct PeriodicDirection {
   Deviation range_of_residuals;        ///< range of what the curve leaves
   Deviation residual_sd;  ///< standard deviation of the residuals, with n − parameters degrees of freedom
   std::size_t degrees_of_freedom = 0;
-  std::optional<Deviation> scatter_of_means;  ///< s/√n pooled over the targets: what the runs let expect as residual_sd
+  std::optional<Deviation> scatter_of_means;  ///< s/√n pooled over the targets: what the runs let expect as
+                                              ///< residual_sd; where readings are missing, without what runs are
+                                              ///< shifted by, and absent where nothing is left to tell it
   double coverage_factor = 2.0;               ///< k for a probability of 95.45 %
 
   double false_alarm = 1.0;  ///< probability of such a peak by white noise alone: in the band, or at the known period
@@ -107,6 +110,7 @@ struct PeriodicDirection {
   std::vector<PeriodicSpectrumLine> spectrum;  ///< lines from long to short periods; also where the period is known
   Deviation noise_level;                       ///< amplitude that noise like the residuals exceeds in 1 % of such bands
   bool peak_at_end = false;                    ///< the highest peak stands at an end of the searched band
+  bool beyond_band = false;  ///< a period outside of it fits better: that of the end is told, and not refined
 
   double line_native(double position) const {
     return offset.value.in_native() + slope_native.value * (position - origin.in_native());

@@ -388,6 +388,60 @@ TEST(NoiseCorrelation, ComparesItsPowerWithThatOfWhiteNoise) {
   EXPECT_NEAR(half.power_beside_white(1e9), 3.0, 1e-9);  // (1 + ρ)/(1 − ρ)
 }
 
+/// Readings of the second run, 4 µm off the first, are missing where `left_out` says.
+axiometry::Test of_two_runs(const std::vector<double>& targets, const Truth& truth,
+                            const std::function<bool(std::size_t)>& left_out) {
+  std::vector<double> noise(2 * targets.size());
+  numeric::fill_normal({5, 7, 0}, noise);
+  RunDeviations first, second;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    first.push_back(truth(targets[i]) + 0.1 * noise[2 * i]);
+    second.push_back(left_out(i) ? testing_support::none : truth(targets[i]) + 4.0 + 0.1 * noise[2 * i + 1]);
+  }
+  axiometry::Test test{{}, make_series(targets, {first, second}, {}), {}};
+  test.metadata.conditions.cycle = TestCycle::unidirectional;
+  return test;
+}
+
+TEST(Periodic, MakesNoErrorOfWhatRunsAreShiftedByWhereReadingsAreMissing) {
+  const auto targets = uneven(41, 1.0, 2);
+  const auto half = periodic_error(of_two_runs(
+      targets, [](double p) { return 2.0 * std::sin(two_pi * p / 5.0); }, [](std::size_t i) { return i >= 20; }));
+  ASSERT_TRUE(half);
+  EXPECT_NEAR(half->directions[0].slope_native.value, 0.0, 0.005);
+  EXPECT_NEAR(half->directions[0].period.value.in_native(), 5.0, 0.01);
+  EXPECT_THAT(half->findings, Contains(Field(&Finding::message, HasSubstr("found 21 readings missing"))));
+  const auto none = periodic_error(of_two_runs(
+      targets, [](double) { return 0.0; }, [](std::size_t i) { return i % 10 >= 5; }));
+  ASSERT_TRUE(none);
+  EXPECT_FALSE(none->directions[0].significant);
+}
+
+/// One period per turn, of which half a turn is searched: no chance is known of a period that nobody searched for.
+TEST(Periodic, TellsThePeakAtTheEndOfTheBandWhereAPeriodBeyondFitsBetter) {
+  const auto test = test_of(
+      equal(37, 10.0), [](double p) { return 3.0 * std::sin(two_pi * p / 360.0); }, 0.1, 3, 3);
+  const auto result = periodic_error(test);
+  ASSERT_TRUE(result);
+  const PeriodicDirection& d = result->directions.front();
+  EXPECT_TRUE(d.beyond_band);
+  EXPECT_DOUBLE_EQ(d.period.value.in_native(), 180.0);
+  EXPECT_THAT(result->findings, Contains(Field(&Finding::id, "periodic-peak-at-end")));
+  EXPECT_FALSE(only(test, {.longest = Position::native(400.0)}).beyond_band);
+}
+
+/// Two periods and no more, as plans make them where there is no room for three: their own end of the band.
+TEST(Periodic, RefinesAPeriodThatStandsAtTheEndOfTheBand) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const auto targets = equal(25, 20.0 / 24.0);
+    const auto d = only(test_of(
+        targets, [](double p) { return 2.0 * std::sin(two_pi * p / 10.0); }, 0.1, seed, 3));
+    EXPECT_FALSE(d.beyond_band) << seed;
+    EXPECT_NEAR(d.period.value.in_native(), 10.0, 0.1) << seed;
+    EXPECT_LT(d.period.u.in_native(), 0.1) << seed;
+  }
+}
+
 TEST(Periodic, RefusesWhatCannotBeDone) {
   const auto truth = [](double p) { return std::sin(two_pi * p / 10.0); };
   const auto message = [](const axiometry::Test& test, const PeriodicOptions& options) {

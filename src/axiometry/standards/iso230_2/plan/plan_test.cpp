@@ -590,6 +590,24 @@ TEST(Plan230, OtherErrorsThanPositionsAreNoBusinessOfTheStandard) {
   EXPECT_EQ(reason(r), "found a normal working area for a plan made for EYX, EBX, expected one for positions only");
 }
 
+TEST(Plan230, SaysBeforeTheMeasurementWhatNobodyCanEvaluate) {
+  PlanRequest r = request(0, 3000);
+  r.errors = {{'B', 'X'}};
+  Plan plan = make_plan(r).value();
+  plan.targets.resize(2);
+  EXPECT_THAT(messages(plan), Not(Contains(HasSubstr("expected at least"))));
+  plan.targets.resize(1);
+  EXPECT_THAT(messages(plan), Contains(HasSubstr("found 1 target for EBX, expected at least 2")));
+  plan = make_plan(r).value();
+  plan.targets.resize(2);
+  plan.errors = {{'Y', 'X'}};
+  EXPECT_THAT(messages(plan), Contains(HasSubstr("found 2 targets for EYX, expected at least 3")));
+  r.errors = {{'X', 'X'}, {'Y', 'X'}};
+  const Plan with_further = make_plan(r).value();
+  ASSERT_FALSE(with_further.further.empty());
+  EXPECT_THAT(messages(with_further), Contains(HasSubstr("found further tests in a plan for EXX, EYX")));
+}
+
 TEST(Plan230, PositionsAmongOtherErrorsAreJudgedAsEver) {
   PlanRequest r = request(0, 500);
   const Plan positions = make_plan(r).value();

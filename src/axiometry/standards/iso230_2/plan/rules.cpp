@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 
+#include "axiometry/base/counted.h"
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/plan/further.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
@@ -78,6 +79,24 @@ std::optional<Finding> made_for_other_errors(const Plan& plan) {
       fmt::format("found a plan made for {}, of which ISO 230-2 says nothing: its rules for targets, runs "
                   "and cycles of positions are not applied",
                   errors_text(plan)));
+}
+
+/// What the evaluation of straightness and rotations asks for, so that it is known before the measurement.
+std::optional<Finding> evaluable_errors(const Plan& plan) {
+  const bool straight = std::ranges::any_of(plan.errors, &MotionName::straightness);
+  const bool turns = std::ranges::any_of(plan.errors, &MotionName::rotation);
+  const std::size_t least = straight ? 3 : turns ? 2 : 0;
+  if (plan.targets.size() < least)
+    return rules::departure("plan-few-positions", "1",
+                            fmt::format("found {} for {}, expected at least {}: of fewer no line can be told from what "
+                                        "departs from it",
+                                        counted(plan.targets.size(), "target"), errors_text(plan), least));
+  if (least > 0 && !plan.further.empty())
+    return rules::note("plan-further-tests-of-errors", "1",
+                       fmt::format("found further tests in a plan for {}, expected it alone: straightness and "
+                                   "angles are evaluated with a plan of one test",
+                                   errors_text(plan)));
+  return std::nullopt;
 }
 
 /// Which way an axis with rollover goes to an angle is up to its control, and an angle beyond the turn may be refused.
@@ -186,11 +205,12 @@ std::optional<Finding> period_resolved(const Plan& plan) {
 }
 
 /// What is said of every plan.
-constexpr PlanRule* common_rules[] = {line_of_several_axes, made_for_other_errors, travel_known,
-                                      reach_within_travel,  beyond_one_turn,       warm_up_planned,
-                                      rests_at_targets,     overrun_reverses};
+constexpr PlanRule* common_rules[] = {line_of_several_axes, made_for_other_errors, evaluable_errors,
+                                      travel_known,         reach_within_travel,   beyond_one_turn,
+                                      warm_up_planned,      rests_at_targets,      overrun_reverses};
 /// Of these, what is said once of the test that others belong to, whose axis and warm-up are theirs.
-constexpr PlanRule* rules_of_the_first[] = {line_of_several_axes, travel_known, beyond_one_turn, warm_up_planned};
+constexpr PlanRule* rules_of_the_first[] = {line_of_several_axes, evaluable_errors, travel_known, beyond_one_turn,
+                                            warm_up_planned};
 /// Of the test for a periodic error.
 constexpr PlanRule* period_rules[] = {period_given, period_covered, period_resolved};
 /// Of a test after clause 5.
