@@ -38,8 +38,7 @@ std::string correction_extent(const AppliedCorrection& correction, AxisKind kind
 }
 
 std::string detail_value(const AppliedCorrection::Detail& detail, const Options& options) {
-  std::string value = detail.value;
-  if (value.size() > 1 && value[0] == '-' && is_digit(value[1])) value.replace(0, 1, "−");
+  std::string value = with_true_minus(detail.value);
   for (std::size_t k = 1; k + 1 < value.size(); ++k)
     if (value[k] == '.' && is_digit(value[k - 1]) && is_digit(value[k + 1])) value[k] = options.numbers.decimal_mark;
   return value;

@@ -32,6 +32,7 @@ struct RuleRow {
   std::string difference;         ///< difference of the unrounded values: "+2.7"
   std::string relative;           ///< "+28 %"
   std::string departs_by;         ///< what differs from the counterpart's formula
+  std::string evidence_source;    ///< "second-hand"
   std::string evidence;           ///< "second-hand, not checked against the text of the rule"
 };
 

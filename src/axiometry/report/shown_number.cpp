@@ -69,6 +69,19 @@ std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Op
 
 std::string shown_exact(double x, const Options& options) { return localised(format_exact(x), options); }
 
+std::string with_true_minus(std::string_view text) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::string with;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const bool begins = k == 0 || text[k - 1] == ' ' || text[k - 1] == '(';
+    if (begins && text[k] == '-' && k + 1 < text.size() && is_digit(text[k + 1]))
+      with += "−";
+    else
+      with += text[k];
+  }
+  return with;
+}
+
 std::string shown_short(double x, const Options& options, int significant_digits) {
   constexpr double written_out_below = 1e9;
   std::string text = fmt::format("{:.{}g}", x, significant_digits);

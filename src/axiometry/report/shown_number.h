@@ -52,6 +52,9 @@ std::string shown_uncertainty(Deviation U, const ParameterScale& scale, const Op
 /// Shortest text that reads back the same, with the decimal mark and a true minus sign.
 std::string shown_exact(double x, const Options& options);
 
+/// A text in which the hyphens before numbers, "-500 to 0 mm" but not "2-3", are true minus signs.
+std::string with_true_minus(std::string_view text);
+
 /// So many significant digits at most, for numbers that were computed: 1744.209, and with three 1740. Written out below
 /// 10⁹.
 std::string shown_short(double x, const Options& options, int significant_digits = 7);

@@ -14,5 +14,11 @@ TEST(ShownShort, WritesOutWhatAPersonWouldWriteOut) {
   EXPECT_EQ(shown_short(1.25e9, {}, 3), "1.25e+09");
 }
 
+TEST(WithTrueMinus, TakesHyphensOfNumbersAlone) {
+  EXPECT_EQ(with_true_minus("-1.5"), "−1.5");
+  EXPECT_EQ(with_true_minus("Z -500 to 0 mm, at (-3; 0; -2) mm"), "Z −500 to 0 mm, at (−3; 0; −2) mm");
+  EXPECT_EQ(with_true_minus("ISO 230-2, - , 2-3 a-1"), "ISO 230-2, - , 2-3 a-1");
+}
+
 }  // namespace
 }  // namespace axiometry::report

@@ -7,6 +7,7 @@
 
 #include "axiometry/report/document.h"
 #include "axiometry/report/report.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/volumetric/field/tool_fields.h"
 #include "axiometry/volumetric/identify/identification.h"
 #include "axiometry/volumetric/plan/planner.h"
@@ -38,8 +39,8 @@ Document compose(const VolumetricSubject& subject, const Options& options);
 struct VolumeFieldSubject {
   const volumetric::ErrorModel& model;
   std::span<const volumetric::ToolField> fields;
-  std::string result_file;
   std::span<const volumetric::VolumetricFinding> findings;  ///< those of the result too that speak against it
+  SourceFile result;
 };
 /// The volume, its diagonals, and what speaks against them.
 Document compose(const VolumeFieldSubject& subject, const Options& options);
@@ -51,7 +52,7 @@ struct PredictedTestSubject {
   const std::optional<volumetric::LineComparison>& comparison;
   std::span<const volumetric::VolumetricFinding> findings;
   std::string tool;
-  std::string result_file, measured_file;
+  std::span<const SourceFile> sources;  ///< the result first, then the measured test where there is one
 };
 Document compose(const PredictedTestSubject& subject, const Options& options);
 

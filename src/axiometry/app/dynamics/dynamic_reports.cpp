@@ -23,6 +23,7 @@ using report::plain;
 
 constexpr int value_digits = 5;
 constexpr std::size_t most_stretches_shown = 60;
+constexpr std::size_t most_named_lines = 8;  // of more a legend takes more room than the figure
 
 struct DynamicReport {
   const DynamicMotion& m;
@@ -213,11 +214,14 @@ struct DynamicReport {
     for (const UniformStretch& s : m.stretches) {
       if (curve.lines.size() == most_stretches_shown) break;
       const std::vector<double> residuals = capture::residuals_of(m.record, s);
+      curve.names.push_back(fmt::format("{} {}\u00a0s", s.velocity > 0.0 ? "↑" : "↓",
+                                        format_fixed(m.record.time_s(s.first), 2, options.numbers)));
       auto& line = curve.lines.emplace_back();
       for (std::size_t i = 0; i < residuals.size(); ++i)
         line.push_back({m.record.positions[s.first + i], residuals[i] * deviation_scale()});
       std::ranges::stable_sort(line, {}, &report::Point::x);
     }
+    if (curve.names.size() > most_named_lines) curve.names.clear();
     return report::recorded_figure(curve, options);
   }
 

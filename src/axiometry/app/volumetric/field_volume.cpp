@@ -91,6 +91,7 @@ Result<FieldVolume> field_volume(const FieldVolumeRequest& request) {
 FieldVolume field_volume(KeptModel kept, const FieldVolumeRequest& request) {
   FieldVolume volume = field_volume(std::move(kept.model), request);
   put_first(kept.against, volume.findings);
+  volume.result_sha256 = std::move(kept.sha256);
   return volume;
 }
 
@@ -118,10 +119,12 @@ Value json_of(const FieldVolume& volume) {
 }
 
 Experiment present(const FieldVolume& volume, const report::Options& options) {
-  return {report::compose(report::VolumeFieldSubject{volume.model, volume.fields, base_name(volume.request.result),
-                                                     volume.findings},
-                          options),
-          json_of(volume)};
+  return {
+      report::compose(
+          report::VolumeFieldSubject{
+              volume.model, volume.fields, volume.findings, {"Result", volume.request.result, volume.result_sha256}},
+          options),
+      json_of(volume)};
 }
 
 std::string field_csv(const FieldVolume& volume) {

@@ -24,6 +24,7 @@ struct FieldVolume {
   volumetric::ErrorModel model;
   std::vector<volumetric::ToolField> fields;
   std::vector<NamedFinding> findings;
+  std::string result_sha256 = {};  ///< hash of the file of the result; empty of one that is at hand
 };
 
 Result<FieldVolume> field_volume(const FieldVolumeRequest& request);

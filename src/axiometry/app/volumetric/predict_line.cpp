@@ -245,15 +245,21 @@ bool is_of_comparison(const NamedFinding& finding) {
 
 Result<PredictedTest> predict_test(const PredictRequest& request) {
   AXIOMETRY_TRY(KeptModel kept, kept_model(request.result));
-  if (can_be_read_twice(request.measured) && can_be_read_twice(request.result)) {
-    AXIOMETRY_TRY(const std::string result, whole_file(request.result));
+  std::string measured_sha256;
+  if (can_be_read_twice(request.measured)) {
     AXIOMETRY_TRY(const std::string measured, whole_file(request.measured));
-    if (result.contains(sha256(measured)))  // errors measured singly name the hash of each file
+    measured_sha256 = sha256(measured);
+  }
+  if (!measured_sha256.empty() && can_be_read_twice(request.result)) {
+    AXIOMETRY_TRY(const std::string result, whole_file(request.result));
+    if (result.contains(measured_sha256))  // errors measured singly name the hash of each file
       kept.against.push_back({"volumetric-prediction-same-file", false,
                               "the measured test is one that the errors were taken from: the comparison proves "
                               "nothing"});
   }
-  return predict_test(std::move(kept), request);
+  AXIOMETRY_TRY(PredictedTest test, predict_test(std::move(kept), request));
+  test.measured_sha256 = std::move(measured_sha256);
+  return test;
 }
 
 Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request) {
@@ -290,6 +296,7 @@ Result<PredictedTest> predict_test(KeptModel kept, const PredictRequest& request
   std::ranges::move(findings, std::back_inserter(test.findings));
   std::ranges::stable_partition(test.findings, &NamedFinding::serious);
   put_first(kept.against, test.findings);
+  test.result_sha256 = std::move(kept.sha256);
   return test;
 }
 
@@ -328,11 +335,12 @@ Experiment present(const PredictedTest& test, const report::Options& options) {
     }
   }
   root.add("findings", findings_value(test.findings));
-  return {
-      report::compose(report::PredictedTestSubject{test.model, test.predicted, test.comparison, test.findings, tool,
-                                                   base_name(test.request.result), base_name(test.request.measured)},
-                      options),
-      std::move(root)};
+  std::vector<report::SourceFile> sources = {{"Result", test.request.result, test.result_sha256}};
+  if (!test.request.measured.empty()) sources.push_back({"Measured test", test.request.measured, test.measured_sha256});
+  return {report::compose(
+              report::PredictedTestSubject{test.model, test.predicted, test.comparison, test.findings, tool, sources},
+              options),
+          std::move(root)};
 }
 
 }  // namespace axiometry::app

@@ -30,6 +30,7 @@ struct PredictedTest {
   volumetric::PredictedLine predicted;
   std::optional<volumetric::LineComparison> comparison;
   std::vector<volumetric::VolumetricFinding> findings;
+  std::string result_sha256 = {}, measured_sha256 = {};  ///< hashes of their files; empty of what is read once
 };
 
 /// A line that plan or test state is the one that is predicted; an axis with its place, or a diagonal, must be the same

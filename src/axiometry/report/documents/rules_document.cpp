@@ -48,6 +48,7 @@ RuleRow rule_row(const standards::ComparedFigure& compared, const Options& optio
   row.symbol = figure.symbol;
   row.clause = figure.clause;
   row.absence = compared.absence;
+  row.evidence_source = standards::evidence_source(figure.evidence);
   row.evidence = standards::evidence_words(figure.evidence);
   row.departs_by = figure.departs_by;
   const int usual = *options.deviation_decimals;
@@ -101,7 +102,7 @@ Section figures_by_rule(const RulesSubject& subject, const Options& options) {
                    {plain(fmt::format("Value in {}", unit)), Align::decimal},
                    {plain("Difference"), Align::decimal},
                    {plain("Relative"), Align::decimal},
-                   {plain("Evidence"), Align::start, false, true, true}};
+                   {plain("Evidence"), Align::start, false, false, true}};
   table.groups = {{{}, 6}, {plain(iso230_2::edition), 4}, {{}, 1}};
   for (const standards::ComparedRule& rule : subject.comparison.rules)
     for (const RuleRow& row : rule_rows(rule, subject.comparison, options))
@@ -111,8 +112,8 @@ Section figures_by_rule(const RulesSubject& subject, const Options& options) {
                             row.interval.empty() ? quiet_cell("–") : text_cell(row.interval),
                             row.counterpart.empty() ? quiet_cell("–") : TableCell{symbol(row.counterpart)},
                             cell_or_dash(row.counterpart_value), cell_or_dash(row.difference),
-                            cell_or_dash(row.relative), text_cell(row.evidence)});
-  table.notes = {sentence(standards::no_conformity_stated),
+                            cell_or_dash(row.relative), text_cell(row.evidence_source)});
+  table.notes = {sentence(standards::evidence_note), sentence(standards::no_conformity_stated),
                  sentence(standards::uncertainty_statement(subject.comparison))};
   if (!subject.comparison.trials) drop_column(table, interval_column);
   return {"results", "Figures by rule", true, {std::move(table)}};

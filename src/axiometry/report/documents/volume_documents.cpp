@@ -15,15 +15,14 @@ using volumetric::Estimate;
 using volumetric::LineComparison;
 using volumetric::PredictedLine;
 
-Document volume_document(std::string title, std::string edition, const std::string& result_file,
-                         const Options& options) {
+Document volume_document(std::string title, std::string edition, const SourceFile& result, const Options& options) {
   Document document;
   document.kind = "Volumetric calibration";
   document.title = std::move(title);
   document.edition = std::move(edition);
   document.running_head = translated(document.title, options);
   document.running_status = document.edition;
-  document.identity = {{plain("Result"), verbatim_cell(result_file)}};
+  document.identity = {{plain("Result"), file_cell(result.file)}};
   return document;
 }
 
@@ -63,7 +62,7 @@ Section predicted_section(const PredictedTestSubject& subject, const Options& op
   if (subject.comparison) {
     const LineComparison& c = *subject.comparison;
     Facts held{"", {}};
-    held.facts = {{plain("Measured test"), verbatim_cell(subject.measured_file)},
+    held.facts = {{plain("Measured test"), file_cell(subject.sources.back().file)},
                   {plain("χ²"), text_cell(fmt::format("{} (ν = {})", format_fixed(c.chi_squared, 1, options.numbers),
                                                       c.degrees_of_freedom))},
                   {plain("Probability of as much by chance"), text_cell(chance_text(c.probability, options))}};
@@ -132,20 +131,22 @@ void add_findings(std::span<const volumetric::VolumetricFinding> all, Document& 
 
 Document compose(const VolumeFieldSubject& subject, const Options& options) {
   Document document = volume_document("Error of the tool point over the volume", "ISO 230-1:2012, names of errors",
-                                      subject.result_file, options);
+                                      subject.result, options);
   document.sections = {volume_section(subject.model, subject.fields, options),
                        diagonals_section(subject.model, subject.fields, options)};
   add_findings(subject.findings, document);
+  document.sections.push_back(provenance_of_files({&subject.result, 1}));
   return document;
 }
 
 Document compose(const PredictedTestSubject& subject, const Options& options) {
   const bool diagonal = subject.predicted.line.name.size() > 1;
   Document document = volume_document("Test predicted from the 21 errors", diagonal ? "ISO 230-6" : "ISO 230-2:2014",
-                                      subject.result_file, options);
+                                      subject.sources.front(), options);
   document.sections = {predicted_section(subject, options)};
   add_findings(subject.findings, document);
   document.sections.push_back(deviations_section(subject, options));
+  document.sections.push_back(provenance_of_files(subject.sources));
   return document;
 }
 

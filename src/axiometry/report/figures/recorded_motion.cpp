@@ -4,6 +4,7 @@
 #include "axiometry/report/figures/parts/chart.h"
 #include "axiometry/report/figures/parts/dimension_line.h"
 #include "axiometry/report/figures/parts/ink.h"
+#include "axiometry/report/figures/parts/legend.h"
 #include "axiometry/report/figures/parts/plate.h"
 #include "axiometry/report/figures/parts/range.h"
 #include "axiometry/report/figures/parts/series_pens.h"
@@ -44,8 +45,15 @@ Figure recorded_figure(const RecordedCurve& curve, const Options& options) {
                                  .high = up.high,
                                  .unit = {1.0, {plot::plain(curve.y_unit)}},
                                  .title = translated(curve.y_title, options)};
+  std::vector<plot::LegendEntry> entries;
+  for (std::size_t k = 0; k < curve.names.size(); ++k)
+    entries.push_back({plot::series_pen(k), std::nullopt, std::nullopt, {plot::plain(curve.names[k])}});
+  const double top = 2.0 + (entries.empty() ? 0.0
+                                            : plot::draw_legend(figure.operations, entries, {plot::header_left, 0.0},
+                                                                plot::plate_width - plot::header_left));
+  figure.height += top - 2.0;
   const plot::Chart chart =
-      plot::draw_chart(figure.operations, horizontal, vertical, 2.0, recorded_height, options.numbers);
+      plot::draw_chart(figure.operations, horizontal, vertical, top, figure.height, options.numbers);
   for (const auto& [from, to] : curve.shaded)
     figure.operations.push_back(Path{.points = {{chart.x(from), chart.top},
                                                 {chart.x(to), chart.top},

@@ -17,6 +17,7 @@ struct RecordedCurve {
   std::string y_title, y_unit;
   /// x does not fall; one for each line. All finite.
   std::vector<std::vector<Point>> lines;
+  std::vector<std::string> names = {};            ///< of the lines, for a legend; empty: none
   std::vector<std::pair<double, double>> shaded;  ///< parts of the axis of x that are marked
   bool from_zero = false;                         ///< the axis of y begins there
 };

@@ -50,7 +50,7 @@ TableCell stated(const Field& field, const Metadata& metadata, const Options& op
   const FieldValue value = field.get(metadata);
   if (std::holds_alternative<std::monostate>(value)) return quiet_cell("not stated");
   std::string shown = field_text(field, value);
-  if (field.type == FieldType::text && is_of_this_program(shown)) return text_cell(shown);
+  if (field.type == FieldType::text && is_of_this_program(shown)) return text_cell(with_true_minus(shown));
   if (field.type == FieldType::text || field.type == FieldType::records) return verbatim_cell(shown);
   if (const auto* x = std::get_if<double>(&value)) shown = shown_exact(*x, options);
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) shown = number_list(*numbers, options);

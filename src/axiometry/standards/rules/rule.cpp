@@ -14,19 +14,24 @@ namespace {
 
 struct EvidenceWords {
   std::string_view key;
+  std::string_view source;
   std::string_view words;
 };
 
 constexpr std::array<EvidenceWords, 4> words_of_evidence{{
-    {"text", "read in the text of the rule"},
-    {"makers-text", "from a maker's manual, not checked against the text of the rule"},
-    {"program", "from the code of another program, not checked against the text of the rule"},
-    {"second-hand", "second-hand, not checked against the text of the rule"},
+    {"text", "text of the rule", "read in the text of the rule"},
+    {"makers-text", "a maker's manual", "from a maker's manual, not checked against the text of the rule"},
+    {"program", "another program", "from the code of another program, not checked against the text of the rule"},
+    {"second-hand", "second-hand", "second-hand, not checked against the text of the rule"},
 }};
 
 }  // namespace
 
 std::string_view evidence_key(Evidence evidence) { return words_of_evidence[static_cast<std::size_t>(evidence)].key; }
+
+std::string_view evidence_source(Evidence evidence) {
+  return words_of_evidence[static_cast<std::size_t>(evidence)].source;
+}
 
 std::string_view evidence_words(Evidence evidence) {
   return words_of_evidence[static_cast<std::size_t>(evidence)].words;

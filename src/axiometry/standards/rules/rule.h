@@ -33,6 +33,11 @@ enum class Evidence {
 
 std::string_view evidence_key(Evidence evidence);  ///< "text", "makers-text", "program", "second-hand"
 
+/// Where there is no room for more, "second-hand": evidence_note then stands below.
+std::string_view evidence_source(Evidence evidence);
+inline constexpr std::string_view evidence_note =
+    "evidence: where the formula was read; what was not read in the text of the rule was not checked against it";
+
 /// What stands wherever a figure does: "second-hand, not checked against the text of the rule".
 std::string_view evidence_words(Evidence evidence);
 

@@ -20,7 +20,7 @@ std::string capitals(std::string text) {
 }
 
 std::string station_text(Vector3 p) {
-  return fmt::format("({}, {}, {}) mm", format_exact(rounded_to_um(p.x)), format_exact(rounded_to_um(p.y)),
+  return fmt::format("({}; {}; {}) mm", format_exact(rounded_to_um(p.x)), format_exact(rounded_to_um(p.y)),
                      format_exact(rounded_to_um(p.z)));
 }
 

@@ -20,7 +20,9 @@
 #include "axiometry/formats/volumetric/machine_json.h"
 #include "axiometry/formats/volumetric/volumetric_result_json.h"
 #include "axiometry/report/figures/error_motions.h"
+#include "axiometry/report/sections/sections.h"
 #include "axiometry/report/sections/source_files.h"
+#include "axiometry/report/shown_number.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::app {
@@ -106,6 +108,15 @@ std::optional<ErrorExtent> extent_of(const volumetric::ErrorModel& model, ErrorM
   return extent;
 }
 
+/// "0.4 + 0.5·L".
+report::TableCell instrument_cell(const AssembledItem& item, const report::Options& options) {
+  if (item.file.empty()) return report::quiet_cell("–");
+  if (!item.instrument) return report::quiet_cell("not stated");
+  const auto number = [&](double x) { return report::shown_short(x, options); };
+  const auto& [a, b_per_m] = *item.instrument;
+  return report::text_cell(b_per_m > 0.0 ? fmt::format("{} + {}·L", number(a), number(b_per_m)) : number(a));
+}
+
 report::Table singles_table(const Assembled& a, const report::Options& options) {
   report::Table table;
   table.columns = {{plain("Error"), Align::start, true},
@@ -114,6 +125,8 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
   const bool by_direction = a.made.model.coefficients().reversal() != volumetric::Reversal::none;
   if (by_direction) table.columns.push_back({plain("largest ↑ − ↓"), Align::decimal});
   table.columns.push_back({plain("Unit")});
+  table.columns.push_back({plain("Runs"), Align::decimal});
+  table.columns.push_back({plain("U of the instrument")});
   table.columns.push_back({plain("File")});
   const bool named = std::ranges::any_of(a.items, [](const AssembledItem& item) { return !item.equipment.empty(); });
   if (named) table.columns.push_back({plain("Test equipment")});
@@ -128,24 +141,56 @@ report::Table singles_table(const Assembled& a, const report::Options& options) 
       shown = ErrorExtent{value->value, value->u};
     }
     const auto add = [&](std::optional<double> number) {
-      row.push_back(number ? number_cell(*number, 2, options) : report::TableCell{plain("–"), report::Tone::quiet});
+      row.push_back(number ? number_cell(*number, 2, options) : report::quiet_cell("–"));
     };
     add(shown ? std::optional(shown->size) : std::nullopt);
     add(shown ? std::optional(shown->u) : std::nullopt);
     if (by_direction) add(shown ? shown->reversal : std::nullopt);
     row.push_back(word_cell(error && !error->is_rotation() ? "µm" : "µrad"));
-    row.push_back(item.file.empty() ? report::TableCell{plain("–"), report::Tone::quiet}
-                                    : report::file_cell(item.file));
+    row.push_back(item.runs > 0 ? word_cell(fmt::format("{}", item.runs)) : report::quiet_cell("–"));
+    row.push_back(instrument_cell(item, options));
+    row.push_back(item.file.empty() ? report::quiet_cell("–") : report::file_cell(item.file));
     if (named) row.push_back({report::verbatim(item.equipment)});
   }
   table.notes = {
       plain("In the axes of the machine, without constants and without the slope of straightness, rotations "
             "taken out of displacements by their levers. Uncertainties (k = 1): scatter of the means and, "
-            "where it was stated, the instrument, independent from one position to the next.")};
+            "where it was stated, the instrument, independent from one position to the next."),
+      plain("U of the instrument: k = 2, in the unit of the error, L the distance from the lowest position in "
+            "metres.")};
   if (by_direction)
     table.notes.push_back(
         plain("Range and u are those of the mean of both directions; ↑ − ↓ is what these differ by, – where nothing "
               "tells it."));
+  return table;
+}
+
+/// Where the others stood while an axis was measured, each with the direction in which it had come to rest there, and
+/// with which tool; no rows where no place was given.
+report::Table places_table(const Assembled& a, const report::Options& options) {
+  constexpr std::string_view letters = "XYZ";
+  report::Table table{
+      .caption = plain("Where the other axes stood"), .groups = {}, .columns = {}, .rows = {}, .notes = {}};
+  table.columns = {{plain("Axis"), Align::start, true},
+                   {plain("X / mm")},
+                   {plain("Y / mm")},
+                   {plain("Z / mm")},
+                   {plain("Tool"), Align::start, true}};
+  for (std::size_t axis = 0; axis < a.request.stands.size(); ++axis) {
+    const auto& stand = a.request.stands[axis];
+    if (!stand) continue;
+    auto& row = table.rows.emplace_back();
+    row.push_back({report::verbatim(letters.substr(axis, 1))});
+    for (std::size_t other = 0; other < letters.size(); ++other) {
+      const double approach = stand->approaches[other];
+      const std::string_view mark = approach > 0.0 ? " ↑" : approach < 0.0 ? " ↓" : "";
+      row.push_back(other == axis
+                        ? report::quiet_cell("–")
+                        : report::text_cell(report::shown_exact(stand->axes_mm[other], options) + std::string(mark)));
+    }
+    const auto& tools = a.made.model.machine().tools;
+    row.push_back({report::verbatim(stand->tool.empty() ? tools.front().name : stand->tool)});
+  }
   return table;
 }
 
@@ -204,6 +249,8 @@ Experiment present(const Assembled& a, const report::Options& options) {
                        {plain("Kinematic chain"), {report::verbatim(a.made.model.machine().chain.text())}}};
   report::Section section{"errors", "Errors", true, {}};
   section.blocks.emplace_back(singles_table(a, options));
+  if (report::Table places = places_table(a, options); !places.rows.empty())
+    section.blocks.emplace_back(std::move(places));
   document.sections.push_back(std::move(section));
   document.sections.push_back(curves_section(a, options));
   if (!a.made.findings.empty() || !a.remarks.empty()) {

@@ -204,6 +204,8 @@ Result<VolumeCompensation> compensate_volume(const KeptModel& kept, const Volume
          "the file of the table has no comments: it does not say itself that the result it was made "
          "from should not be used"});
   put_first(kept.against, made.findings);
+  made.result = request.result;
+  made.result_sha256 = kept.sha256;
   return made;
 }
 

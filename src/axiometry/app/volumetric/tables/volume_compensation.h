@@ -50,6 +50,7 @@ struct VolumeCompensation {
   double line_before_um = 0.0, line_after_um = 0.0;  ///< range of the displacements on the line
   volumetric::TableEffect effect;                    ///< effect on the error of the tool point over the volume
   std::vector<NamedFinding> findings;
+  std::string result = {}, result_sha256 = {};  ///< the file it was made from; empty of one that is at hand
 };
 
 /// On the line of `along` through the middle of the volume that was observed: levers grow in proportion to the other

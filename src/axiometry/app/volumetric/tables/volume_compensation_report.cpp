@@ -10,6 +10,7 @@
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/report/figures/compensation_curves.h"
 #include "axiometry/report/sections/added_table.h"
+#include "axiometry/report/sections/source_files.h"
 #include "axiometry/report/translated.h"
 
 namespace axiometry::app {
@@ -126,6 +127,8 @@ Experiment present(const VolumeCompensation& made, const report::Options& option
   document.status = {std::move(notice)};
   document.sections = {remaining_section(made, options), line_section(made, options), nodes_section(made, options),
                        control_words(made)};
+  const report::SourceFile source{"Result", made.result, made.result_sha256};
+  document.sections.push_back(report::provenance_of_files({&source, 1}));
   return {std::move(document), to_json(made)};
 }
 
