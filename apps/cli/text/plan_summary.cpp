@@ -100,7 +100,7 @@ std::string conclusion(const app::PlannedTest& planned, const report::Options& o
     const std::string errors = errors_text(planned.plan);
     return text +
            (planned.conforming() ? terminal.green(said(fmt::format("Plan for {}.", errors)))
-                                 : terminal.red(said(fmt::format("The axis cannot follow it for {}.", errors)))) +
+                                 : terminal.red(said(fmt::format("Not a plan for {}: see the findings.", errors)))) +
            labelled;
   }
   const std::string edition = edition_of(planned.plan.axis);

@@ -24,7 +24,9 @@ constexpr double rest_decimals = 10.0;
 /// To three significant figures, to two where it is known to so little.
 double known_figures(double x, double known_to) {
   const double last = known_to > coarse ? 1.0 : 2.0;
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - last);
+  const double places = last - std::floor(std::log10(x));
+  if (const double per_unit = std::pow(10.0, places); places > 0.0) return std::round(x * per_unit) / per_unit;
+  const double unit = std::pow(10.0, -places);
   return std::round(x / unit) * unit;
 }
 

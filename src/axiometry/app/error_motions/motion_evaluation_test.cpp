@@ -236,6 +236,31 @@ TEST(MeasuredMotion, HasNoUncertaintyOfASquarenessWhereOneLineHasNone) {
   EXPECT_FALSE(tells(copied));
 }
 
+/// Up and down the first line has other slopes, and the second was never read going down.
+TEST(MeasuredMotion, HasTheSquarenessOfADirectionThatBothLinesHave) {
+  const std::string both =
+      "position_mm,direction,straightness_um\n0,up,0\n500,up,5\n1000,up,10\n1000,down,30\n500,down,15\n0,down,0\n";
+  const auto line = [](const char* direction) {
+    std::string rows = "position_mm,direction,straightness_um\n";
+    for (const int mm : {0, 300, 600}) rows += fmt::format("{},{},{}\n", mm, direction, 0.005 * mm);
+    return rows;
+  };
+  const auto measured = [&](const std::string& first, const std::string& second) {
+    SquarenessRequest request{.first = "a.csv", .second = "b.csv", .options = {}, .square = {}};
+    request.bytes = {first, second};
+    request.senses = {*reading_sense("+Y"), *reading_sense("+X")};
+    return measure_squareness(request);
+  };
+  const std::string up = line("up"), down = line("down");
+  const auto found = measured(both, up);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_NEAR(found->location->urad.value, -15.0, 1e-3);
+  EXPECT_EQ(found->result.kind, error_motions::PathKind::up);
+  EXPECT_THAT(json::dump(*present(*found, {}, {}).json.find("remarks")),
+              HasSubstr("EXY was read in one direction alone: the squareness is that of ↑"));
+  EXPECT_FALSE(measured(up, down));
+}
+
 TEST(Angles, DoAtAnotherPointWhatEachDirectionDoes) {
   const std::string both =
       "# error: EBX\nposition_mm,direction,pitch_urad\n0,up,10\n100,up,10\n100,down,-10\n0,down,-10\n";

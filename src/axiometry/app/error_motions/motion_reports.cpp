@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "axiometry/app/error_motions/motion_evaluation.h"
 #include "axiometry/app/error_motions/motion_tables.h"
@@ -43,6 +44,12 @@ std::vector<std::string> square_remarks(const SquarenessMeasurement& s) {
         "nothing states which way the readings of both lines are positive, as # positive: +Y in each file does: θ₂ − "
         "θ₁ is their squareness where the optical square turned that way with the beam; where both are positive along "
         "the axes of the machine it is −θ₂ − θ₁");
+  for (const auto& [line, other, words] :
+       {std::tuple(&s.first, &s.second, "the first line"), std::tuple(&s.second, &s.first, "the second line")})
+    if (line->motion.paths.size() == 1 && other->motion.paths.size() > 1)
+      remarks.push_back(fmt::format("{} was read in one direction alone: the squareness is that of {}",
+                                    line->error ? name_of(*line) : std::string(words),
+                                    error_motions::path_mark(s.result.kind)));
   if (!s.first.error || !s.second.error)
     remarks.push_back("the files do not both name their error: whether they are of one plane was not checked");
   return remarks;
@@ -56,8 +63,9 @@ report::Section square_section(const SquarenessMeasurement& s, const report::Opt
       : s.square.square_uncertainty_arcsec
           ? "U for about 95 %, from both lines, whose tables say what theirs holds, and the optical square."
           : "U for about 95 %, from both lines, whose tables say what theirs holds.");
-  table.rows.push_back(estimate_row("Slope of the first line, θ₁", "", s.result.theta_1_arcsec, "″", options));
-  table.rows.push_back(estimate_row("Slope of the second line, θ₂", "", s.result.theta_2_arcsec, "″", options));
+  const std::string_view course = error_motions::path_mark(s.result.kind);
+  table.rows.push_back(estimate_row("Slope of the first line, θ₁", course, s.result.theta_1_arcsec, "″", options));
+  table.rows.push_back(estimate_row("Slope of the second line, θ₂", course, s.result.theta_2_arcsec, "″", options));
   table.rows.push_back({word_cell("Error of the optical square"),
                         word_cell(""),
                         {plain(report::shown_exact(s.square.square_error_arcsec.value_or(0.0), options))},
@@ -66,16 +74,16 @@ report::Section square_section(const SquarenessMeasurement& s, const report::Opt
                                                            : report::TableCell{plain("–"), report::Tone::quiet},
                         word_cell("″")});
   table.rows.push_back(estimate_row(
-      s.square.in_axes ? "Squareness, −θ₂ − θ₁ + error of the square" : "Squareness, θ₂ − θ₁ + error of the square", "",
-      s.result.squareness_arcsec, "″", options));
+      s.square.in_axes ? "Squareness, −θ₂ − θ₁ + error of the square" : "Squareness, θ₂ − θ₁ + error of the square",
+      course, s.result.squareness_arcsec, "″", options));
   error_motions::MotionEstimate per_m = s.result.squareness_arcsec;
   const double um_per_arcsec = 1.0 / error_motions::slope_arcsec(1.0);
   per_m.value *= um_per_arcsec;
   if (per_m.u) *per_m.u *= um_per_arcsec;
-  table.rows.push_back(estimate_row("Squareness over one metre", "", per_m, "µm/m", options));
+  table.rows.push_back(estimate_row("Squareness over one metre", course, per_m, "µm/m", options));
   if (s.location) {
     table.rows.push_back(
-        estimate_row(fmt::format("Location error {}", s.location->name), "", s.location->urad, "µrad", options));
+        estimate_row(fmt::format("Location error {}", s.location->name), course, s.location->urad, "µrad", options));
     table.notes.push_back(
         plain("In axes of the machine: squareness is by how much the angle between the positive directions of both "
               "axes is larger than 90°. C0Y turns Y about Z, B0Z turns Z about Y, A0Z turns Z about X, positive by the "

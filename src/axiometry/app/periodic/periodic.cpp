@@ -46,8 +46,8 @@ Value harmonics_to_json(const PeriodicDirection& d) {
   for (const auto& h : d.harmonics) {
     Value& row = list.push(Value::object());
     row.add("order", h.order);
-    row.add("amplitude", estimate(h.amplitude, d.coverage_factor, d.significant && h.significant));
-    row.add("phase_deg", estimate(h.phase, d.coverage_factor, d.significant && h.significant));
+    row.add("amplitude", estimate(h.amplitude, d.coverage_factor, d.tells_U() && h.significant));
+    row.add("phase_deg", estimate(h.phase, d.coverage_factor, d.tells_U() && h.significant));
     row.add("chance", h.chance);
     row.add("in_curve", h.order == 1 || h.significant);
   }
@@ -85,13 +85,13 @@ Value direction_to_json(const PeriodicDirection& d) {
   object.add("origin", d.origin.in_native());
   object.add("period_known", d.period_known);
   object.add("period",
-             estimate(d.period.value.in_native(), d.period.u.in_native(), k, !d.period_known && d.significant));
+             estimate(d.period.value.in_native(), d.period.u.in_native(), k, !d.period_known && d.tells_U()));
   const auto& fundamental = d.harmonics.front();
-  object.add("amplitude", estimate(fundamental.amplitude, k, d.significant));
-  object.add("phase_deg", estimate(fundamental.phase, k, d.significant));
-  object.add("phase_at_zero_deg", estimate(d.phase_at_zero, k, d.significant));
+  object.add("amplitude", estimate(fundamental.amplitude, k, d.tells_U()));
+  object.add("phase_deg", estimate(fundamental.phase, k, d.tells_U()));
+  object.add("phase_at_zero_deg", estimate(d.phase_at_zero, k, d.tells_U()));
   object.add("harmonics", harmonics_to_json(d));
-  object.add("peak_to_valley", estimate(d.peak_to_valley, k, d.significant));
+  object.add("peak_to_valley", estimate(d.peak_to_valley, k, d.tells_U()));
   object.add("range_about_line", d.range_about_line.in_native());
   object.add("range_of_residuals", d.range_of_residuals.in_native());
   object.add("residual_sd", d.residual_sd.in_native());

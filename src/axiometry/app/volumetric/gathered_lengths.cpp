@@ -13,8 +13,10 @@
 #include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/app/volumetric/part_lengths.h"
 #include "axiometry/app/volumetric/planned_points.h"
+#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
+#include "axiometry/formats/text/simulated_note.h"
 #include "axiometry/formats/volumetric/volumetric_lengths_csv.h"
 
 namespace axiometry::app {
@@ -84,7 +86,10 @@ class Gathering {
       AXIOMETRY_TRY(auto findings, check_planned(*plan_, table));
       std::ranges::move(findings, std::back_inserter(all_.findings));
     }
-    for (std::string& remark : table.remarks) tell("volumetric-passed-over", std::move(remark));
+    for (std::string& remark : table.remarks) {
+      const bool simulated = remark == formats::simulated_lengths;
+      tell(simulated ? simulated_id : "volumetric-passed-over", std::move(remark));
+    }
     AXIOMETRY_TRY_VOID(check_own(table));
     all_.files.push_back({base_name(file), sha256(bytes), table.readings.size()});
     add(table, {});

@@ -16,6 +16,9 @@
 /// What all use cases behind an identification begin with.
 namespace axiometry::app {
 
+/// Finding of a result that was made from simulated lengths: what is made of it says so too.
+inline constexpr const char* simulated_id = "volumetric-simulated";
+
 /// A model as it was kept, and what speaks against it.
 struct KeptModel {
   volumetric::ErrorModel model;
@@ -23,7 +26,8 @@ struct KeptModel {
   std::string sha256 = {};            ///< hash of its file; empty of one that is at hand
 };
 
-/// Serious findings of a result, each under its own name and as one of what is made of it. But for errors that are not
+/// Serious findings of a result, each under its own name and as one of what is made of it, and that it was made from
+/// simulated lengths. But for errors that are not
 /// told: the model has no number for these, and who needs one says so itself.
 std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_result);
 
@@ -36,7 +40,7 @@ bool is_of_singles(const json::Value& result);  ///< whether a result is one of 
 std::vector<NamedFinding> notes_of_remarks(const json::Value& remarks);
 
 /// For the head of a file that goes to a control: one sentence in ASCII that names what speaks seriously against the
-/// result, by the findings' names. Empty where nothing does.
+/// result, by the findings' names, or says that nobody measured it. Empty where nothing does.
 std::string warning_of(std::span<const NamedFinding> against);
 
 /// Before the others.

@@ -54,19 +54,27 @@ void MotionRowOrder::take(const MotionRun& run, double position_mm) {
 
 Result<void> MotionRowOrder::put_remark(bool has_directions, std::vector<SourceRemark>& remarks) const {
   if (has_directions) {
-    const auto goes_against = [&](Direction direction) {
-      bool any = false, all = true;
-      for (const auto& [run, course] : runs_) {
-        if (run.second != direction) continue;
-        any = true;
-        all = all && course.rises != course.falls && course.falls == (direction == Direction::up);
-      }
-      return any && all;
+    std::vector<MotionRun> with, against;
+    bool both = false;
+    for (const auto& [run, course] : runs_) {
+      both = both || run.second != runs_.begin()->first.second;
+      if (course.rises == course.falls) continue;
+      (course.falls == (run.second == Direction::up) ? against : with).push_back(run);
+    }
+    const auto is_of = [](Direction direction) {
+      return [=](const MotionRun& run) { return run.second == direction; };
     };
-    if (goes_against(Direction::up) && goes_against(Direction::down))
-      remarks.push_back({false,
-                         "the rows of all runs go the other way than their directions say: the sign of the reversal "
-                         "depends on which of them is right"});
+    // A table that is sorted by positions says nothing of one direction.
+    const bool is_sorted =
+        std::ranges::none_of(against, is_of(Direction::up)) || std::ranges::none_of(against, is_of(Direction::down));
+    if (both && !against.empty() && !is_sorted)
+      remarks.push_back({false, with.empty()
+                                    ? "the rows of all runs go the other way than their directions say: the sign "
+                                      "of the reversal depends on which of them is right"
+                                    : fmt::format("the rows of the runs {} go the other way than their "
+                                                  "directions say, those of others do not: the reversal and "
+                                                  "the repeatability may mix both directions",
+                                                  run_names(against))});
     return {};
   }
   const auto rising = std::ranges::find_if(runs_, [](const auto& r) { return r.second.rises && !r.second.falls; });

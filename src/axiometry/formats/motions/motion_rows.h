@@ -24,7 +24,7 @@ class MotionRowOrder {
  public:
   void take(const MotionRun& run, double position_mm);
 
-  /// With a column of directions: tells where the rows of all runs, ↑ and ↓, go the other way than it says; a table
+  /// With a column of directions: tells where rows of runs, ↑ and ↓, go the other way than it says; a table
   /// that is sorted by positions says nothing. Without one: tells that all readings are taken as positive approaches,
   /// and whether the rows speak against it. Fails where some runs rise and others fall: these were hardly approached
   /// from one side.

@@ -60,11 +60,11 @@ std::vector<PeriodicRow> periodic_rows(const PeriodicDirection& d, AxisKind kind
     return row(std::move(title), std::move(symbol), value, std::nullopt, unit, options);
   };
   const auto deviation_row = [&](std::string title, std::string symbol, const iso230_2::Estimate<Deviation>& x) {
-    const auto U = expanded(x.u.in_native(), k, d.significant);
+    const auto U = expanded(x.u.in_native(), k, d.tells_U());
     return row(std::move(title), std::move(symbol), x.value.in_native(), U, um, options);
   };
   const auto angle_row = [&](std::string title, std::string symbol, const iso230_2::Estimate<Angle>& x) {
-    return row(std::move(title), std::move(symbol), x.value.in_deg(), expanded_angle(x.u, k, d.significant), "°",
+    return row(std::move(title), std::move(symbol), x.value.in_deg(), expanded_angle(x.u, k, d.tells_U()), "°",
                options);
   };
 
@@ -73,7 +73,7 @@ std::vector<PeriodicRow> periodic_rows(const PeriodicDirection& d, AxisKind kind
     rows.push_back({"Period, as given", "λ", shown_exact(d.period.value.in_native(), options), "", std::string(mm)});
   } else {
     rows.push_back(row("Period, found", "λ", d.period.value.in_native(),
-                       expanded(d.period.u.in_native(), k, d.significant), mm, options));
+                       expanded(d.period.u.in_native(), k, d.tells_U()), mm, options));
   }
   rows.push_back(deviation_row("Amplitude", "A_1", fundamental.amplitude));
   rows.push_back(angle_row("Phase at the first target", "φ_1", fundamental.phase));
@@ -108,7 +108,7 @@ Table harmonic_table(const PeriodicDirection& d, AxisKind kind, const Options& o
                    {joined({italic("U"), plain(", °")}), Align::decimal},
                    {plain("Chance by white noise"), Align::decimal},
                    {plain("Part of the curve"), Align::start, false, true}};
-  const auto has_told_size = [&](const auto& h) { return d.significant && h.significant; };
+  const auto has_told_size = [&](const auto& h) { return d.tells_U() && h.significant; };
   for (const auto& h : d.harmonics) {
     const bool told = has_told_size(h);
     const PeriodicRow A = row("", "", h.amplitude.value.in_native(),

@@ -172,7 +172,7 @@ void append_programme(Document& document, const Plan& plan, Duration duration, d
 Notice status_of_errors(const PlanSubject& subject) {
   const std::string errors = errors_text(subject.plan);
   if (iso230_2::conforming(subject.findings)) return {Tone::good, plain(fmt::format("Plan for {}", errors)), {}};
-  return {Tone::bad, plain(fmt::format("The axis cannot follow this plan for {}, see Findings", errors)), {}};
+  return {Tone::bad, plain(fmt::format("Not a plan for {}, see Findings", errors)), {}};
 }
 
 Notice status(const PlanSubject& subject) {

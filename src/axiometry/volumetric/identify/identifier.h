@@ -56,6 +56,7 @@ class Identifier {
   const PerCurve& plain_variances() const { return plain_variances_; }  ///< variances without the penalty, before φ
   /// Absent where parts were not looked at, or differ in scale no more than chance lets them.
   const std::optional<PartScaleFit>& part_scales() const { return part_scales_; }
+  bool looks_for_part_scales() const { return options_.find_part_scales; }
   bool has_part_scales() const { return part_scales_ && part_scales_->told.held; }  ///< they are taken out of the fit
   double taken_by_scales() const { return has_part_scales() ? part_scales_->taken : 0.0; }  ///< so many unknowns
   std::size_t count() const;                                                                ///< readings that are used

@@ -16,7 +16,6 @@ namespace {
 constexpr std::array station_shares{0.1, 0.5, 0.9, 0.99, 0.999};  // of the variance, equally likely beforehand
 constexpr double usual_share = 0.5;
 constexpr double directions_least = 4.0;  // of fewer the spread has no mean square
-constexpr std::size_t parts_most = 300;
 constexpr double well_told_least = 1e-2;  // of the largest eigenvalue
 constexpr double told_least = 1e-4;  // of the largest sum of squares: what is less is what all parts have in common
 
@@ -123,8 +122,8 @@ std::vector<Spread> weighted_spreads(std::span<const PrincipalScales> by_share, 
   return spreads;
 }
 
-/// As likely to be more as to be less: a few stations leave open that it is many times as large, and a mean square would
-/// be that.
+/// As likely to be more as to be less: a few stations leave open that it is many times as large, and a mean square
+/// would be that.
 double median_of(std::vector<Spread> spreads) {
   std::ranges::sort(spreads, {}, &Spread::um_per_m);
   double below = 0.0;

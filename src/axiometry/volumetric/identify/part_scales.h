@@ -20,10 +20,13 @@ inline constexpr double part_scales_level = 0.2;
 /// How often it is told where so few parts show it that nothing can hold it.
 inline constexpr double untold_scales_level = 0.05;
 
+/// Of more parts they are not looked for: the time grows with the third power of their number.
+inline constexpr std::size_t parts_most = 300;
+
 /// Normal scales of the parts; which share of their variance the parts of a station have in common is found too.
 struct PartScaleFit {
   PartScales told;                         ///< by F; held where the lengths tell well in four ways that parts differ,
-                                   ///< were these all but independent
+                                           ///< were these all but independent
   std::vector<std::size_t> parts;          ///< virtual stations with readings that count, rising
   double taken = 0.0;                      ///< so many unknowns the lengths tell of them
   Eigen::VectorXd um_per_m;                ///< mean of each part

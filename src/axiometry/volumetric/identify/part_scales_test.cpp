@@ -86,6 +86,24 @@ TEST(PartScales, OfFewPartsAreASeriousFinding) {
   EXPECT_TRUE(found.findings.front().serious);
 }
 
+TEST(PartScales, OfVeryManyPartsAreNotLookedForWhichIsTold) {
+  AXIOMETRY_STATISTICS_OF_TRIALS();
+  TrueMachine machine = machine_with_repeatability("XFYZ", 38);
+  std::vector<NamedStation> stations;
+  for (int k = 0; k < 101; ++k) {
+    NamedStation station = four_stations()[static_cast<std::size_t>(k % 4)];
+    station.name = std::to_string(k);
+    station.at_mm.y -= 2.0 * k;
+    stations.push_back(station);
+  }
+  const VolumetricLengths lengths = measured(machine, stations, {.points = 10});
+  const std::string what = "was not looked for: found 303 parts, expected at most 300";
+  EXPECT_THAT(told(identified(machine, lengths, {.sizes = {2, 2, 2}}), "volumetric-part-scales"), HasSubstr(what));
+  EXPECT_EQ(
+      told(identified(machine, lengths, {.sizes = {2, 2, 2}, .find_part_scales = false}), "volumetric-part-scales"),
+      "");
+}
+
 TEST(PartScales, AreSeldomFoundWhereThereAreNone) {
   AXIOMETRY_STATISTICS_OF_TRIALS();
   std::size_t found = 0, tried = 0;

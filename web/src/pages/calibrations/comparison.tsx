@@ -28,14 +28,14 @@ export function ComparePanel({ calibration }: { calibration: KeptCalibration }) 
           )}
         </Field>
       </div>
-      {other !== null && <Compared before={other} after={calibration.id} />}
+      {other !== null && <Compared before={other} after={calibration.id} kind={calibration.kind} />}
     </section>
   );
 }
 
 type Row = CalibrationComparison['rows'][number];
 
-function Compared({ before, after }: { before: string; after: number }) {
+function Compared({ before, after, kind }: { before: string; after: number; kind: string }) {
   const asked = use_get<CalibrationComparison>(`/api/calibrations/${before}/comparison?with=${after}`);
   if (asked.error) return <FailureNotice error={asked.error} retry={asked.reload} />;
   const found = asked.data;
@@ -43,12 +43,15 @@ function Compared({ before, after }: { before: string; after: number }) {
   const value = (row: Row, number: number | null, u: number | null = null) =>
     `${figure_text(row.parameter, row.unit, number)}${u === null ? '' : ` (u ${figure_text(row.parameter, row.unit, u)})`}`;
   return (
-    <DataTable<Row> caption={t('comparison')} rows={found.rows} row_key={(row) => `${row.parameter} ${row.of}`} columns={[
-      { key: 'figure', head: t('figure'), row_head: true, cell: (row) => figure_name(row.parameter, row.of) },
-      { key: 'before', head: <>{t('before')}{colon()} {found.before.title}</>, number: true, cell: (row) => value(row, row.before, row.before_u) },
-      { key: 'after', head: <>{t('after')}{colon()} {found.after.title}</>, number: true, cell: (row) => value(row, row.after, row.after_u) },
-      { key: 'difference', head: t('difference'), number: true, cell: (row) => value(row, row.difference) },
-      { key: 'unit', head: t('unit'), cell: (row) => sign_of(row.unit) },
-    ]} />
+    <>
+      <DataTable<Row> caption={t('comparison')} rows={found.rows} row_key={(row) => `${row.parameter} ${row.of}`} columns={[
+        { key: 'figure', head: t('figure'), row_head: true, cell: (row) => figure_name(row.parameter, row.of) },
+        { key: 'before', head: <>{t('before')}{colon()} {found.before.title}</>, number: true, cell: (row) => value(row, row.before, row.before_u) },
+        { key: 'after', head: <>{t('after')}{colon()} {found.after.title}</>, number: true, cell: (row) => value(row, row.after, row.after_u) },
+        { key: 'difference', head: t('difference'), number: true, cell: (row) => value(row, row.difference) },
+        { key: 'unit', head: t('unit'), cell: (row) => sign_of(row.unit) },
+      ]} />
+      {kind === 'volumetric' && <p class="quiet small">{t('compare_how')}</p>}
+    </>
   );
 }

@@ -81,6 +81,7 @@ export const t = texts({
   readings: 'Lengths',
   worst_lines: '{n} lines: {list}',
   comparison: 'Before and after',
+  compare_how: 'Sizes are compared: curves of one size may run differently. How the error of the tool point has changed is drawn by the page Volume.',
   before: 'Before',
   after: ['After', 'later'],
   difference: 'Difference',

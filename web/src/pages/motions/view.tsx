@@ -119,7 +119,7 @@ function AtPoint({ abbe }: { abbe: NonNullable<MotionResult['abbe']> }) {
         { key: 'name', head: t('quantity'), row_head: true, cell: ({ name }) => name },
         ...(changes.some(({ course }) => course !== '') ? [{ key: 'course', head: t('course'), cell: ({ course }: (typeof changes)[number]) => course }] : []),
         { key: 'range', head: t('change_range'), number: true, cell: ({ list }) => (list ? fixed(Math.max(...list) - Math.min(...list), 3) : absent) },
-        { key: 'missing', head: t('missing'), cell: ({ name }) => missing[name] ?? '' },
+        ...(Object.keys(missing).length > 0 ? [{ key: 'missing', head: t('missing'), cell: ({ name }: (typeof changes)[number]) => missing[name] ?? '' }] : []),
       ]} />
     </section>
   );

@@ -14,4 +14,8 @@ inline constexpr double nothing_known_deg = 103.92304845413264;  // 360/√12: s
 /// For periodic.cpp alone.
 void enlarge_uncertainties(PeriodicDirection& result, std::size_t targets);
 
+/// What the shifts of runs with missing readings are uncertain by in the means (rms), in all that is stated and in what
+/// counts as significant: at most, however it goes with the period. For periodic.cpp alone.
+void hold_shifts(PeriodicDirection& result, double u_means, double travel);
+
 }  // namespace axiometry::iso230_2

@@ -114,6 +114,12 @@ class DirectionFindings {
 
   std::optional<Finding> at_end() const {
     if (!d_.peak_at_end || !(d_.significant || d_.beyond_band)) return std::nullopt;
+    if (d_.beyond_band)
+      return note(
+          "periodic-peak-at-end",
+          fmt::format("found the highest peak at the end of the searched band, at {}, and a period beyond it "
+                      "that fits better, where nothing was searched: what is told is that of the end, without U",
+                      shown(period_)));
     return note(
         "periodic-peak-at-end",
         fmt::format("found the highest peak at the end of the searched band, at {}: the error may have a period "
@@ -181,7 +187,7 @@ class DirectionFindings {
     if (d_.missing == 0) return std::nullopt;
     return note("periodic-missing-readings",
                 fmt::format("found {} missing: what the runs are shifted by against each other was taken out before "
-                            "their mean, as far as targets that they share tell it",
+                            "their mean, and how well it is known is in U",
                             counted(d_.missing, "reading")));
   }
 

@@ -24,7 +24,6 @@ using numeric::PeriodBand;
 using numeric::PeriodSearch;
 
 constexpr std::size_t most_harmonics = 4;
-constexpr double significance = 0.01;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double deg = 180.0 / std::numbers::pi;
 // At twice the spacing equal steps show a cosine and no sine.
@@ -110,7 +109,7 @@ std::optional<Fits> fit(const RunMeans& means, double start, bool known, double 
   if (!all) return std::nullopt;
   std::vector<std::size_t> counting = {1};
   for (std::size_t h : orders)
-    if (h > 1 && std::hypot(all->sine(h), all->cosine(h)) > rounding && all->chance_of(h) < significance)
+    if (h > 1 && std::hypot(all->sine(h), all->cosine(h)) > rounding && all->chance_of(h) < periodic_significance)
       counting.push_back(h);
   auto curve = fit_with(first->period, counting);
   if (!curve) return std::nullopt;
@@ -232,7 +231,7 @@ std::optional<FurtherPeriod> further_period(const RunMeans& means, const Harmoni
   const numeric::SpectralLine highest = search.spectrum(fit.residuals).highest;
   const double chance =
       search.false_alarm_probability(noise.white_reduction(highest.reduction, highest.period / means.spacing()));
-  if (chance >= significance || highest.amplitude <= rounding) return std::nullopt;
+  if (chance >= periodic_significance || highest.amplitude <= rounding) return std::nullopt;
   return FurtherPeriod{Position::native(highest.period), Deviation::native(highest.amplitude), chance};
 }
 
@@ -241,7 +240,7 @@ double noise_level(const HarmonicFit& fit, const PeriodSearch& search) {
   double low = 0.0, high = 1.0;
   for (int k = 0; k < 50; ++k) {
     const double middle = (low + high) / 2.0;
-    (search.false_alarm_probability(middle) > significance ? low : high) = middle;
+    (search.false_alarm_probability(middle) > periodic_significance ? low : high) = middle;
   }
   return std::sqrt(2.0 * high / std::max(1.0 - high, 1e-12) * fit.sum_of_squares /
                    static_cast<double>(fit.residuals.size()));
@@ -259,7 +258,7 @@ void add_fits(PeriodicDirection& result, const Fits& fits, double rounding) {
   for (std::size_t h : fits.all_orders.orders) {
     const bool counts = std::ranges::find(fit.orders, h) != fit.orders.end();
     result.harmonics.push_back(harmonic_of(counts ? fit : fits.all_orders, h, rounding));
-    result.harmonics.back().significant = h == 1 ? result.harmonics.back().chance < significance : counts;
+    result.harmonics.back().significant = h == 1 ? result.harmonics.back().chance < periodic_significance : counts;
   }
   result.phase_at_zero = phase_at_zero(fit, result.harmonics.front());
   result.peak_to_valley = peak_to_valley(fit);
@@ -287,7 +286,7 @@ void add_chances(PeriodicDirection& result, const RunMeans& means, const PeriodS
     result.false_alarm = search.false_alarm_probability(highest.reduction);
     result.false_alarm_correlated = search.false_alarm_probability(noise.white_reduction(highest.reduction, targets));
   }
-  result.significant = result.false_alarm_correlated < significance;
+  result.significant = result.false_alarm_correlated < periodic_significance;
 }
 
 /// What the spectrum says.
@@ -297,7 +296,8 @@ void add_spectrum(PeriodicDirection& result, const RunMeans& means, const Period
   // At a period searched as the highest peak the F test of a period stated beforehand tells nothing.
   result.harmonics.front().chance = result.false_alarm;
   result.harmonics.front().significant = result.significant;
-  result.further = further_period(means, fit, search, result.residual_correlation, rounding);
+  // Of an error with a period beyond the band the fit at its end leaves a part, which is no other error.
+  if (!result.beyond_band) result.further = further_period(means, fit, search, result.residual_correlation, rounding);
   result.noise_level = Deviation::native(noise_level(fit, search));
   result.peak_at_end = !result.period_known && (spectrum.at_end || result.beyond_band);
   for (const numeric::SpectralLine& line : spectrum.lines)
@@ -305,7 +305,7 @@ void add_spectrum(PeriodicDirection& result, const RunMeans& means, const Period
 }
 
 Result<PeriodicDirection> evaluate_direction(const Test& test, Direction direction, const PeriodicOptions& options) {
-  const RunMeans means = run_means_of(test.series, direction);
+  AXIOMETRY_TRY(const RunMeans means, run_means_of(test.series, direction));
   const std::string_view unit = unit_of(test);
   PeriodicDirection result;
   result.period_known = options.period.has_value();
@@ -342,6 +342,7 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
   result.targets_per_period = fits->curve.period / means.spacing();
   add_spectrum(result, means, search, spectrum, fits->curve, rounding);
   enlarge_uncertainties(result, means.places.size());
+  if (means.missing > 0) hold_shifts(result, means.u_shift, means.travel());
   add_points(result, means);
   return result;
 }

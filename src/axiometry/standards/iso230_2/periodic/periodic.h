@@ -71,9 +71,11 @@ struct FurtherPeriod {
   double false_alarm = 1.0;
 };
 
+inline constexpr double periodic_significance = 0.01;  ///< level of what counts as no chance
+
 struct PeriodicDirection {
   Direction direction = Direction::up;
-  std::size_t runs = 0;     ///< the largest number of readings at a target
+  std::size_t runs = 0;     ///< runs with readings
   std::size_t missing = 0;  ///< readings that are missing in runs and at targets that have some
   Position origin;          ///< P_1, the first target with a reading
   std::vector<PeriodicPoint> points;
@@ -112,6 +114,9 @@ struct PeriodicDirection {
   bool peak_at_end = false;                    ///< the highest peak stands at an end of the searched band
   bool beyond_band = false;  ///< a period outside of it fits better: that of the end is told, and not refined
 
+  /// Whether U of period, amplitudes and phases holds the truth as often as it says.
+  bool tells_U() const { return significant && !beyond_band; }
+
   double line_native(double position) const {
     return offset.value.in_native() + slope_native.value * (position - origin.in_native());
   }
@@ -138,7 +143,8 @@ std::string period_text(double native, AxisKind kind);
 ///
 /// Fails on a period or band that is not positive, finite and in order, a band without room, more than lines_most
 /// periods to search or 10¹¹ steps for it, fewer than 7 targets with readings in a direction (6 with a known period),
-/// and targets that cannot show the known period (every half period of it, or a part of one that looks straight).
+/// runs with missing readings that share too few targets, and targets that cannot show the known period (every half
+/// period of it, or a part of one that looks straight).
 Result<PeriodicError> periodic_error(const Test& test, const PeriodicOptions& options = {});
 
 }  // namespace axiometry::iso230_2

@@ -417,6 +417,33 @@ TEST(Periodic, MakesNoErrorOfWhatRunsAreShiftedByWhereReadingsAreMissing) {
   EXPECT_FALSE(none->directions[0].significant);
 }
 
+/// Blocks of targets that the runs take in turn: a shift of 2 µm looks like a period of two blocks.
+TEST(Periodic, RefusesRunsThatShareTooFewTargetsAndHoldsInUWhatFewTell) {
+  const auto targets = uneven(60, 0.5, 4);
+  const auto of_blocks = [&](std::size_t shared) {
+    std::vector<double> noise(2 * targets.size());
+    numeric::fill_normal({6, 7, 0}, noise);
+    RunDeviations first, second;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      const bool in_second = (i / 5) % 2 == 1;
+      first.push_back(in_second && i >= shared ? testing_support::none : 0.2 * noise[2 * i]);
+      second.push_back(!in_second && i >= shared ? testing_support::none : 2.0 + 0.2 * noise[2 * i + 1]);
+    }
+    axiometry::Test test{{}, make_series(targets, {first, second}, {}), {}};
+    test.metadata.conditions.cycle = TestCycle::unidirectional;
+    return test;
+  };
+  for (const std::size_t shared : {0u, 1u}) {
+    const auto result = periodic_error(of_blocks(shared));
+    ASSERT_FALSE(result) << shared;
+    EXPECT_THAT(result.error().message, HasSubstr("found runs ↑ that share too few targets"));
+  }
+  const PeriodicDirection few = only(of_blocks(3)), many = only(of_blocks(40));
+  EXPECT_FALSE(few.significant);
+  EXPECT_LT(many.harmonics.front().amplitude.u, few.harmonics.front().amplitude.u);
+  EXPECT_EQ(few.runs, 2u);
+}
+
 /// One period per turn, of which half a turn is searched: no chance is known of a period that nobody searched for.
 TEST(Periodic, TellsThePeakAtTheEndOfTheBandWhereAPeriodBeyondFitsBetter) {
   const auto test = test_of(

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "axiometry/base/result.h"
 #include "axiometry/model/series.h"
 #include "axiometry/numeric/harmonic_fit.h"
 
@@ -18,12 +19,15 @@ struct RunMeans {
   std::size_t runs = 0;
   std::size_t missing = 0;        // of readings, in runs and at targets that have some
   std::optional<double> scatter;  // s/√n, pooled
+  double u_shift = 0.0;           // where readings are missing: what shifts of runs are uncertain by in the means, rms
 
   numeric::HarmonicData data() const { return {places, values}; }
   double travel() const { return places.back() - places.front(); }
   double spacing() const { return travel() / static_cast<double>(places.size() - 1); }
 };
 
-RunMeans run_means_of(const Series& series, Direction direction);
+/// Fails where readings are missing and runs share too few targets to tell what they are shifted by, or are more than a
+/// hundred.
+Result<RunMeans> run_means_of(const Series& series, Direction direction);
 
 }  // namespace axiometry::iso230_2

@@ -82,8 +82,13 @@ void add_scatter(const Identification& result, std::vector<VolumetricFinding>& f
                                     std::sqrt(ratio))});
 }
 
-void add_part_scales(const VolumetricLengths& lengths, const Identification& result,
+void add_part_scales(const Identifier& done, const VolumetricLengths& lengths, const Identification& result,
                      std::vector<VolumetricFinding>& findings) {
+  if (done.looks_for_part_scales() && result.stations.size() > parts_most)
+    findings.push_back({"volumetric-part-scales", false,
+                        fmt::format("whether the axes differ in length from part to part, a station with a tool each, "
+                                    "was not looked for: found {} parts, expected at most {}",
+                                    result.stations.size(), parts_most)});
   if (!result.part_scales) return;
   const PartScales& scales = *result.part_scales;
   if (!scales.held) {
@@ -363,7 +368,7 @@ std::vector<VolumetricFinding> findings_of(const Identifier& done, const Machine
   add_unseen(machine, lengths, result, findings);
   add_setup_findings(done, machine, lengths, result, findings);
   add_scatter(result, findings);
-  add_part_scales(lengths, result, findings);
+  add_part_scales(done, lengths, result, findings);
   const bool in_rows = is_in_rows(lengths.readings);
   add_residual_causes(done, machine, lengths, in_rows, findings);
   if (!in_rows) {
