@@ -168,7 +168,9 @@ def check_courses(found, x, y, reference, a, b):
 
 
 def check_squareness(found, lines, square, square_U):
-    theta = [line["courses"][-1] for line in lines]
+    by_name = [{course["course"]: course for course in line["courses"]} for line in lines]
+    both = [name for name in by_name[0] if name in by_name[1]]  # the mean of both directions last, where there is one
+    theta = [courses[both[-1]] for courses in by_name]
     values = [math.atan(1e-6 * t["slope_per_m"]["value"]) * ARCSEC for t in theta]
     near(found["squareness_arcsec"]["value"], values[1] - values[0] + square, "squareness")
     factor = ARCSEC * 1e-6

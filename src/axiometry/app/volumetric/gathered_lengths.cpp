@@ -13,7 +13,6 @@
 #include "axiometry/app/recordings/recording_members.h"
 #include "axiometry/app/volumetric/part_lengths.h"
 #include "axiometry/app/volumetric/planned_points.h"
-#include "axiometry/app/volumetric/result_model.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/digest/sha256.h"
 #include "axiometry/formats/text/simulated_note.h"
@@ -88,7 +87,7 @@ class Gathering {
     }
     for (std::string& remark : table.remarks) {
       const bool simulated = remark == formats::simulated_lengths;
-      tell(simulated ? simulated_id : "volumetric-passed-over", std::move(remark));
+      tell(simulated ? "volumetric-simulated" : "volumetric-passed-over", std::move(remark));
     }
     AXIOMETRY_TRY_VOID(check_own(table));
     all_.files.push_back({base_name(file), sha256(bytes), table.readings.size()});

@@ -71,8 +71,9 @@ std::vector<NamedFinding> notes_of_remarks(const json::Value& remarks) {
 std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_result) {
   std::vector<NamedFinding> against;
   for (const KeptFinding& finding : of_result) {
-    if (finding.id == simulated_id || finding.message == formats::simulated_lengths)
-      against.push_back({simulated_id, false, "the result was made from simulated lengths, not from measured ones"});
+    if (finding.id == "volumetric-simulated" || finding.message == formats::simulated_lengths)
+      against.push_back(
+          {"volumetric-simulated", false, "the result was made from simulated lengths, not from measured ones"});
     if (finding.severity == "serious" && finding.id != "volumetric-unseen-errors")
       against.push_back(
           {finding.id, true, "the result from which this was made should not be used as it is: " + finding.message});
@@ -84,7 +85,7 @@ std::string warning_of(std::span<const NamedFinding> against) {
   std::vector<std::string> names;
   for (const NamedFinding& finding : against)
     if (finding.serious && std::ranges::find(names, finding.id) == names.end()) names.push_back(finding.id);
-  const bool simulated = std::ranges::find(against, simulated_id, &NamedFinding::id) != against.end();
+  const bool simulated = std::ranges::find(against, "volumetric-simulated", &NamedFinding::id) != against.end();
   if (names.empty()) return simulated ? "DO NOT USE AS IT IS: made from simulated lengths, not from measured ones" : "";
   std::string text = "DO NOT USE AS IT IS: serious findings speak against the result this was made from:";
   for (const std::string& name : names) text += (name == names.front() ? " " : ", ") + name;

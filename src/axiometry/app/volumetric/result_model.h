@@ -16,9 +16,6 @@
 /// What all use cases behind an identification begin with.
 namespace axiometry::app {
 
-/// Finding of a result that was made from simulated lengths: what is made of it says so too.
-inline constexpr const char* simulated_id = "volumetric-simulated";
-
 /// A model as it was kept, and what speaks against it.
 struct KeptModel {
   volumetric::ErrorModel model;
