@@ -255,10 +255,13 @@ TEST(MeasuredMotion, HasTheSquarenessOfADirectionThatBothLinesHave) {
   const auto found = measured(both, up);
   ASSERT_TRUE(found) << found.error().message;
   EXPECT_NEAR(found->location->urad.value, -15.0, 1e-3);
-  EXPECT_EQ(found->result.kind, error_motions::PathKind::up);
+  EXPECT_EQ(found->result.kind_1, error_motions::PathKind::up);
   EXPECT_THAT(json::dump(*present(*found, {}, {}).json.find("remarks")),
               HasSubstr("EXY was read in one direction alone: the squareness is that of ↑"));
-  EXPECT_FALSE(measured(up, down));
+  const auto apart = measured(up, down);
+  ASSERT_TRUE(apart) << apart.error().message;
+  EXPECT_THAT(json::dump(*present(*apart, {}, {}).json.find("remarks")),
+              HasSubstr("the first line was read ↑ alone, the second ↓ alone"));
 }
 
 TEST(Angles, DoAtAnotherPointWhatEachDirectionDoes) {

@@ -49,7 +49,12 @@ std::vector<std::string> square_remarks(const SquarenessMeasurement& s) {
     if (line->motion.paths.size() == 1 && other->motion.paths.size() > 1)
       remarks.push_back(fmt::format("{} was read in one direction alone: the squareness is that of {}",
                                     line->error ? name_of(*line) : std::string(words),
-                                    error_motions::path_mark(s.result.kind)));
+                                    error_motions::path_mark(s.result.kind_1)));
+  if (s.result.kind_1 != s.result.kind_2)
+    remarks.push_back(
+        fmt::format("the first line was read {} alone, the second {} alone: what directions differ by is in "
+                    "the squareness, and not in U",
+                    error_motions::path_mark(s.result.kind_1), error_motions::path_mark(s.result.kind_2)));
   if (!s.first.error || !s.second.error)
     remarks.push_back("the files do not both name their error: whether they are of one plane was not checked");
   return remarks;
@@ -63,9 +68,11 @@ report::Section square_section(const SquarenessMeasurement& s, const report::Opt
       : s.square.square_uncertainty_arcsec
           ? "U for about 95 %, from both lines, whose tables say what theirs holds, and the optical square."
           : "U for about 95 %, from both lines, whose tables say what theirs holds.");
-  const std::string_view course = error_motions::path_mark(s.result.kind);
-  table.rows.push_back(estimate_row("Slope of the first line, θ₁", course, s.result.theta_1_arcsec, "″", options));
-  table.rows.push_back(estimate_row("Slope of the second line, θ₂", course, s.result.theta_2_arcsec, "″", options));
+  const std::string_view course_1 = error_motions::path_mark(s.result.kind_1);
+  const std::string_view course_2 = error_motions::path_mark(s.result.kind_2);
+  const std::string_view course = course_1 == course_2 ? course_1 : std::string_view();
+  table.rows.push_back(estimate_row("Slope of the first line, θ₁", course_1, s.result.theta_1_arcsec, "″", options));
+  table.rows.push_back(estimate_row("Slope of the second line, θ₂", course_2, s.result.theta_2_arcsec, "″", options));
   table.rows.push_back({word_cell("Error of the optical square"),
                         word_cell(""),
                         {plain(report::shown_exact(s.square.square_error_arcsec.value_or(0.0), options))},

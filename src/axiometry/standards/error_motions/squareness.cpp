@@ -27,15 +27,12 @@ Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const Ax
   if (first.reference == Reference::none || first.reference != second.reference)
     return fail("found two references, expected the same line for both axes");
   MeasuredSquareness s;
-  const MotionPath *path_1 = nullptr, *path_2 = nullptr;
+  const MotionPath *path_1 = &first.principal(), *path_2 = &second.principal();
   for (const MotionPath& path : first.paths)
     for (const MotionPath& other : second.paths)
       if (path.kind == other.kind) path_1 = &path, path_2 = &other;  // the mean of both directions is the last
-  if (path_1 == nullptr)
-    return fail(
-        "found one line read in one direction and the other in the other alone, expected a direction that both "
-        "have");
-  s.kind = path_1->kind;
+  s.kind_1 = path_1->kind;
+  s.kind_2 = path_2->kind;
   s.theta_1_arcsec = slope_angle(path_1->slope_per_m);
   s.theta_2_arcsec = slope_angle(path_2->slope_per_m);
   const MotionEstimate &one = s.theta_1_arcsec, &two = s.theta_2_arcsec;

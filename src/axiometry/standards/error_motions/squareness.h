@@ -12,10 +12,11 @@
 ///     θ = atan b of each line,  S = θ_2 − θ_1 + error of the optical square
 ///
 /// always in this order: the other order of the files gives θ_1 − θ_2. The slopes are those of the mean of both
-/// directions, or of the one that both lines have; both by the same reference. This is the maker's rule, for readings
-/// whose sense the optical square turns with the beam: positive along n × a_1 and n × a_2, where the axes a_1 and a_2
-/// point along the beam and n is the normal of their plane. Then θ_1 and θ_2 are rotations about n, and S is by how
-/// much the second axis is turned about n beyond the first.
+/// directions, or of the one that both lines have; of lines that have none in common, of
+/// the one that each has, and S holds what the directions differ by; both by the same reference. This is the maker's
+/// rule, for readings whose sense the optical square turns with the beam: positive along n × a_1 and n × a_2, where the
+/// axes a_1 and a_2 point along the beam and n is the normal of their plane. Then θ_1 and θ_2 are rotations about n,
+/// and S is by how much the second axis is turned about n beyond the first.
 ///
 /// In axes of the machine, where both readings are positive along the positive direction of the other axis, one of the
 /// two is opposed to that. With n = a_1 × a_2 it is n × a_1 = a_2 but n × a_2 = −a_1, so that the second axis is turned
@@ -42,7 +43,8 @@ struct SquarenessOptions {
 };
 
 struct MeasuredSquareness {
-  PathKind kind = PathKind::mean;  ///< course of both lines
+  PathKind kind_1 = PathKind::mean,
+           kind_2 = PathKind::mean;  ///< courses of the lines: of both the same where they can be
   MotionEstimate theta_1_arcsec, theta_2_arcsec;
   MotionEstimate squareness_arcsec;  ///< S
 };
@@ -50,8 +52,7 @@ struct MeasuredSquareness {
 /// θ = atan b, in ″, of a slope in µm/m, with its uncertainty.
 MotionEstimate slope_angle(const MotionEstimate& slope_um_per_m);
 
-/// Fails where the readings are no straightness, the two lines have different references or none, or no direction was
-/// read of both.
+/// Fails where the readings are no straightness, or the two lines have different references or none.
 Result<MeasuredSquareness> measured_squareness(const AxisMotion& first, const AxisMotion& second,
                                                const SquarenessOptions& options);
 
