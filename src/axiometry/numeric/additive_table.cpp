@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "axiometry/base/contract.h"
@@ -74,6 +75,48 @@ Swept<Means> sweep(Working& working, const Means means) {
   return swept;
 }
 
+/// Solves for what sweeps leave where few values tie parts of the table together. The shifts r that are still missing
+/// fulfil L r = b: b the sums of the columns' residuals, (L r)_j = Σ over the values of column j of r_j less the mean of r
+/// in that row. By conjugate gradients, which end after as many steps as there are columns but for rounding.
+void solve_shifts(Working& working) {
+  AdditiveFit& fit = working.fit;
+  const std::size_t columns = fit.columns;
+  const auto sums_less_row_means = [&](std::span<const double> of_columns) {
+    std::vector<double> sums(columns, 0.0);
+    for (std::size_t i = 0; i < fit.levels.size(); ++i) {
+      if (fit.row_counts[i] == 0) continue;
+      const double* there = working.there.data() + i * columns;
+      double mean = 0.0;
+      for (std::size_t j = 0; j < columns; ++j) mean += there[j] * of_columns[j];
+      mean /= static_cast<double>(fit.row_counts[i]);
+      for (std::size_t j = 0; j < columns; ++j) sums[j] += there[j] * (of_columns[j] - mean);
+    }
+    return sums;
+  };
+  const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  std::vector<double> missing(columns, 0.0), left(columns, 0.0);
+  for (std::size_t k = 0; k < fit.residuals.size(); ++k) left[k % columns] += fit.residuals[k];
+  std::vector<double> towards = left;
+  double square = dot(left, left);
+  const double enough = 1e-30 * square;
+  for (std::size_t step = 0; step < 2 * columns && square > enough; ++step) {
+    const std::vector<double> image = sums_less_row_means(towards);
+    const double curvature = dot(towards, image);
+    if (!(curvature > 0.0)) break;
+    const double length = square / curvature;
+    for (std::size_t j = 0; j < columns; ++j) {
+      missing[j] += length * towards[j];
+      left[j] -= length * image[j];
+    }
+    const double before = std::exchange(square, dot(left, left));
+    for (std::size_t j = 0; j < columns; ++j) towards[j] = left[j] + square / before * towards[j];
+  }
+  for (std::size_t j = 0; j < columns; ++j) fit.shifts[j] += missing[j];
+  sweep(working, std::move(missing));
+}
+
 /// `none`: a zero for each column.
 template <typename Means>
 void find_levels_and_shifts(Working& working, Means none) {
@@ -88,8 +131,9 @@ void find_levels_and_shifts(Working& working, Means none) {
       moved = std::max(moved, std::abs(last.of_columns[j]));
     }
     last = sweep(working, std::move(last.of_columns));
-    if (std::max(pass == 0 ? 0.0 : moved, last.largest_of_rows) <= 1e-12 * spread) break;
+    if (std::max(pass == 0 ? 0.0 : moved, last.largest_of_rows) <= 1e-12 * spread) return;
   }
+  solve_shifts(working);
 }
 
 /// Shifts with mean 0 over the columns there are, which the levels take.

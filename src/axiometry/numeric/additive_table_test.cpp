@@ -102,6 +102,25 @@ TEST(AdditiveTable, IsOneOfLeastSquaresWhereNothingTiesItsParts) {
     expect_least_squares(table, fit_additive(table, 3));
 }
 
+// Two days of a test that share one target: what the second is shifted by is told by one row of hundreds.
+TEST(AdditiveTable, IsOneOfLeastSquaresWhereOneRowTiesItsParts) {
+  for (const std::size_t columns : {2u, 5u, 9u}) {
+    const std::size_t rows = 301, tie = 150;
+    std::mt19937 engine(11);
+    std::normal_distribution<double> scatter(0.0, 0.5);
+    std::vector<double> table;
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j) {
+        const bool second = j >= columns / 2;
+        const bool driven = i == tie || second == (i > tie);
+        table.push_back(driven ? double(i) + (second ? 40.0 : 0.0) + scatter(engine) : gone);
+      }
+    const AdditiveFit fit = fit_additive(table, columns);
+    expect_least_squares(table, fit);
+    EXPECT_NEAR(fit.shifts.back() - fit.shifts.front(), 40.0, 3.0) << columns;
+  }
+}
+
 TEST(AdditiveTable, StandsRowsAndColumnsWithoutValues) {
   const AdditiveFit fit = fit_additive(std::vector<double>{1.0, gone, gone, gone}, 2);
   EXPECT_EQ(fit.degrees, 0.0);
