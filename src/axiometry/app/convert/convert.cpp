@@ -9,6 +9,7 @@
 #include "axiometry/app/evaluate/evaluate.h"
 #include "axiometry/app/files/output.h"
 #include "axiometry/app/files/source.h"
+#include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/outputs.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
@@ -51,6 +52,8 @@ std::string lost_in(const std::string& text, const formats::Format& format, cons
   return "";
 }
 
+}  // namespace
+
 std::vector<std::string> left_behind(const Test& test, const formats::Format& format) {
   std::vector<std::string> sentences;
   for (const SourceRemark& remark : test.provenance.remarks) sentences.push_back(remark.message);
@@ -59,7 +62,13 @@ std::vector<std::string> left_behind(const Test& test, const formats::Format& fo
   return sentences;
 }
 
-}  // namespace
+Result<std::string> lossless_bytes(const Test& test, const formats::Format& format) {
+  std::string text = format.write(test);
+  if (const std::string lost = lost_in(text, format, test); !lost.empty())
+    return fail(fmt::format("found a test of which {} does not keep {}, expected another format such as json",
+                            format.id, lost));
+  return text;
+}
 
 Result<const formats::Format*> format_to_write(const std::string& to, const std::string& output) {
   std::string id = to;
@@ -91,11 +100,7 @@ Result<std::vector<std::string>> convert(const ConvertOptions& options) {
   if (auto set = set_metadata(test.metadata, options.metadata); !set)
     return about_output(set.error().message, options.input);
   test.provenance.file = base_name(options.input);
-  const std::string text = format->write(test);
-  if (const std::string lost = lost_in(text, *format, test); !lost.empty())
-    return about_output(fmt::format("found a test of which {} does not keep {}, expected another format such as json",
-                                    format->id, lost),
-                        options.output);
+  AXIOMETRY_TRY(const std::string text, in_file(lossless_bytes(test, *format), options.output));
   AXIOMETRY_TRY_VOID(write_file(options.output, text));
   return left_behind(test, *format);
 }

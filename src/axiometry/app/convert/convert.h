@@ -24,10 +24,16 @@ struct ConvertOptions {
 /// The format to write: named, or by the extension (.json, .csv). Fails on others and on formats that are only read.
 Result<const formats::Format*> format_to_write(const std::string& to, const std::string& output);
 
-/// Reads one test and writes it, whole or not at all, and never over an input. What was written is read again and
-/// compared first: fails where the format could not hold every reading and every item of metadata. Gives what was left
-/// behind all the same, in sentences: times, which only JSON keeps, and what the reader had to remark, which JSON keeps
-/// too.
+/// Bytes of a test in a format that can be written. They are read again and compared first: fails where the format could
+/// not hold every reading and every item of metadata.
+Result<std::string> lossless_bytes(const Test& test, const formats::Format& format);
+
+/// What these bytes leave behind all the same, in sentences: times, which only JSON keeps, and what the reader had to
+/// remark, which JSON keeps too.
+std::vector<std::string> left_behind(const Test& test, const formats::Format& format);
+
+/// Reads one test and writes it, whole or not at all, and never over an input. Fails as lossless_bytes(). Gives
+/// left_behind().
 Result<std::vector<std::string>> convert(const ConvertOptions& options);
 
 /// What a file that no format describes was taken for. Fails as formats::guess() does.

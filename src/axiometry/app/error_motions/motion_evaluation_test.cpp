@@ -16,7 +16,9 @@
 namespace axiometry::app {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr std::string_view straight_rows = "position_mm,straightness_um\n0,1\n400,2\n800,3.5\n";
 
@@ -258,8 +260,13 @@ TEST(MeasuredMotion, HasTheSquarenessOfADirectionThatBothLinesHave) {
   EXPECT_EQ(found->result.kind_1, error_motions::PathKind::up);
   EXPECT_THAT(json::dump(*present(*found, {}, {}).json.find("remarks")),
               HasSubstr("EXY was read in one direction alone: the squareness is that of ↑"));
+  const auto courses = [](const SquarenessMeasurement& s) {
+    return json::dump(*present(s, {}, {}).json.find("courses"), 0);
+  };
+  EXPECT_THAT(courses(*found), AllOf(HasSubstr("\"up\""), Not(HasSubstr("\"down\""))));
   const auto apart = measured(up, down);
   ASSERT_TRUE(apart) << apart.error().message;
+  EXPECT_THAT(courses(*apart), AllOf(HasSubstr("\"up\""), HasSubstr("\"down\"")));
   EXPECT_THAT(json::dump(*present(*apart, {}, {}).json.find("remarks")),
               HasSubstr("the first line was read ↑ alone, the second ↓ alone"));
 }

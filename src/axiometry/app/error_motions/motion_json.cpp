@@ -74,6 +74,12 @@ Value texts_to_json(const std::vector<std::string>& texts) {
   return list;
 }
 
+Value numbers_to_json(std::span<const double> numbers) {
+  Value list = Value::array();
+  for (const double x : numbers) list.push(x);
+  return list;
+}
+
 Value estimate_to_json(const MotionEstimate& e) {
   Value object = Value::object();
   object.add("value", e.value);

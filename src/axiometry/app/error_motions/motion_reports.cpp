@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -171,22 +172,16 @@ std::vector<std::string> angle_remarks(const AnglesMeasurement& a, const std::ve
 /// `change_um` is that of the principal course; that of each direction stands beside it where there are both.
 Value abbe_to_json(const AnglesMeasurement& a) {
   Value object = Value::object();
-  Value& offset = object.add("offset_mm", Value::array());
-  for (std::size_t k = 0; k < 3; ++k) offset.push((*a.offset_mm)[k]);
-  const auto list_of = [](const std::vector<double>& numbers) {
-    Value list = Value::array();
-    for (const double x : numbers) list.push(x);
-    return list;
-  };
+  object.add("offset_mm", numbers_to_json(std::array{a.offset_mm->x, a.offset_mm->y, a.offset_mm->z}));
   Value& changes = object.add("change_um", Value::object());
   for (const AbbeComponent& c : a.abbe)
-    changes.add(c.name, c.courses.empty() ? Value() : list_of(c.courses.back().change_um));
+    changes.add(c.name, c.courses.empty() ? Value() : numbers_to_json(c.courses.back().change_um));
   for (const auto& [key, kind] : {std::pair{"change_up_um", error_motions::PathKind::up},
                                   std::pair{"change_down_um", error_motions::PathKind::down}}) {
     Value of_direction = Value::object();
     for (const AbbeComponent& c : a.abbe)
       for (const AbbeCourse& course : c.courses)
-        if (c.courses.size() > 1 && course.kind == kind) of_direction.add(c.name, list_of(course.change_um));
+        if (c.courses.size() > 1 && course.kind == kind) of_direction.add(c.name, numbers_to_json(course.change_um));
     if (!of_direction.members().empty()) object.add(key, std::move(of_direction));
   }
   const auto told = std::ranges::find_if(a.abbe, [](const AbbeComponent& c) { return !c.courses.empty(); });
@@ -250,6 +245,8 @@ Experiment present(const SquarenessMeasurement& s, const report::Options& option
   json.add("square_uncertainty_arcsec",
            s.square.square_uncertainty_arcsec ? Value(*s.square.square_uncertainty_arcsec) : Value());
   json.add("squareness_arcsec", estimate_to_json(s.result.squareness_arcsec));
+  Value& courses = json.add("courses", Value::array());
+  for (const error_motions::PathKind kind : {s.result.kind_1, s.result.kind_2}) courses.push(course_key(kind));
   json.add("in_axes", s.square.in_axes);
   json.add("location_error", location_to_json(s.location));
   json.add("remarks", texts_to_json(remarks));

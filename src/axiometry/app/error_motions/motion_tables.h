@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,5 +48,6 @@ json::Value estimate_to_json(const error_motions::MotionEstimate& estimate);
 json::Value instrument_to_json(const std::optional<error_motions::InstrumentUncertainty>& instrument);
 json::Value motion_to_json(const MeasuredMotion& measured);
 json::Value texts_to_json(const std::vector<std::string>& texts);
+json::Value numbers_to_json(std::span<const double> numbers);
 
 }  // namespace axiometry::app

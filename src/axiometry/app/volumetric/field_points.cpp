@@ -14,25 +14,24 @@
 #include "axiometry/volumetric/identify/identification.h"
 
 namespace axiometry::app {
-namespace {
 
 using json::Value;
 using volumetric::ErrorModel;
 using volumetric::ToolPointError;
 
-/// Curves are stated over this range: how far readings reach, or to the ends of the travel that they nearly cover.
-Result<void> check_inside(const ErrorModel& model, const formats::VolumePoint& point) {
+Result<void> check_inside(const ErrorModel& model, const Vector3& axes_mm) {
   constexpr double slack_mm = 0.01;
   for (std::size_t a = 0; a < volumetric::axis_count; ++a) {
     const volumetric::CurveBasis& basis = model.coefficients().basis(a);
-    const double q = point.axes_mm[a];
+    const double q = axes_mm[a];
     if (q >= basis.lower_mm() - slack_mm && q <= basis.upper_mm() + slack_mm) continue;
     return fail(fmt::format("found {} at {} mm, expected it from {} to {} mm, where the errors are known", "XYZ"[a],
-                            format_exact(q), format_exact(basis.lower_mm()), format_exact(basis.upper_mm())),
-                {point.line, 0});
+                            format_exact(q), format_exact(basis.lower_mm()), format_exact(basis.upper_mm())));
   }
   return {};
 }
+
+namespace {
 
 Result<Vector3> tool_at(const ErrorModel& model, const formats::VolumePoint& point) {
   const auto tool = tool_of_model(model, point.tool);
@@ -51,8 +50,8 @@ Result<FieldAtPoints> field_at_points(const FieldRequest& request) {
   Value& points = root.add("points", Value::array());
   std::size_t incomplete = 0;
   for (const formats::VolumePoint& point : file.points) {
-    if (auto inside = check_inside(model, point); !inside)
-      return in_file(Result<FieldAtPoints>(std::unexpected(inside.error())), request.points);
+    if (const auto inside = check_inside(model, point.axes_mm); !inside)
+      return std::unexpected(Error{inside.error().message, request.points, {point.line, 0}});
     AXIOMETRY_TRY(const Vector3 tool, in_file(tool_at(model, point), request.points));
     const ToolPointError field = model.at(point.axes_mm, tool);
     if (!field.is_whole()) ++incomplete;

@@ -5,10 +5,16 @@
 
 #include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
+#include "axiometry/base/vector3.h"
 #include "axiometry/model/named_finding.h"
+#include "axiometry/volumetric/field/error_model.h"
 
 /// The use case "what the tool point errs at these places".
 namespace axiometry::app {
+
+/// Curves are stated over how far readings reach, or to the ends of the travel that they nearly cover: fails elsewhere,
+/// by more than a hundredth of a millimetre.
+Result<void> check_inside(const volumetric::ErrorModel& model, const Vector3& axes_mm);
 
 struct FieldRequest {
   std::string result;  ///< file of `axiometry volumetric identify --out`

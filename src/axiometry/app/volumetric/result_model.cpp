@@ -21,14 +21,31 @@ bool is_error_name(const std::string& text) {
   return std::ranges::find(names, text) != names.end();
 }
 
+/// Of every file that a result names, as "sha256", "machine_sha256", ….
+void add_hashes(const json::Value& value, std::vector<std::string>& hashes) {
+  if (value.is(json::Kind::array))
+    for (const json::Value& item : value.items()) add_hashes(item, hashes);
+  if (!value.is(json::Kind::object)) return;
+  for (const auto& [key, member] : value.members())
+    if (member.is(json::Kind::text) && key.ends_with("sha256"))
+      hashes.push_back(member.text());
+    else
+      add_hashes(member, hashes);
+}
+
 }  // namespace
 
 Result<KeptModel> kept_model(const std::string& file) {
   AXIOMETRY_TRY(const std::string bytes, whole_file(file));
-  AXIOMETRY_TRY(const json::Value root, in_file(json::parse(bytes), file));
-  AXIOMETRY_TRY(volumetric::ErrorModel model, in_file(formats::error_model_of(root), file));
-  KeptModel kept{std::move(model), findings_against(kept_findings(root)), sha256(bytes)};
+  return kept_model(GivenFile{file, bytes});
+}
+
+Result<KeptModel> kept_model(const GivenFile& file) {
+  AXIOMETRY_TRY(const json::Value root, in_file(json::parse(file.bytes), file.name));
+  AXIOMETRY_TRY(volumetric::ErrorModel model, in_file(formats::error_model_of(root), file.name));
+  KeptModel kept{std::move(model), findings_against(kept_findings(root)), sha256(file.bytes)};
   for (NamedFinding& note : remarks_of_singles(root)) kept.against.push_back(std::move(note));
+  add_hashes(root, kept.made_from);
   return kept;
 }
 

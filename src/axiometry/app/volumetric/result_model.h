@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "axiometry/app/files/given_file.h"
 #include "axiometry/app/results/named_findings_json.h"
 #include "axiometry/base/json/json.h"
 #include "axiometry/base/result.h"
@@ -21,11 +22,12 @@ struct KeptModel {
   volumetric::ErrorModel model;
   std::vector<NamedFinding> against;  ///< findings_against() of the result, and notes of errors measured singly
   std::string sha256 = {};            ///< hash of its file; empty of one that is at hand
+  std::vector<std::string> made_from = {};  ///< hashes of the files it names; empty of one that is at hand
 };
 
 /// Serious findings of a result, each under its own name and as one of what is made of it, and that it was made from
-/// simulated lengths. But for errors that are not
-/// told: the model has no number for these, and who needs one says so itself.
+/// simulated lengths. But for errors that are not told: the model has no number for these, and who needs one says so
+/// itself.
 std::vector<NamedFinding> findings_against(std::span<const KeptFinding> of_result);
 
 /// Remarks of `axiometry volumetric assemble`, as notes: what its uncertainties and means do not hold, nothing that is
@@ -45,6 +47,7 @@ void put_first(std::span<const NamedFinding> against, std::vector<NamedFinding>&
 
 /// Of a file of `axiometry volumetric identify --out`. Fails as formats::read_error_model(), with the file's name.
 Result<KeptModel> kept_model(const std::string& file);
+Result<KeptModel> kept_model(const GivenFile& file);  ///< the same of bytes that are at hand
 
 /// Index of the tool; an empty name is the only one there is. Fails with the names there are.
 Result<std::size_t> tool_of_model(const volumetric::ErrorModel& model, std::string_view name);

@@ -113,13 +113,13 @@ class DirectionFindings {
   }
 
   std::optional<Finding> at_end() const {
-    if (!d_.peak_at_end || !(d_.significant || d_.beyond_band)) return std::nullopt;
     if (d_.beyond_band)
       return note(
           "periodic-peak-at-end",
           fmt::format("found the highest peak at the end of the searched band, at {}, and a period beyond it "
                       "that fits better, where nothing was searched: what is told is that of the end, without U",
                       shown(period_)));
+    if (!d_.peak_at_end || !d_.significant) return std::nullopt;
     return note(
         "periodic-peak-at-end",
         fmt::format("found the highest peak at the end of the searched band, at {}: the error may have a period "

@@ -342,7 +342,7 @@ Result<PeriodicDirection> evaluate_direction(const Test& test, Direction directi
   result.targets_per_period = fits->curve.period / means.spacing();
   add_spectrum(result, means, search, spectrum, fits->curve, rounding);
   enlarge_uncertainties(result, means.places.size());
-  if (means.missing > 0) hold_shifts(result, means.u_shift, means.travel());
+  if (means.missing > 0) hold_shifts(result, means.u_means, means.travel());
   add_points(result, means);
   return result;
 }

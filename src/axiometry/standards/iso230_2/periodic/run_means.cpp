@@ -124,7 +124,7 @@ Result<RunMeans> run_means_of(const Series& series, Direction direction) {
   Shifts shifts;
   if (means.missing > 0) {
     AXIOMETRY_TRY(shifts, shifts_of(readings, direction));
-    means.u_shift = shifts.u_means;
+    means.u_means = shifts.u_means;
   }
   double squares = 0.0, cells = 0.0, shares = 0.0;
   for (std::vector<double> row : readings.rows) {

@@ -19,7 +19,7 @@ struct RunMeans {
   std::size_t runs = 0;
   std::size_t missing = 0;        // of readings, in runs and at targets that have some
   std::optional<double> scatter;  // s/√n, pooled
-  double u_shift = 0.0;           // where readings are missing: what shifts of runs are uncertain by in the means, rms
+  double u_means = 0.0;           // where readings are missing: what shifts of runs are uncertain by in the means, rms
 
   numeric::HarmonicData data() const { return {places, values}; }
   double travel() const { return places.back() - places.front(); }
