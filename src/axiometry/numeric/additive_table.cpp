@@ -76,8 +76,8 @@ Swept<Means> sweep(Working& working, const Means means) {
 }
 
 /// Solves for what sweeps leave where few values tie parts of the table together. The shifts r that are still missing
-/// fulfil L r = b: b the sums of the columns' residuals, (L r)_j = Σ over the values of column j of r_j less the mean of r
-/// in that row. By conjugate gradients, which end after as many steps as there are columns but for rounding.
+/// fulfil L r = b: b the sums of the columns' residuals, (L r)_j = Σ over the values of column j of r_j less the mean
+/// of r in that row. By conjugate gradients, which end after as many steps as there are columns but for rounding.
 void solve_shifts(Working& working) {
   AdditiveFit& fit = working.fit;
   const std::size_t columns = fit.columns;

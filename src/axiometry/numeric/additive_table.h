@@ -25,8 +25,8 @@ struct AdditiveFit {
 };
 
 /// Least squares of both, NaN standing for a value that is missing. A full table takes one pass; one with gaps a few
-/// more, until the levels move by less than 1e-12 of the table's spread; one whose parts few values tie together 60, and
-/// then at most two for each column. Contract: whole rows.
+/// more, until the levels move by less than 1e-12 of the table's spread; one whose parts few values tie together takes
+/// 60, and then at most two for each column. Contract: whole rows.
 AdditiveFit fit_additive(std::span<const double> table, std::size_t columns);
 
 }  // namespace axiometry::numeric

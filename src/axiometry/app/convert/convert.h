@@ -24,8 +24,8 @@ struct ConvertOptions {
 /// The format to write: named, or by the extension (.json, .csv). Fails on others and on formats that are only read.
 Result<const formats::Format*> format_to_write(const std::string& to, const std::string& output);
 
-/// Bytes of a test in a format that can be written. They are read again and compared first: fails where the format could
-/// not hold every reading and every item of metadata.
+/// Bytes of a test in a format that can be written. They are read again and compared first: fails where the format
+/// could not hold every reading and every item of metadata.
 Result<std::string> lossless_bytes(const Test& test, const formats::Format& format);
 
 /// What these bytes leave behind all the same, in sentences: times, which only JSON keeps, and what the reader had to
