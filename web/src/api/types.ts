@@ -2533,6 +2533,8 @@ export interface components {
             theta_1_arcsec?: components["schemas"]["MotionEstimate"];
             theta_2_arcsec?: components["schemas"]["MotionEstimate"];
             squareness_arcsec?: components["schemas"]["MotionEstimate"];
+            /** @description Of a squareness: which course of the first line and which of the second it is taken from. */
+            courses?: ("up" | "down" | "mean")[];
             in_axes?: boolean;
             location_error?: {
                 /** @enum {string} */
