@@ -25,6 +25,7 @@ OWNERS = {  # prefix of an include -> the only folder that may use it; linear al
     "boost/": ("apps/server/", "src/axiometry/verification/"),
     "cairo": "src/axiometry/report/",
     "pango/": "src/axiometry/report/",
+    "pybind11/": "apps/python/",
     "CLI/": ("apps/cli/main.cpp", "apps/cli/flags/verb.cpp", "apps/cli/verbs/completion.cpp",
              "apps/cli/verbs/manual.cpp"),
 }

@@ -20,8 +20,8 @@ namespace axiometry::app {
 /// A model as it was kept, and what speaks against it.
 struct KeptModel {
   volumetric::ErrorModel model;
-  std::vector<NamedFinding> against;  ///< findings_against() of the result, and notes of errors measured singly
-  std::string sha256 = {};            ///< hash of its file; empty of one that is at hand
+  std::vector<NamedFinding> against;        ///< findings_against() of the result, and notes of errors measured singly
+  std::string sha256 = {};                  ///< hash of its file; empty of one that is at hand
   std::vector<std::string> made_from = {};  ///< hashes of the files it names; empty of one that is at hand
 };
 
