@@ -89,8 +89,9 @@ std::string conclusion(const app::PlannedTest& planned, const report::Options& o
   const auto said = [&](const std::string& english) { return report::translated(english, options); };
   const auto departures =
       std::ranges::count(planned.findings, iso230_2::Severity::departure, &iso230_2::Finding::severity);
-  std::string text = fmt::format("Takes about {} at {} {}/s²", report::duration_text(planned.duration_in_all),
-                                 format_exact(planned.acceleration), position_unit(planned.plan.axis.kind));
+  std::string text =
+      fmt::format("Takes about {} at {} {}/s²", report::duration_text(planned.duration_in_all),
+                  format_exact(iso230_2::acceleration_of(planned.plan)), position_unit(planned.plan.axis.kind));
   if (!planned.plan.further.empty())
     text += fmt::format(", {} of it over the whole travel", report::duration_text(planned.duration));
   text = said(text + ".") + " ";

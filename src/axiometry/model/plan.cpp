@@ -145,6 +145,12 @@ Result<void> check_errors(const Plan& plan) {
   return {};
 }
 
+Result<void> check_acceleration(double acceleration) {
+  constexpr double least = 1e-3, highest = 1e6;
+  if (acceleration >= least && acceleration <= highest) return {};
+  return fail(fmt::format("found the acceleration {}, expected {} to {}", format_exact(acceleration), least, highest));
+}
+
 Result<void> check_sound(const Plan& plan) {
   AXIOMETRY_TRY_VOID(check_targets(plan));
   AXIOMETRY_TRY_VOID(check_line(plan));
@@ -153,6 +159,7 @@ Result<void> check_sound(const Plan& plan) {
     return fail(fmt::format("found {} runs, expected 1 to {}", plan.runs, read_budget::runs));
   AXIOMETRY_TRY_VOID(check_size("an overrun", plan.overrun.in_native()));
   AXIOMETRY_TRY_VOID(check_size("a feed", plan.feed));
+  if (plan.acceleration) AXIOMETRY_TRY_VOID(check_acceleration(*plan.acceleration));
   if (!(plan.dwell.in_s() >= 0.0 && plan.dwell.in_s() <= dwell_limit_s))
     return fail(fmt::format("found a dwell of {} s, expected 0 to {}", plan.dwell.in_s(), dwell_limit_s));
   if (plan.warm_up_runs > read_budget::runs)

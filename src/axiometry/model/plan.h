@@ -46,10 +46,12 @@ struct Plan {
   /// What is to be read at each stop, E of ISO 230-1: EYX, EAX; EXX are the positions. Empty: the positions alone.
   std::vector<MotionName> errors;
   TestCycle cycle = TestCycle::standard;
-  std::vector<Position> targets;      ///< P_i, strictly ascending
-  std::size_t runs = 5;               ///< n, approaches to each target from each direction the cycle has
-  Position overrun;                   ///< distance beyond a target before the direction changes, mm or °
-  double feed = 0.0;                  ///< mm/min or °/min, after the kind of the axis
+  std::vector<Position> targets;  ///< P_i, strictly ascending
+  std::size_t runs = 5;           ///< n, approaches to each target from each direction the cycle has
+  Position overrun;               ///< distance beyond a target before the direction changes, mm or °
+  double feed = 0.0;              ///< mm/min or °/min, after the kind of the axis
+  /// Of the axis, mm/s² or °/s², where it was stated: how long moves take and where the feed is reached rests on it.
+  std::optional<double> acceleration;
   Duration dwell;                     ///< time at rest on every target
   std::size_t warm_up_runs = 0;       ///< there and back over the measurement travel before the first reading
   std::optional<std::uint64_t> seed;  ///< seed of the random part of the targets; absent when they were given
@@ -70,12 +72,15 @@ struct PlannedMove {
 
 /// Fails, naming what is wrong, when the plan cannot be walked: no target, targets not finite or not strictly
 /// ascending, |P| beyond 1e9, no run or more than 10 000, an overrun or a feed outside 1e-6 to 1e9, a dwell outside 0
-/// to 1e6 s, errors of another axis than its own, of a rotary axis, of a line in space or one twice, an invalid line in
-/// space (spatial_line()), a way in or out without such a line or beyond 1e9 mm, a
-/// sequence missing in (or given without) the user-defined cycle, an approach of the sequence that is given
-/// twice or names a target or run that does not exist; also when this holds for a further plan.
-/// Whether it satisfies the standard is another question (standards/iso230_2/plan/plan.h).
+/// to 1e6 s, an acceleration as check_acceleration(), errors of another axis than its own, of a rotary axis, of a line
+/// in space or one twice, an invalid line in space (spatial_line()), a way in or out without such a line or beyond 1e9
+/// mm, a sequence missing in (or given without) the user-defined cycle, an approach of the sequence that is given twice
+/// or names a target or run that does not exist; also when this holds for a further plan. Whether it satisfies the
+/// standard is another question (standards/iso230_2/plan/plan.h).
 Result<void> check_sound(const Plan& plan);
+
+/// Fails on an acceleration outside 0.001 to 1e6 mm/s² or °/s², on which no duration can be told.
+Result<void> check_acceleration(double acceleration);
 
 /// The part of this that is about its errors: straightness and rotations are those of a linear axis that moves alone.
 Result<void> check_errors(const Plan& plan);

@@ -296,10 +296,8 @@ iso230_2::PlanRequest plan_request(double from, double to, AxisKind kind = AxisK
 
 void expect_german_sheet(const Plan& plan) {
   const auto findings = iso230_2::plan_findings(plan);
-  const Duration duration = iso230_2::estimated_duration(plan, 1000);
-  expect_german([&](const Options& options) {
-    return plan_sheet({plan, findings, 1000, duration, duration}, options);
-  });
+  const Duration duration = iso230_2::estimated_duration(plan);
+  expect_german([&](const Options& options) { return plan_sheet({plan, findings, duration, duration}, options); });
 }
 
 TEST(GermanPlanSheet, IsComplete) {
@@ -403,9 +401,9 @@ TEST(GermanPlanSheet, SaysItsLabelInTheFootToo) {
   auto request = plan_request(0, 800);
   request.cycle = TestCycle::pilgrim;
   const Plan plan = iso230_2::make_plan(request).value();
-  const Duration duration = iso230_2::estimated_duration(plan, 1000);
+  const Duration duration = iso230_2::estimated_duration(plan);
   const auto findings = iso230_2::plan_findings(plan);
-  const Document sheet = translated(plan_sheet({plan, findings, 1000, duration, duration}, in_german), in_german);
+  const Document sheet = translated(plan_sheet({plan, findings, duration, duration}, in_german), in_german);
   EXPECT_EQ(sheet.running_status,
             "Prüfplan · Begriffe von ISO 230-2:2014 · Pilgerschrittzyklus, nicht für die Abnahme");
 }

@@ -111,20 +111,15 @@ Duration duration_of(std::span<const Plan> plans) {
     const auto line = spatial_line(plan.axis);
     if (at) plan.way_in_mm.insert(plan.way_in_mm.begin(), *at);
     if (line) at = plan.way_out_mm.empty() ? line->at(reach(plan).lowest) : plan.way_out_mm.back();
-    sum = sum + iso230_2::estimated_duration(plan, iso230_2::usual_acceleration(plan.axis.kind));
+    sum = sum + iso230_2::estimated_duration(plan);
   }
   return sum;
-}
-
-/// The axis follows each of them as fast as is usual: a plan does not tell its acceleration.
-double usual_acceleration_of(const Programme& programme) {
-  return iso230_2::usual_acceleration(programme.plans.front().axis.kind);
 }
 
 Result<std::string> program_of(const Programme& programme, const nc::Dialect& dialect, nc::ProgramOptions options) {
   options.title = programme.title;
   options.duration = duration_of(programme.plans);
-  options.acceleration = usual_acceleration_of(programme);
+  options.acceleration = iso230_2::acceleration_of(programme.plans.front());
   options.standing = programme.standing;
   options.stop_at_lines = options.stop_at_lines || programme.set_up_anew;
   return dialect.write(programme.plans, options);

@@ -24,27 +24,29 @@ namespace axiometry::app {
 namespace {
 
 report::Document sheet_of(const PlannedTest& planned, const report::Options& options) {
-  return report::plan_sheet(
-      {planned.plan, planned.findings, planned.acceleration, planned.duration, planned.duration_in_all}, options);
+  return report::plan_sheet({planned.plan, planned.findings, planned.duration, planned.duration_in_all}, options);
 }
 
 }  // namespace
 
 Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration) {
-  if (acceleration) AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(*acceleration));
+  if (acceleration) {
+    AXIOMETRY_TRY_VOID(check_acceleration(*acceleration));
+    plan.acceleration = acceleration;
+    for (Plan& part : plan.further) part.acceleration = acceleration;
+  }
   const standards::AxisRule* rule = nullptr;
   if (!plan.rule.empty()) {
     AXIOMETRY_TRY(rule, standards::rule_named(plan.rule));
   }
   PlannedTest result;
-  result.acceleration = acceleration.value_or(iso230_2::usual_acceleration(plan.axis.kind));
-  result.findings = iso230_2::plan_findings(plan, result.acceleration);
+  result.findings = iso230_2::plan_findings(plan);
   if (rule != nullptr)
     std::ranges::move(standards::planned_rule_findings(*rule, plan), std::back_inserter(result.findings));
-  result.duration = iso230_2::estimated_duration(plan, result.acceleration);
+  result.duration = iso230_2::estimated_duration(plan);
   result.duration_in_all = result.duration;
   for (const Plan& part : plan.further)
-    result.duration_in_all = result.duration_in_all + iso230_2::estimated_duration(part, result.acceleration);
+    result.duration_in_all = result.duration_in_all + iso230_2::estimated_duration(part);
   result.plan = std::move(plan);
   return result;
 }

@@ -21,16 +21,15 @@ namespace axiometry::app {
 struct PlannedTest {
   Plan plan;
   std::vector<iso230_2::Finding> findings;
-  double acceleration = 0.0;  ///< acceleration on which the durations rest, mm/s² or °/s²
-  Duration duration;          ///< how long the plan alone takes
-  Duration duration_in_all;   ///< how long it takes with its further plans
+  Duration duration;         ///< how long the plan alone takes
+  Duration duration_in_all;  ///< how long it takes with its further plans
 
   bool conforming() const { return iso230_2::conforming(findings); }
   bool in_accordance() const { return iso230_2::in_accordance(findings); }
 };
 
-/// Needs a sound plan. The usual acceleration when none is given. Fails as iso230_2::check_acceleration() and, for the
-/// rule of the plan, standards::rule_named() do.
+/// Needs a sound plan. An acceleration that is given takes the place of the plan's. Fails as check_acceleration() and,
+/// for the rule of the plan, standards::rule_named() do.
 Result<PlannedTest> planned(Plan plan, std::optional<double> acceleration);
 
 /// A plan from a file ("-" is the standard input). Fails with the file's name.

@@ -225,8 +225,8 @@ Result<RequestedPlan> given_plan(const Value& value) {
   return RequestedPlan{std::move(test), {}};
 }
 
-/// On which the durations rest, as it was asked for.
-std::optional<double> acceleration_of(const Value& request) {
+/// As it was asked for, of plans that were kept before they held it themselves.
+std::optional<double> asked_acceleration(const Value& request) {
   const Value* further = request.is(Kind::object) ? request.find("further") : nullptr;
   const Value* text = further != nullptr && further->is(Kind::object) ? further->find("acceleration") : nullptr;
   return text != nullptr && text->is(Kind::text) ? parse_number(text::trim(text->text())) : std::nullopt;
@@ -245,11 +245,11 @@ Value findings_told(std::span<const iso230_2::Finding> findings, const Reader& r
   return findings_to_json(told);
 }
 
-Value part_value(const Plan& plan, std::size_t part, double acceleration, const Reader& reader, bool dark) {
+Value part_value(const Plan& plan, std::size_t part, const Reader& reader, bool dark) {
   report::Options options;
   options.numbers = reader.numbers;
   options.language = reader.language;
-  report::Figure figure = report::with_words_translated(report::programme_figure(plan, acceleration, options), options);
+  report::Figure figure = report::with_words_translated(report::programme_figure(plan, options), options);
   Value value = Value::object();
   value.add("part", part);
   value.add("title", language::translated(plan.title, reader.language, reader.numbers));
@@ -257,7 +257,7 @@ Value part_value(const Plan& plan, std::size_t part, double acceleration, const 
   value.add("runs", plan.runs);
   value.add("readings", approaches(plan).size());
   value.add("targets", positions_value(plan.targets));
-  value.add("duration_s", std::round(iso230_2::estimated_duration(plan, acceleration).in_s() * 10.0) / 10.0);
+  value.add("duration_s", std::round(iso230_2::estimated_duration(plan).in_s() * 10.0) / 10.0);
   value.add("figure_svg", report::to_svg(dark ? report::for_dark_page(std::move(figure)) : figure));
   return value;
 }
@@ -276,16 +276,16 @@ Result<RequestedPlan> read_requested(std::string_view bytes) {
   const Value* request = value.find("request");
   RequestedPlan read;
   if (request != nullptr) read.request = *request;
-  AXIOMETRY_TRY(read.planned, planned(std::move(plan), acceleration_of(read.request)));
+  const std::optional<double> asked = plan.acceleration ? std::nullopt : asked_acceleration(read.request);
+  AXIOMETRY_TRY(read.planned, planned(std::move(plan), asked));
   return read;
 }
 
 Value draft_value(const RequestedPlan& plan, const Reader& reader, bool dark) {
   const PlannedTest& test = plan.planned;
   Value parts = Value::array();
-  parts.push(part_value(test.plan, 1, test.acceleration, reader, dark));
-  for (const Plan& further : test.plan.further)
-    parts.push(part_value(further, parts.items().size() + 1, test.acceleration, reader, dark));
+  parts.push(part_value(test.plan, 1, reader, dark));
+  for (const Plan& further : test.plan.further) parts.push(part_value(further, parts.items().size() + 1, reader, dark));
   Value value = Value::object();
   value.add("plan", plan_to_json(test));
   value.add("targets", positions_value(test.plan.targets));
@@ -303,7 +303,7 @@ Result<RequestedPlan> requested_plan_of(const Value& request) {
   AXIOMETRY_TRY(const iso230_2::PlanRequest complete, completed(wish));
   AXIOMETRY_TRY(Plan plan, iso230_2::make_plan(complete));
   AXIOMETRY_TRY_VOID(check_presentable(plan));
-  AXIOMETRY_TRY(PlannedTest test, planned(std::move(plan), complete.acceleration));
+  AXIOMETRY_TRY(PlannedTest test, planned(std::move(plan), {}));
   return RequestedPlan{std::move(test), settled(request, complete.seed)};
 }
 

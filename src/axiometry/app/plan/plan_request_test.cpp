@@ -101,7 +101,7 @@ TEST(PlanRequest, TakesEveryFlagOfTheCommandLineByItsName) {
   EXPECT_EQ(plan->planned.plan.machine, "M <b>1</b>");
   EXPECT_EQ(plan->planned.plan.date, "2026-01-02");
   EXPECT_EQ(plan->planned.plan.warm_up_runs, 2u);
-  EXPECT_EQ(plan->planned.acceleration, 2000.0);
+  EXPECT_EQ(plan->planned.plan.acceleration, 2000.0);
   EXPECT_GE(plan->planned.plan.targets.front(), Position::native(20));
   const auto periodic = asked(with("{\"period\": \"10\"}", R"({"periodic": "10", "at": "200"})"));
   ASSERT_TRUE(periodic) << periodic.error().to_string();
@@ -226,7 +226,7 @@ TEST(PlanRequest, IsKeptBesideThePlanAndReadAgainWithItsAcceleration) {
   const auto read = read_requested(write_requested(*made));
   ASSERT_TRUE(read) << read.error().to_string();
   EXPECT_EQ(write_requested(*read), write_requested(*made));
-  EXPECT_EQ(read->planned.acceleration, 200.0);
+  EXPECT_EQ(read->planned.plan.acceleration, 200.0);
   EXPECT_TRUE(formats::read_plan(write_requested(*made)));
 }
 

@@ -6,7 +6,9 @@
 
 #include <cstdlib>
 
+#include "axiometry/app/plan/nc_program.h"
 #include "axiometry/base/json/json.h"
+#include "axiometry/formats/plan/plan_json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace axiometry::app {
@@ -72,9 +74,24 @@ TEST(PlanDuration, CountsTheFurtherPlans) {
   const Plan plan = iso230_2::make_plan(r).value();
   ASSERT_EQ(plan.further.size(), 1u);
   const PlannedTest test = planned(plan, 2000).value();
-  EXPECT_EQ(test.acceleration, 2000);
+  EXPECT_EQ(test.plan.acceleration, 2000);
   EXPECT_NEAR(test.duration_in_all.in_s() - test.duration.in_s(),
-              iso230_2::estimated_duration(plan.further[0], 2000).in_s(), 1e-9);
+              iso230_2::estimated_duration(test.plan.further[0]).in_s(), 1e-9);
+}
+
+// One acceleration, wherever the plan goes: its file, its sheet, its part program.
+TEST(PlanUseCase, KeepsTheAccelerationThatWasStated) {
+  iso230_2::PlanRequest r;
+  r.axis.travel_begin = Position::native(0);
+  r.axis.travel_end = Position::native(6000);
+  r.acceleration = 250;
+  const PlannedTest made = planned(iso230_2::make_plan(r).value(), {}).value();
+  const Plan kept = formats::read_plan(formats::write_plan(made.plan)).value();
+  EXPECT_EQ(kept.acceleration, 250);
+  EXPECT_EQ(kept.further.at(0).acceleration, 250);
+  EXPECT_EQ(planned(kept, {})->duration_in_all, made.duration_in_all);
+  EXPECT_GT(made.duration_in_all, planned(kept, 1000)->duration_in_all);
+  EXPECT_THAT(nc_program_of(kept, {.dialect = "linuxcnc"}).value(), HasSubstr("250 MM/S2"));
 }
 
 TEST(PlanUseCase, TakesTheDateThatTheEnvironmentFixes) {

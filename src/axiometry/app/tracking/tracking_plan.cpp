@@ -214,8 +214,7 @@ Result<StationAdvice> advise_station(const TrackingPlanRequest& request) {
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
   AXIOMETRY_TRY(auto mounted, mounted_setup(request));
   auto& [setup, remarks] = mounted;
-  const double acceleration = request.lines.acceleration.value_or(iso230_2::usual_acceleration(AxisKind::linear));
-  AXIOMETRY_TRY_VOID(iso230_2::check_acceleration(acceleration));
+  if (request.lines.acceleration) AXIOMETRY_TRY_VOID(check_acceleration(*request.lines.acceleration));
   if (request.suggest)
     for (std::string& text : told(advice_on(setup, request))) remarks.push_back(std::move(text));
   auto plan = tracking::plan_lines(setup, request.lines);
@@ -226,14 +225,12 @@ Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request) {
     return std::unexpected(std::move(error));
   }
   plan->remarks.insert(plan->remarks.begin(), remarks.begin(), remarks.end());
-  const Duration duration = tracking::estimated_duration(*plan, acceleration);
-  return PlannedLines{*std::move(plan), acceleration, duration};
+  return planned_lines(*std::move(plan));
 }
 
 PlannedLines planned_lines(TrackingPlan plan) {
-  const double acceleration = iso230_2::usual_acceleration(AxisKind::linear);
-  const Duration duration = tracking::estimated_duration(plan, acceleration);
-  return {std::move(plan), acceleration, duration};
+  const Duration duration = tracking::estimated_duration(plan);
+  return {std::move(plan), duration};
 }
 
 json::Value to_json(const PlannedLines& planned) {

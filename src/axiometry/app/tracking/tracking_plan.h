@@ -75,7 +75,6 @@ Result<MountedSetup> mounted_setup(const TrackingPlanRequest& request);
 
 struct PlannedLines {
   TrackingPlan plan;
-  double acceleration = 0.0;  ///< acceleration on which the duration rests, mm/s²
   Duration duration;
 };
 
@@ -83,7 +82,7 @@ struct PlannedLines {
 /// error of a set-up in which no line is left says it as well.
 Result<PlannedLines> plan_tracking(const TrackingPlanRequest& request);
 
-/// The same of a plan that is at hand, with the usual acceleration.
+/// The same of a plan that is at hand.
 PlannedLines planned_lines(TrackingPlan plan);
 
 /// The plan with duration and program, as its file holds it.

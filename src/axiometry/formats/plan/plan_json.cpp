@@ -284,6 +284,7 @@ constexpr Member members[] = {
     {"runs", put<&Plan::runs, count_from>},
     {"overrun", put<&Plan::overrun, position_from>},
     {"feed", put<&Plan::feed, number_from>},
+    {"acceleration", put<&Plan::acceleration, number_from>},
     {"dwell_s", put<&Plan::dwell, seconds_from>},
     {"warm_up_runs", put<&Plan::warm_up_runs, count_from>},
     {"seed", take<&Plan::seed, seed_from>},

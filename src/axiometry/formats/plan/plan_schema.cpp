@@ -93,6 +93,13 @@ Value properties() {
       {"runs", whole_number(1, 10'000, "Approaches to each target from each direction of the cycle (n).")},
       {"overrun", number(1e-6, 1e9, "Distance beyond a target before the direction changes, mm or degrees.")},
       {"feed", number(1e-6, 1e9, "Feed speed between targets, mm/min or degrees/min.")},
+      {"acceleration",
+       object({{"type", or_null("number")},
+               {"minimum", 0.001},
+               {"maximum", 1e6},
+               {"description",
+                "Of the axis, mm/s² or degrees/s², on which durations rest; absent or null: 1000, or 500 of a rotary "
+                "one."}})},
       {"dwell_s", number(0, 1e6, "Time at rest on every target, seconds.")},
       {"warm_up_runs", whole_number(0, 10'000, "Movements there and back before the first reading.")},
       {"seed", object({{"type", Value::array({"integer", "string", "null"})},

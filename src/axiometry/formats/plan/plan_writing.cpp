@@ -51,6 +51,7 @@ Value plan_value(const Plan& plan) {
   root.add("runs", plan.runs);
   root.add("overrun", plan.overrun.in_native());
   root.add("feed", plan.feed);
+  if (plan.acceleration) root.add("acceleration", *plan.acceleration);
   root.add("dwell_s", plan.dwell.in_s());
   root.add("warm_up_runs", plan.warm_up_runs);
   if (plan.seed) {

@@ -48,7 +48,7 @@ std::string cycle_text(const Plan& plan) {
   return fmt::format("{}{}{}", cycle_name(plan.cycle), plan.clause.empty() ? "" : ", ", plan.clause);
 }
 
-Facts programme_facts(const Plan& plan, Duration duration, double acceleration, const Options& options) {
+Facts programme_facts(const Plan& plan, Duration duration, const Options& options) {
   const auto [lowest, highest] = reach(plan);
   Facts facts{"Programme", {}};
   auto& list = facts.facts;
@@ -69,9 +69,9 @@ Facts programme_facts(const Plan& plan, Duration duration, double acceleration, 
                                      ? std::string("none in the programme")
                                      : fmt::format("{} run{} there and back at the feed speed", plan.warm_up_runs,
                                                    plan.warm_up_runs == 1 ? "" : "s")));
-  list.push_back(
-      fact("Duration, about", fmt::format("{} (at {}\u00a0{}/s²)", duration_text(duration),
-                                          shown_short(acceleration, options), position_unit(plan.axis.kind))));
+  list.push_back(fact("Duration, about", fmt::format("{} (at {}\u00a0{}/s²)", duration_text(duration),
+                                                     shown_short(iso230_2::acceleration_of(plan), options),
+                                                     position_unit(plan.axis.kind))));
   return facts;
 }
 
@@ -154,14 +154,14 @@ Section plan_finding_section(std::span<const iso230_2::Finding> findings) {
   return section;
 }
 
-void append_programme(Document& document, const Plan& plan, Duration duration, double acceleration, std::size_t number,
+void append_programme(Document& document, const Plan& plan, Duration duration, std::size_t number,
                       const Options& options) {
   const std::string suffix = number == 0 ? "" : fmt::format("-{}", number);
   const std::string title = plan.title.empty() ? std::string("Test programme") : plan.title;
   Section programme{"programme" + suffix, title, true, {}};
-  programme.blocks.emplace_back(programme_facts(plan, duration, acceleration, options));
+  programme.blocks.emplace_back(programme_facts(plan, duration, options));
   if (number == 0) programme.blocks.emplace_back(origin_facts(plan, options));
-  programme.blocks.emplace_back(programme_figure(plan, acceleration, options));
+  programme.blocks.emplace_back(programme_figure(plan, options));
   document.sections.push_back(std::move(programme));
   Section targets{"targets" + suffix, number == 0 ? "Target positions" : "Target positions: " + title, true, {}};
   targets.blocks.emplace_back(target_table(plan, options));
@@ -231,11 +231,10 @@ std::string duration_text(Duration duration) {
 
 Document plan_sheet(const PlanSubject& subject, const Options& options) {
   Document document = title_page(subject, options);
-  append_programme(document, subject.plan, subject.duration, subject.acceleration, 0, options);
+  append_programme(document, subject.plan, subject.duration, 0, options);
   for (std::size_t k = 0; k < subject.plan.further.size(); ++k)
-    append_programme(document, subject.plan.further[k],
-                     iso230_2::estimated_duration(subject.plan.further[k], subject.acceleration), subject.acceleration,
-                     k + 1, options);
+    append_programme(document, subject.plan.further[k], iso230_2::estimated_duration(subject.plan.further[k]), k + 1,
+                     options);
   document.sections.push_back(plan_finding_section(subject.findings));
   document.sections.push_back(checklist(subject.plan));
   return document;

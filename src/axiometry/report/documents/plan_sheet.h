@@ -15,7 +15,6 @@ namespace axiometry::report {
 struct PlanSubject {
   const Plan& plan;
   std::span<const iso230_2::Finding> findings;  ///< plan_findings()
-  double acceleration = 0.0;                    ///< acceleration on which the durations rest, mm/s² or °/s²
   Duration duration;                            ///< time of the plan alone
   Duration duration_in_all;                     ///< time with its further plans
 };

@@ -34,8 +34,8 @@ iso230_2::PlanRequest request(double from, double to, AxisKind kind = AxisKind::
 
 Document sheet(const Plan& plan, const Options& options = {}) {
   const auto findings = iso230_2::plan_findings(plan);
-  const Duration duration = iso230_2::estimated_duration(plan, 1000);
-  return plan_sheet({plan, findings, 1000, duration, duration}, options);
+  const Duration duration = iso230_2::estimated_duration(plan);
+  return plan_sheet({plan, findings, duration, duration}, options);
 }
 
 std::vector<Figure> figures_of(const Document& document) {

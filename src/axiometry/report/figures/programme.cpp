@@ -51,9 +51,9 @@ struct Leg {
   bool warm_up = false;
 };
 
-std::vector<Leg> legs_of(const Plan& plan, double acceleration) {
+std::vector<Leg> legs_of(const Plan& plan) {
   const std::vector<PlannedMove> list = moves(plan);
-  const std::vector<Duration> durations = iso230_2::move_durations(list, plan.feed, acceleration);
+  const std::vector<Duration> durations = iso230_2::move_durations(list, plan.feed, iso230_2::acceleration_of(plan));
   std::vector<Leg> legs;
   double now = 0.0;
   bool warm_up = plan.warm_up_runs > 0;
@@ -84,8 +84,7 @@ std::string name_of(const Plan& plan, const Leg& leg) {
 
 class ProgrammeDrawing {
  public:
-  ProgrammeDrawing(const Plan& plan, double acceleration, const Options& options)
-      : plan_(plan), options_(options), legs_(legs_of(plan, acceleration)) {
+  ProgrammeDrawing(const Plan& plan, const Options& options) : plan_(plan), options_(options), legs_(legs_of(plan)) {
     const auto [lowest, highest] = reach(plan);
     low_ = lowest.in_native();
     high_ = highest.in_native();
@@ -275,8 +274,6 @@ class ProgrammeDrawing {
 
 }  // namespace
 
-Figure programme_figure(const Plan& plan, double acceleration, const Options& options) {
-  return ProgrammeDrawing(plan, acceleration, options).draw();
-}
+Figure programme_figure(const Plan& plan, const Options& options) { return ProgrammeDrawing(plan, options).draw(); }
 
 }  // namespace axiometry::report

@@ -9,7 +9,7 @@ namespace axiometry::report {
 
 /// The way of the axis over the time, as Figure 1 shows the standard test cycle: positions to the right, time
 /// downwards; readings as dots after the dwell, ways without a reading in grey, overruns shaded. Needs a sound plan;
-/// `acceleration` as for estimated_duration(). Further plans have figures of their own.
-Figure programme_figure(const Plan& plan, double acceleration, const Options& options);
+/// Further plans have figures of their own.
+Figure programme_figure(const Plan& plan, const Options& options);
 
 }  // namespace axiometry::report

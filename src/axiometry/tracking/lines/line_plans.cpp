@@ -127,7 +127,7 @@ class Planner {
     plan_.lines.push_back(*std::move(line));
     const Plan& plan = plan_.lines.back().plan;
     if (moving_axes(task.line) > 1) return;
-    for (const iso230_2::Finding& finding : iso230_2::plan_findings(plan, request_.acceleration))
+    for (const iso230_2::Finding& finding : iso230_2::plan_findings(plan))
       if (finding.severity == iso230_2::Severity::departure)
         plan_.remarks.push_back(
             fmt::format("{}: departs from {}, {}: {}", task.id, plan.standard, finding.clause, finding.message));
@@ -304,7 +304,7 @@ std::optional<UsableInterval> interval_of(const TrackingSetup& setup, const Trac
   return std::move(attempt.interval);
 }
 
-Duration estimated_duration(const TrackingPlan& plan, double acceleration) {
+Duration estimated_duration(const TrackingPlan& plan) {
   Duration sum;
   std::optional<Vector3> at;
   for (const TrackingLine& line : plan.lines) {
@@ -317,8 +317,9 @@ Duration estimated_duration(const TrackingPlan& plan, double acceleration) {
       ways.push_back({Position::native(ways.back().to.in_native() + way), std::nullopt});
       at = stop;
     }
-    for (Duration one : iso230_2::move_durations(ways, line.plan.feed, acceleration)) sum = sum + one;
-    sum = sum + iso230_2::estimated_duration(line.plan, acceleration);
+    for (Duration one : iso230_2::move_durations(ways, line.plan.feed, iso230_2::acceleration_of(line.plan)))
+      sum = sum + one;
+    sum = sum + iso230_2::estimated_duration(line.plan);
   }
   return sum;
 }

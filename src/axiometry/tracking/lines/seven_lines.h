@@ -104,7 +104,7 @@ Plan plan_alone(const TrackingSetup& setup, const TrackingLine& line);
 std::optional<UsableInterval> interval_of(const TrackingSetup& setup, const TrackingLine& line);
 
 /// All lines and the ways between them, from rest to rest; without the way to the first.
-Duration estimated_duration(const TrackingPlan& plan, double acceleration);
+Duration estimated_duration(const TrackingPlan& plan);
 
 /// What may be changed to keep more lines.
 struct StationFreedom {

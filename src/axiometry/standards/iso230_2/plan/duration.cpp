@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include <cmath>
 #include <vector>
 
 #include "axiometry/base/contract.h"
-#include "axiometry/base/text/number_text.h"
 #include "axiometry/standards/iso230_2/plan/plan.h"
 
 namespace axiometry::iso230_2 {
@@ -20,7 +17,7 @@ Duration way_duration(double way, double feed, double acceleration) {
 }
 
 /// To the line in space and away from it, point by point.
-Duration ways_duration(const Plan& plan, double acceleration) {
+Duration ways_duration(const Plan& plan) {
   const auto line = spatial_line(plan.axis);
   Duration sum;
   if (!line) return sum;
@@ -29,23 +26,19 @@ Duration ways_duration(const Plan& plan, double acceleration) {
   out.insert(out.begin(), line->at(reach(plan).lowest));
   for (const auto* way : {&in, &out})
     for (std::size_t k = 1; k < way->size(); ++k)
-      sum = sum + way_duration(distance((*way)[k - 1], (*way)[k]), plan.feed, acceleration);
+      sum = sum + way_duration(distance((*way)[k - 1], (*way)[k]), plan.feed, acceleration_of(plan));
   return sum;
 }
 
 }  // namespace
 
-Result<void> check_acceleration(double acceleration) {
-  constexpr double least = 1e-3, highest = 1e6;
-  if (acceleration >= least && acceleration <= highest) return {};
-  return fail(fmt::format("found the acceleration {}, expected {} to {}", format_exact(acceleration), least, highest));
+double acceleration_of(const Plan& plan) {
+  return plan.acceleration.value_or(plan.axis.kind == AxisKind::linear ? 1000.0 : 500.0);
 }
 
-double usual_acceleration(AxisKind kind) { return kind == AxisKind::linear ? 1000.0 : 500.0; }
-
-Position distance_to_feed(const Plan& plan, double acceleration) {
+Position distance_to_feed(const Plan& plan) {
   const double feed_per_s = plan.feed / 60.0;
-  return Position::native(feed_per_s * feed_per_s / acceleration);
+  return Position::native(feed_per_s * feed_per_s / acceleration_of(plan));
 }
 
 std::vector<Duration> move_durations(const std::vector<PlannedMove>& list, double feed, double acceleration) {
@@ -56,9 +49,9 @@ std::vector<Duration> move_durations(const std::vector<PlannedMove>& list, doubl
   return durations;
 }
 
-Duration estimated_duration(const Plan& plan, double acceleration) {
-  Duration sum = static_cast<double>(approaches(plan).size()) * plan.dwell + ways_duration(plan, acceleration);
-  for (Duration d : move_durations(moves(plan), plan.feed, acceleration)) sum = sum + d;
+Duration estimated_duration(const Plan& plan) {
+  Duration sum = static_cast<double>(approaches(plan).size()) * plan.dwell + ways_duration(plan);
+  for (Duration d : move_durations(moves(plan), plan.feed, acceleration_of(plan))) sum = sum + d;
   return sum;
 }
 

@@ -29,7 +29,6 @@ struct Frame {
   Plan plan;               ///< without targets and what depends on them
   double low = -infinity;  ///< where the axis may go
   double high = infinity;
-  double acceleration = 0.0;
   double step = 0.0;
   bool without_end = false;
   Stretch measurement;  ///< 3.2
@@ -101,7 +100,7 @@ Result<void> find_limits(Frame& frame, const PlanRequest& request) {
 double usual_overrun(const Frame& frame, const std::optional<Stretch>& measurement) {
   const double travel = frame.measurement.length();
   const double enough = std::clamp(0.01 * travel, overrun_least, overrun_usual);
-  const double to_feed = distance_to_feed(frame.plan, frame.acceleration).in_native();
+  const double to_feed = distance_to_feed(frame.plan).in_native();
   const double wanted = std::ceil(std::min(std::max(enough, to_feed), std::max(enough, overrun_share * travel)) - 1e-9);
   if (!measurement) return wanted;
   const double room = std::min(measurement->from.in_native() - frame.low, frame.high - measurement->to.in_native());
@@ -147,7 +146,7 @@ Result<Frame> make_frame(const PlanRequest& request) {
   plan.feed = request.feed.value_or(frame.linear() ? 1000.0 : 720.0);
   plan.dwell = request.dwell.value_or(Duration::s(3.0));
   plan.warm_up_runs = request.warm_up_runs.value_or(1);
-  frame.acceleration = request.acceleration.value_or(usual_acceleration(frame.kind()));
+  plan.acceleration = request.acceleration;
   frame.step = request.step ? request.step->in_native() : frame.linear() ? 1e-3 : 1e-4;
   AXIOMETRY_TRY_VOID(find_limits(frame, request));
   if (request.measurement) AXIOMETRY_TRY_VOID(check_stretch(frame, "measurement travel", *request.measurement));

@@ -62,13 +62,13 @@ struct PlanRequest {
   std::optional<Stretch> measurement;  ///< measurement travel (3.2)
   std::optional<Stretch> soft_limits;  ///< soft limits of the control, where they differ from the axis travel
   TestCycle cycle = TestCycle::standard;
-  std::vector<Approach> sequence;    ///< approaches of the user-defined cycle
-  std::vector<Position> targets;     ///< given by the user, in any order; empty: drawn
-  std::optional<std::size_t> count;  ///< m
-  std::optional<Position> interval;  ///< p at most
-  std::optional<std::size_t> runs;   ///< n
-  std::string rule;                  ///< copied
-  std::size_t least_runs = 0;        ///< n at least where it is not given; of areas always, which no user gives
+  std::vector<Approach> sequence;           ///< approaches of the user-defined cycle
+  std::vector<Position> targets;            ///< given by the user, in any order; empty: drawn
+  std::optional<std::size_t> count;         ///< m
+  std::optional<Position> interval;         ///< p at most
+  std::optional<std::size_t> runs;          ///< n
+  std::string rule;                         ///< copied
+  std::size_t least_runs = 0;               ///< n at least where it is not given; of areas always, which no user gives
   std::optional<std::size_t> area_targets;  ///< m of areas; as the clause asks for when absent
   bool equal_steps = false;  ///< targets without a random part, from one end of travel and areas to the other
   std::optional<Position> overrun;
@@ -111,9 +111,8 @@ Result<Plan> make_plan(const PlanRequest& request);
 /// concern the programme, as if every approach had been measured, and those that only a plan can break (overruns beyond
 /// the travel, a feed that is not reached, no warm-up, a period that the targets do not sample). Departures first. Of a
 /// plan without positions, of which the standard says nothing, only what keeps the axis from following it, and what
-/// holds at every stop. Findings about a further plan begin with its title. Whether the feed is reached depends on the
-/// acceleration of the axis, the usual one when none is given. Needs a sound plan and a > 0.
-std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration = {});
+/// holds at every stop. Findings about a further plan begin with its title. Needs a sound plan.
+std::vector<Finding> plan_findings(const Plan& plan);
 
 /// A test that followed the plan and found no deviation; nothing where it is too large for one. Needs a sound plan.
 std::optional<Series> series_of(const Plan& plan);
@@ -125,21 +124,18 @@ bool conforming(std::span<const Finding> findings);
 /// warm-up, a rest at the targets, a random part of them. Only then may a plan be called one after the standard.
 bool in_accordance(std::span<const Finding> findings);
 
-/// Fails on an acceleration outside 0.001 to 1e6 mm/s² or °/s², on which no duration can be told.
-Result<void> check_acceleration(double acceleration);
-
-/// mm/s² or °/s², when nothing is known about the axis: 1 000 mm/s² or 500 °/s².
-double usual_acceleration(AxisKind kind);
+/// mm/s² or °/s²: the plan's, or the usual one when nothing is known about the axis, 1 000 mm/s² or 500 °/s².
+double acceleration_of(const Plan& plan);
 
 /// From the first command to the last, from rest to rest on each: with the feed v, the acceleration a (of speeding up
 /// and slowing down) and the distance d, d/v + v/a, or 2·√(d/a) where d < v²/a; and a dwell at each approach; the ways
-/// in and out of a line in space likewise, point by point. Without the further plans. Needs a sound plan and a > 0.
-Duration estimated_duration(const Plan& plan, double acceleration);
+/// in and out of a line in space likewise, point by point. Without the further plans. Needs a sound plan.
+Duration estimated_duration(const Plan& plan);
 
 /// How long each of moves(plan) takes, without the dwell at its end; 0 for the first, which comes from anywhere.
 std::vector<Duration> move_durations(const std::vector<PlannedMove>& moves, double feed, double acceleration);
 
 /// The least distance from rest to rest on which the feed is reached: v²/a.
-Position distance_to_feed(const Plan& plan, double acceleration);
+Position distance_to_feed(const Plan& plan);
 
 }  // namespace axiometry::iso230_2

@@ -168,14 +168,14 @@ std::optional<Finding> period_sampled(const Plan& plan) {
                                  rules::figure(std::round(100.0 * (1.0 - gap))), position_text(plan, period)));
 }
 
-std::optional<Finding> feed_reached(const Plan& plan, double acceleration) {
-  const double needed = distance_to_feed(plan, acceleration).in_native();
+std::optional<Finding> feed_reached(const Plan& plan) {
+  const double needed = distance_to_feed(plan).in_native();
   if (plan.overrun.in_native() >= needed) return std::nullopt;
   return rules::note(
       "plan-feed-reached", "5.3.2",
       fmt::format("found overruns of {}, expected {} to reach the feed of {} {}/min at {} {}/s²",
                   position_text(plan, plan.overrun.in_native()), position_text(plan, needed), rules::figure(plan.feed),
-                  position_unit(plan.axis.kind), rules::figure(acceleration), position_unit(plan.axis.kind)));
+                  position_unit(plan.axis.kind), rules::figure(acceleration_of(plan)), position_unit(plan.axis.kind)));
 }
 
 std::optional<Finding> period_given(const Plan& plan) {
@@ -296,15 +296,14 @@ class PlanFindings {
 
 /// `whole`: the plan that it is a further one of; of these the whole tells whether the feed is reached where both move
 /// alike.
-std::vector<Finding> findings_of(const Plan& plan, double acceleration, const Plan* whole = nullptr) {
+std::vector<Finding> findings_of(const Plan& plan, const Plan* whole = nullptr) {
   const bool further = whole != nullptr;
   PlanFindings findings;
   for (PlanRule* rule : common_rules)
     if (!further || std::ranges::find(rules_of_the_first, rule) == std::end(rules_of_the_first))
       findings.add(rule(plan));
   if (further) findings.add(of_another_axis(*whole, plan));
-  if (!further || plan.feed != whole->feed || plan.overrun != whole->overrun)
-    findings.add(feed_reached(plan, acceleration));
+  if (!further || plan.feed != whole->feed || plan.overrun != whole->overrun) findings.add(feed_reached(plan));
   if (!measures_positions(plan)) return std::move(findings).sorted();
   if (plan.clause == "Annex C") {
     for (PlanRule* rule : period_rules) findings.add(rule(plan));
@@ -327,13 +326,10 @@ std::optional<Series> series_of(const Plan& plan) {
   return series ? std::optional(*std::move(series)) : std::nullopt;
 }
 
-std::vector<Finding> plan_findings(const Plan& plan, std::optional<double> acceleration) {
-  const auto judged = [&](const Plan& one, const Plan* whole) {
-    return findings_of(one, acceleration.value_or(usual_acceleration(one.axis.kind)), whole);
-  };
-  std::vector<Finding> all = judged(plan, nullptr);
+std::vector<Finding> plan_findings(const Plan& plan) {
+  std::vector<Finding> all = findings_of(plan);
   for (const Plan& part : plan.further)
-    for (Finding& finding : judged(on_the_same_axis(plan, part), &plan)) {
+    for (Finding& finding : findings_of(on_the_same_axis(plan, part), &plan)) {
       if (!part.title.empty()) finding.message = fmt::format("{}: {}", part.title, finding.message);
       all.push_back(std::move(finding));
     }
