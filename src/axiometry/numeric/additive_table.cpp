@@ -75,47 +75,87 @@ Swept<Means> sweep(Working& working, const Means means) {
   return swept;
 }
 
+/// What is left of columns' means and of rows' means counts as nothing below this share of the table's spread.
+constexpr double settled = 1e-12;
+
 /// Solves for what sweeps leave where few values tie parts of the table together. The shifts r that are still missing
 /// fulfil L r = b: b the sums of the columns' residuals, (L r)_j = Σ over the values of column j of r_j less the mean
-/// of r in that row. By conjugate gradients, which end after as many steps as there are columns but for rounding.
-void solve_shifts(Working& working) {
-  AdditiveFit& fit = working.fit;
-  const std::size_t columns = fit.columns;
-  const auto sums_less_row_means = [&](std::span<const double> of_columns) {
-    std::vector<double> sums(columns, 0.0);
+/// of r in that row. By conjugate gradients, with the number of values of each column for its scale, which end after
+/// fewer steps than there are columns. L is singular, one constant for each part of the table, and rounding leaves a
+/// share of b in these directions, towards which the steps grow once the rest is solved: the best shifts seen are kept.
+class MissingShifts {
+ public:
+  MissingShifts(const Working& working, double spread) : working_(working), enough_(settled * spread) {
+    const AdditiveFit& fit = working.fit;
+    left_.assign(fit.columns, 0.0);
+    for (std::size_t k = 0; k < fit.residuals.size(); ++k) left_[k % fit.columns] += fit.residuals[k];
+    found_ = best_ = std::vector<double>(fit.columns, 0.0);
+    least_left_ = largest_left();
+  }
+
+  std::vector<double> solve() {
+    std::vector<double> scaled = left_by_counts(), towards = scaled;
+    double size = dot(left_, scaled);
+    const std::size_t steps = std::min(found_.size(), steps_at_most);
+    for (std::size_t step = 0; step < steps && least_left_ > enough_; ++step) {
+      const std::vector<double> image = sums_less_row_means(towards);
+      const double curvature = dot(towards, image);
+      if (!(curvature > 0.0) || !(size > 0.0)) break;
+      const double length = size / curvature;
+      for (std::size_t j = 0; j < found_.size(); ++j) {
+        found_[j] += length * towards[j];
+        left_[j] -= length * image[j];
+      }
+      if (const double now = largest_left(); now < least_left_) {
+        least_left_ = now;
+        best_ = found_;
+      }
+      scaled = left_by_counts();
+      const double before = std::exchange(size, dot(left_, scaled));
+      for (std::size_t j = 0; j < towards.size(); ++j) towards[j] = scaled[j] + size / before * towards[j];
+    }
+    return best_;
+  }
+
+ private:
+  static constexpr std::size_t steps_at_most = 200;  // each walks the table, as a sweep does
+
+  static double dot(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  }
+
+  std::vector<double> left_by_counts() const {
+    std::vector<double> means = left_;
+    for (std::size_t j = 0; j < means.size(); ++j)
+      means[j] /= static_cast<double>(std::max<std::size_t>(working_.fit.column_counts[j], 1));
+    return means;
+  }
+
+  double largest_left() const {
+    double largest = 0.0;
+    for (const double mean : left_by_counts()) largest = std::max(largest, std::abs(mean));
+    return largest;
+  }
+
+  std::vector<double> sums_less_row_means(const std::vector<double>& of_columns) const {
+    const AdditiveFit& fit = working_.fit;
+    std::vector<double> sums(fit.columns, 0.0);
     for (std::size_t i = 0; i < fit.levels.size(); ++i) {
       if (fit.row_counts[i] == 0) continue;
-      const double* there = working.there.data() + i * columns;
+      const double* there = working_.there.data() + i * fit.columns;
       double mean = 0.0;
-      for (std::size_t j = 0; j < columns; ++j) mean += there[j] * of_columns[j];
+      for (std::size_t j = 0; j < fit.columns; ++j) mean += there[j] * of_columns[j];
       mean /= static_cast<double>(fit.row_counts[i]);
-      for (std::size_t j = 0; j < columns; ++j) sums[j] += there[j] * (of_columns[j] - mean);
+      for (std::size_t j = 0; j < fit.columns; ++j) sums[j] += there[j] * (of_columns[j] - mean);
     }
     return sums;
-  };
-  const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  };
-  std::vector<double> missing(columns, 0.0), left(columns, 0.0);
-  for (std::size_t k = 0; k < fit.residuals.size(); ++k) left[k % columns] += fit.residuals[k];
-  std::vector<double> towards = left;
-  double square = dot(left, left);
-  const double enough = 1e-30 * square;
-  for (std::size_t step = 0; step < 2 * columns && square > enough; ++step) {
-    const std::vector<double> image = sums_less_row_means(towards);
-    const double curvature = dot(towards, image);
-    if (!(curvature > 0.0)) break;
-    const double length = square / curvature;
-    for (std::size_t j = 0; j < columns; ++j) {
-      missing[j] += length * towards[j];
-      left[j] -= length * image[j];
-    }
-    const double before = std::exchange(square, dot(left, left));
-    for (std::size_t j = 0; j < columns; ++j) towards[j] = left[j] + square / before * towards[j];
   }
-  for (std::size_t j = 0; j < columns; ++j) fit.shifts[j] += missing[j];
-  sweep(working, std::move(missing));
-}
+
+  const Working& working_;
+  double enough_;
+  std::vector<double> left_, found_, best_;
+  double least_left_ = 0.0;
+};
 
 /// `none`: a zero for each column.
 template <typename Means>
@@ -131,9 +171,11 @@ void find_levels_and_shifts(Working& working, Means none) {
       moved = std::max(moved, std::abs(last.of_columns[j]));
     }
     last = sweep(working, std::move(last.of_columns));
-    if (std::max(pass == 0 ? 0.0 : moved, last.largest_of_rows) <= 1e-12 * spread) return;
+    if (std::max(pass == 0 ? 0.0 : moved, last.largest_of_rows) <= settled * spread) return;
   }
-  solve_shifts(working);
+  std::vector<double> missing = MissingShifts(working, spread).solve();
+  for (std::size_t j = 0; j < fit.columns; ++j) fit.shifts[j] += missing[j];
+  sweep(working, std::move(missing));
 }
 
 /// Shifts with mean 0 over the columns there are, which the levels take.

@@ -26,7 +26,7 @@ struct AdditiveFit {
 
 /// Least squares of both, NaN standing for a value that is missing. A full table takes one pass; one with gaps a few
 /// more, until the levels move by less than 1e-12 of the table's spread; one whose parts few values tie together takes
-/// 60, and then at most two for each column. Contract: whole rows.
+/// 60, and then one for each column, at most 200: beyond so many columns it may be less exact. Contract: whole rows.
 AdditiveFit fit_additive(std::span<const double> table, std::size_t columns);
 
 }  // namespace axiometry::numeric
