@@ -10,6 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from . import _native
+from .given import numbers, path
 
 
 class SeriousFinding(UserWarning):
@@ -19,15 +20,15 @@ class SeriousFinding(UserWarning):
 class ErrorModel:
     """The errors as curves with their covariance. Warns (SeriousFinding) where serious findings speak against them.
 
-    result: the file, or its content as a dict. A number that the readings do not tell is NaN, never 0. Places outside
-    of where readings were raise Error.
+    result: the file, or its content as a dict. A number that the readings do not tell is NaN, never 0. Places beyond
+    `ranges`, over which the curves are stated, raise Error. Without a reversal in the result, ↑, ↓ and mean are one.
     """
 
     def __init__(self, result: str | os.PathLike | Mapping):
         if isinstance(result, Mapping):
             self._native = _native.error_model_of_text(json.dumps(dict(result)))
         else:
-            self._native = _native.error_model_of_file(os.fspath(result))
+            self._native = _native.error_model_of_file(path(result))
         for finding in self.findings:
             if finding["severity"] == "serious":
                 warnings.warn(finding["message"], SeriousFinding, stacklevel=2)
@@ -54,7 +55,7 @@ class ErrorModel:
         points: where the axes stand, mm (..., 3). tool: its name, may be left out where there is one. approach: of
         each axis +1, -1 or 0 for the mean of both directions.
         """
-        points = np.asarray(points, dtype=float)
+        points = numbers(points, "points")
         if points.ndim == 0 or points.shape[-1] != 3:
             raise _native.Error(f"found points of shape {points.shape}, expected (..., 3)")
         rows = np.ascontiguousarray(points.reshape(-1, 3))
@@ -65,7 +66,7 @@ class ErrorModel:
         """One of the 18 error motions ("EXX", "EYX", "EAX", …) at positions of its axis, and its standard uncertainty:
         µm, or µrad of a rotation.
         """
-        positions = np.asarray(positions, dtype=float)
+        positions = numbers(positions, "positions")
         found = self._native.motion(error, np.ascontiguousarray(positions.ravel()), _sign(approach))
         return tuple(values.reshape(positions.shape) for values in found)
 
@@ -81,7 +82,7 @@ def _three(approach):
     return approach
 
 
-def _sign(approach) -> int:
+def _sign(approach) -> float:
     if approach not in (-1, 0, 1):
         raise _native.Error(f"found the approach {approach!r}, expected -1, 0 or 1")
-    return int(approach)
+    return float(approach)

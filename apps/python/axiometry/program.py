@@ -6,32 +6,37 @@ import functools
 import json as _json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 from collections.abc import Iterator, Mapping
 
 from . import _native
 
-USAGE = 1
+USAGE, BAD_INPUT = 1, 2
 SERIOUS, UNDECIDED, INCOMPLETE = 3, 4, 5  # the exit codes of what was done, and says something
 
 
 class Done(Mapping):
     """What a verb has written as JSON, as values of Python; docs/results.md explains it. exit_code: 0, 3 where a
-    parameter does not conform or a finding is serious, 4 undecided, 5 a capture that ended early. text: what it told.
+    parameter does not conform or a finding is serious, 4 undecided, 5 a capture that ended early, with keep_going=True also
+    2 where an input was bad. text: what else it
+    wrote, such as a part program; told: what it said of it (its standard error). json: all of the JSON, which is a list
+    where it is of many tests; then nothing is found by name.
     """
 
-    def __init__(self, values, exit_code: int, text: str):
-        self.values_of_json, self.exit_code, self.text = values, exit_code, text
+    def __init__(self, json, exit_code: int, text: str, told: str):
+        self.json, self.exit_code, self.text, self.told = json, exit_code, text, told
+        self._members = json if isinstance(json, dict) else {}
 
     def __getitem__(self, key):
-        return self.values_of_json[key]
+        return self._members[key]
 
     def __iter__(self) -> Iterator:
-        return iter(self.values_of_json)
+        return iter(self._members)
 
     def __len__(self) -> int:
-        return len(self.values_of_json)
+        return len(self._members)
 
     def __repr__(self) -> str:
         return f"<axiometry.Done exit code {self.exit_code}, {', '.join(map(str, self))}>"
@@ -44,35 +49,48 @@ def run(verb: str, *arguments, json: bool | None = None, **flags) -> Done:
     times, None and False for none. Where the verb writes JSON, it is read (json=False: not). Raises Error, with the
     program's own words, where nothing was done.
     """
-    words = [_program(), *verb.split(), *(_word(a) for a in arguments)]
+    if json not in (None, True, False):
+        raise _native.Error(f"found json={json!r}, expected True, False or None: it is read here and goes into no file")
+    program = _program(os.environ.get("AXIOMETRY_PROGRAM", ""))
+    flag = "" if json is False or flags.get("help") else _json_flag(program, verb)
+    if json and not flag:
+        raise _native.Error(f"found json=True, and {verb} writes none")
+    words = [*(_word(a) for a in arguments)]
     for name, value in flags.items():
-        flag = "--" + name.strip("_").replace("_", "-")
+        named = "--" + name.strip("_").replace("_", "-")
         for item in value if isinstance(value, (list, tuple)) else [value]:
             if item is True:
-                words.append(flag)
+                words.append(named)
             elif item is not None and item is not False:
-                words.append(f"{flag}={_word(item)}")
-    reads = _writes_json(words[0], verb) if json is None else json
-    done = _done([*words, "--json=-"] if reads else words)
-    if json is None and done.returncode == USAGE and done.stderr.startswith("axiometry: --json:"):
-        reads, done = False, _done(words)  # it writes JSON with other flags alone
-    if done.returncode not in (0, SERIOUS, UNDECIDED, INCOMPLETE):
-        raise _native.Error(done.stderr.strip().removeprefix("axiometry: ") or f"{verb} ended with {done.returncode}")
-    values = _json.loads(done.stdout) if reads and done.stdout else {}
-    return Done(values, done.returncode, done.stderr if reads else done.stdout)
+                words.append(f"{named}={_word(item)}")
+    verb_words = [program, *verb.split()]
+    done = _done([*verb_words, flag, *words] if flag else [*verb_words, *words])
+    if json is None and done.returncode == USAGE and done.stderr.startswith(b"axiometry: --json:"):
+        flag, done = "", _done([*verb_words, *words])  # it writes JSON with other flags alone
+    output, told = done.stdout.decode("utf-8", "replace"), done.stderr.decode("utf-8", "replace")
+    has_gone_on = flags.get("keep_going") is True and done.returncode == BAD_INPUT
+    if done.returncode not in (0, SERIOUS, UNDECIDED, INCOMPLETE) and not has_gone_on:
+        raise _native.Error(told.strip().removeprefix("axiometry: ") or f"{verb} ended with {done.returncode}")
+    if not flag:
+        return Done({}, done.returncode, output, told)
+    try:
+        return Done(_json.loads(output), done.returncode, "", told)
+    except ValueError:
+        raise _native.Error(f"found no JSON where {verb} should have written it, expected it: {output[:80]!r}") from None
 
 
 def _done(words: list[str]) -> subprocess.CompletedProcess:
-    return subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, text=True, encoding="utf-8")
+    english = {name: value for name, value in os.environ.items() if name != "AXIOMETRY_LANGUAGE"}
+    return subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True, env=english)
 
 
 @functools.cache
-def _program() -> str:
-    """AXIOMETRY_PROGRAM, the program that was installed with this package, or the one on the path."""
-    named = os.environ.get("AXIOMETRY_PROGRAM")
-    below = (folder / "bin" / "axiometry" for folder in pathlib.Path(__file__).parents)
-    beside = next((program for program in below if program.is_file()), None)
-    program = named or beside or shutil.which("axiometry")
+def _program(named: str) -> str:
+    """AXIOMETRY_PROGRAM; the program of the build or the prefix that this package is of; or the one on the path."""
+    here = pathlib.Path(__file__).parents
+    beside = (here[2] / "axiometry", *(folder / "bin" / "axiometry" for folder in here[4:5]))
+    program = (named and os.path.abspath(named)) or next((p for p in beside if p.is_file()), None) or shutil.which(
+        "axiometry")
     if not program:
         raise _native.Error("found no program axiometry, expected one on the path or named by AXIOMETRY_PROGRAM")
     try:
@@ -85,8 +103,11 @@ def _program() -> str:
 
 
 @functools.cache
-def _writes_json(program: str, verb: str) -> bool:
-    return "--json" in subprocess.run([program, *verb.split(), "--help"], capture_output=True, text=True).stdout
+def _json_flag(program: str, verb: str) -> str:
+    """Of some verbs --json names a file, of some it says in what form the output is; "" of the others."""
+    text = subprocess.run([program, *verb.split(), "--help"], capture_output=True, text=True).stdout
+    flag = re.search(r"^ +--json( [A-Z]+)?", text, re.MULTILINE)
+    return "" if not flag else "--json=-" if flag[1] else "--json"
 
 
 def _word(value) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping
 import numpy as np
 
 from . import _native
+from .given import SEED_MOST, number, numbers, path, whole
 
 
 class Test:
@@ -65,7 +66,7 @@ class Test:
         never over the file it was read from. Gives what such a file leaves behind. Raises Error where it would lose a
         reading or an item.
         """
-        return self._native.write(os.fspath(file), format)
+        return self._native.write(path(file), format)
 
     def __repr__(self) -> str:
         m, n = self.up.shape
@@ -96,7 +97,7 @@ class Result(Mapping):
         """The report, by the extension: pdf, html, svg, png, csv; whole or not at all, and never over the test's file.
         decimal: "point" or "comma", else as the language has it.
         """
-        self._native.report(os.fspath(file), language, decimal, decimals)
+        self._native.report(path(file), language, decimal, decimals)
 
     def __repr__(self) -> str:
         unit = "µm" if self["unit"] == "um" else "″"
@@ -109,22 +110,22 @@ def read(file: str | os.PathLike, *, format: str = "", profile: str | os.PathLik
     """The test in a file of any format (`axiometry formats`), recognised by its content, or read after an import
     profile. Raises Error, with line and column, on what is wrong with it, and on a file of many tests.
     """
-    return Test._of(_native.test_of_file(os.fspath(file), format, os.fspath(profile)))
+    return Test._of(_native.test_of_file(path(file), format, path(profile)))
 
 
 def read_all(file: str | os.PathLike) -> list[Test]:
     """Every test of a file, with its name where it holds many."""
-    return [Test._of(test) for test in _native.tests_of_file(os.fspath(file))]
+    return [Test._of(test) for test in _native.tests_of_file(path(file))]
 
 
 def evaluate(test: Test | str | os.PathLike, *, methods: str | Iterable[str] = ("gum",), trials: int | None = None,
-             seed: int = 1, coverage: float = 0.95, corrections: str | Iterable[str] = (), method: str | None = None,
-             stating: Mapping | None = None, tolerances: Mapping | None = None, rule: str | None = None,
+             seed: int | None = None, coverage: float | None = None, corrections: str | Iterable[str] = (),
+             method: str | None = None, stating: Mapping | None = None, tolerances: Mapping | None = None, rule: str | None = None,
              verify: bool = False) -> Result:
     """Parameters, uncertainty, verdicts and findings of a test or of the test in a file.
 
-    methods: of uncertainty beside Annex A, "gum" and "monte-carlo"; trials: of the latter, None until two digits are
-    stable. method: whose uncertainty is that of record, "annex-a", "gum" or "monte-carlo". corrections: "nde",
+    methods: of uncertainty beside Annex A, "gum" and "monte-carlo"; with the latter trials (at most ten million; None
+    until two digits are stable), seed (1) and coverage (0.95). method: whose uncertainty is that of record, "annex-a", "gum" or "monte-carlo". corrections: "nde",
     "air=ciddor", "dead-path", "drift". stating: as of Test, for this evaluation. tolerances: {"A": "10um", "R_up":
     "0.003mm"}, a bare number in µm or ″. rule: "simple", "iso14253-1" or "guard-band=3um". verify: computes every
     figure a second time on a path of its own and raises Error where one differs.
@@ -132,25 +133,31 @@ def evaluate(test: Test | str | os.PathLike, *, methods: str | Iterable[str] = (
     if not isinstance(test, Test):
         test = read(test)
     unit = "um" if test.kind == "linear" else "arcsec"
-    limits = [f"{key}={limit}" if isinstance(limit, str) else f"{key}={float(limit)!r}{unit}"
+    limits = [f"{key}={limit}" if isinstance(limit, str) else f"{key}={number(limit, key)!r}{unit}"
               for key, limit in (tolerances or {}).items()]
     stated = dict(stating or {})
     if method is not None:
         stated["uncertainty.method"] = method
-    methods = methods.split(",") if isinstance(methods, str) else list(methods)
-    corrections = corrections.split(",") if isinstance(corrections, str) else list(corrections)
-    options = {"methods": methods, "seed": seed if 0 <= seed < 2**53 else str(seed), "coverage": coverage,
-               "corrections": corrections}
+    options = {"methods": _words(methods), "corrections": _words(corrections)}
+    of_trials = {"trials": trials, "seed": seed, "coverage": coverage}
+    for name, value in of_trials.items():
+        if value is not None and "monte-carlo" not in options["methods"]:
+            raise _native.Error(f"found {name} without the method it belongs to, expected methods with 'monte-carlo'")
     if trials is not None:
-        options["trials"] = trials
-    return Result(_native.evaluate(test._native, json.dumps(options), _stated(stated), limits, rule, verify))
+        options["trials"] = whole(trials, "trials", 100, 10_000_000)
+    if seed is not None:
+        options["seed"] = str(whole(seed, "seed", 0, SEED_MOST))
+    if coverage is not None:
+        options["coverage"] = number(coverage, "coverage")
+    return Result(_native.evaluate(test._native, json.dumps(options), _stated(stated), limits, rule, bool(verify)))
+
+
+def _words(given: str | Iterable[str]) -> list[str]:
+    return given.split(",") if isinstance(given, str) else list(given)
 
 
 def _array(values, name: str, axes: int) -> np.ndarray:
-    try:
-        array = np.ascontiguousarray(values, dtype=float)
-    except (TypeError, ValueError) as fault:
-        raise _native.Error(f"{name}: {fault}") from None
+    array = numbers(values, name)
     if array.ndim != axes:
         expected = "(targets,)" if axes == 1 else "(targets, runs)"
         raise _native.Error(f"found {name} of shape {array.shape}, expected {expected}")
@@ -159,16 +166,19 @@ def _array(values, name: str, axes: int) -> np.ndarray:
 
 def _stated(items: Mapping) -> str:
     """As the vocabulary takes it: texts; of a list a record per line."""
-    return json.dumps({key: _text(value) for key, value in items.items()})
+    return json.dumps({key: _text(key, value) for key, value in items.items()})
 
 
-def _text(value) -> str:
+def _text(key: str, value) -> str:
     if value is None:
         return ""
     if isinstance(value, (bool, np.bool_)):
         return "yes" if value else "no"
     if isinstance(value, (float, np.floating)):
         return repr(float(value))
-    if isinstance(value, (list, tuple)):
-        return "\n".join(_text(item) for item in value)
-    return str(value)
+    if isinstance(value, (str, int, np.integer)):
+        return str(value)
+    if isinstance(value, (list, tuple, np.ndarray)) and not any(item is None for item in value):
+        are_numbers = all(isinstance(item, (int, float, np.number)) for item in value)
+        return (" " if are_numbers else "\n").join(_text(key, item) for item in value)
+    raise _native.Error(f"found {value!r} as {key}, expected text, a number, yes or no as a bool, or a list of these")

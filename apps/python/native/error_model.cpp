@@ -13,6 +13,7 @@
 
 #include "axiometry/app/volumetric/field_points.h"
 #include "axiometry/app/volumetric/result_model.h"
+#include "python/native/interpreter.h"
 #include "python/native/rooms.h"
 #include "python/native/taken.h"
 
@@ -26,32 +27,31 @@ using Numbers = py::array_t<double, py::array::c_style>;
 
 constexpr double untold = std::numeric_limits<double>::quiet_NaN();
 
-/// Which way each axis came: +1, −1, or 0 for the mean of both.
-volumetric::Approaches approaches_of(const std::vector<int>& signs) {
-  volumetric::Approaches approaches{};
-  for (std::size_t a = 0; a < approaches.size(); ++a) approaches[a] = signs.at(a);
-  return approaches;
-}
+/// Whether Ctrl-C has been pressed is asked once for so many points.
+constexpr py::ssize_t block = 256;
 
 /// Displacements (n, 3) in µm and their covariances (n, 3, 3) in µm², NaN where the readings do not tell a component.
+/// `approach`: which way each axis came, +1, −1, or 0 for the mean of both.
 py::tuple displacement(const KeptModel& kept, const Numbers& points, const std::string& tool,
-                       const std::vector<int>& signs) {
+                       const volumetric::Approaches& approach) {
   const ErrorModel& model = kept.model;
   const Vector3 offset = model.machine().tools[taken(app::tool_of_model(model, tool))].offset_mm;
   const py::ssize_t count = points.shape(0);
   Numbers errors(std::vector<py::ssize_t>{count, 3}), covariances(std::vector<py::ssize_t>{count, 3, 3});
-  for (py::ssize_t p = 0; p < count; ++p) {
-    const Vector3 at{points.at(p, 0), points.at(p, 1), points.at(p, 2)};
-    if (auto inside = app::check_inside(model, at); !inside)
-      throw Failure(fmt::format("point {}: {}", p, inside.error().message));
-    const volumetric::ToolPointError error = model.at(at, offset, approaches_of(signs));
-    for (py::ssize_t i = 0; i < 3; ++i) {
-      const auto& component = error.error_um[static_cast<std::size_t>(i)];
-      errors.mutable_at(p, i) = component.value_or(untold);
-      for (py::ssize_t k = 0; k < 3; ++k) {
-        const bool told = component && error.error_um[static_cast<std::size_t>(k)];
-        covariances.mutable_at(p, i, k) =
-            told ? error.covariance_um2[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] : untold;
+  const double* from = points.data();
+  double *error_to = errors.mutable_data(), *covariance_to = covariances.mutable_data();
+  {
+    const OthersRun others_run;
+    for (py::ssize_t p = 0; p < count; ++p, from += 3) {
+      if (p % block == 0) take_signals();
+      const Vector3 at{from[0], from[1], from[2]};
+      if (auto inside = app::check_inside(model, at); !inside)
+        throw Failure(fmt::format("point {}: {}", p, inside.error().message));
+      const volumetric::ToolPointError error = model.at(at, offset, approach);
+      for (std::size_t i = 0; i < 3; ++i) {
+        *error_to++ = error.error_um[i].value_or(untold);
+        for (std::size_t k = 0; k < 3; ++k)
+          *covariance_to++ = error.error_um[i] && error.error_um[k] ? error.covariance_um2[i][k] : untold;
       }
     }
   }
@@ -64,18 +64,17 @@ volumetric::ErrorMotion motion_named(const std::string& name) {
 }
 
 /// Values and standard uncertainties of one error motion, NaN where the readings do not tell it.
-py::tuple motion(const KeptModel& kept, const std::string& name, const Numbers& positions, int approach) {
+py::tuple motion(const KeptModel& kept, const std::string& name, const Numbers& positions, double approach) {
   const volumetric::ErrorMotion error = motion_named(name);
-  const auto& basis = kept.model.coefficients().basis(error.axis);
   Numbers values(positions.size()), uncertainties(positions.size());
+  const double* from = positions.data();
+  double *value_to = values.mutable_data(), *u_to = uncertainties.mutable_data();
   for (py::ssize_t i = 0; i < positions.size(); ++i) {
-    const double at = positions.at(i);
-    if (!(at >= basis.lower_mm() && at <= basis.upper_mm()))
-      throw Failure(fmt::format("found {} at {} mm, expected it from {} to {} mm, where the errors are known",
-                                "XYZ"[error.axis], at, basis.lower_mm(), basis.upper_mm()));
-    const auto estimate = kept.model.motion(error, at, approach);
-    values.mutable_at(i) = estimate ? estimate->value : untold;
-    uncertainties.mutable_at(i) = estimate ? estimate->u : untold;
+    if (i % block == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+    taken(app::check_inside(kept.model, error.axis, from[i]));
+    const auto estimate = kept.model.motion(error, from[i], approach);
+    value_to[i] = estimate ? estimate->value : untold;
+    u_to[i] = estimate ? estimate->u : untold;
   }
   return py::make_tuple(values, uncertainties);
 }

@@ -12,6 +12,7 @@
 #include "axiometry/uncertainty/joint_distribution.h"
 #include "axiometry/uncertainty/monte_carlo.h"
 #include "axiometry/uncertainty/propagate.h"
+#include "python/native/interpreter.h"
 #include "python/native/rooms.h"
 #include "python/native/taken.h"
 
@@ -36,6 +37,10 @@ class PythonModel {
       arguments.append(Numbers(static_cast<py::ssize_t>(row.size()), row.data()));
     }
     const auto found = function_(arguments).cast<std::vector<Numbers>>();
+    if (found.size() != outputs_) throw Failure(fmt::format("found {} outputs, expected {}", found.size(), outputs_));
+    for (std::size_t k = 0; k < outputs_; ++k)
+      if (static_cast<std::size_t>(found[k].size()) != outputs.trials)
+        throw Failure(fmt::format("found an output of {} trials, expected {}", found[k].size(), outputs.trials));
     for (std::size_t k = 0; k < outputs_; ++k) std::copy_n(found.at(k).data(), outputs.trials, outputs.row(k).data());
   }
 
@@ -46,7 +51,7 @@ class PythonModel {
     };
   }
 
-  /// In one thread: the interpreter runs no second one beside it.
+  /// One at a time: the interpreter runs no second one beside it.
   BlockModel of_blocks(const JointDistribution& inputs, std::uint64_t seed) const {
     return [this, &inputs, seed](std::uint64_t block, BlockOutputs outputs) {
       std::vector<double> draws(inputs.size() * outputs.trials);
@@ -74,12 +79,14 @@ py::dict by_law(const Budget& budget) {
   found["U"] = budget.expanded_uncertainty;
   found["nu_eff"] = or_none(budget.degrees_of_freedom);
   found["interval"] = interval_of(budget.interval);
-  py::list sensitivities, contributions;
+  py::list sensitivities, errors, contributions;
   for (const InputContribution& input : budget.contributions) {
     sensitivities.append(input.sensitivity);
+    errors.append(input.sensitivity_error);
     contributions.append(input.contribution);
   }
   found["sensitivities"] = sensitivities;
+  found["sensitivity_errors"] = errors;
   found["contributions"] = contributions;
   return found;
 }
@@ -142,11 +149,11 @@ std::pair<py::list, std::size_t> trials_of(const PythonModel& model, const Joint
   bool stopped = false;
   options.on_progress = [&stopped](const Progress&) {
     const py::gil_scoped_acquire python;
-    stopped = PyErr_CheckSignals() != 0;
+    stopped = stopped || PyErr_CheckSignals() != 0;
     return !stopped;
   };
   const auto run = [&] {
-    const py::gil_scoped_release others_run;
+    const OthersRun others_run;
     return propagate(model.of_blocks(inputs, call.seed), call.outputs, options);
   };
   auto result = run();
@@ -168,8 +175,9 @@ void add_propagation(py::module_& module) {
   module.def("propagate", [](py::function function, PropagationCall call) {
     const JointDistribution inputs = taken(inputs_of(call));
     const PythonModel model(std::move(function), call.outputs);
+    py::list law = law_of(model, inputs, call);  // quick, and refuses most
     const auto [trials, count] = trials_of(model, inputs, call);
-    return py::make_tuple(law_of(model, inputs, call), trials, count);
+    return py::make_tuple(std::move(law), trials, count);
   });
   py::class_<PropagationCall>(module, "PropagationCall")
       .def(py::init<std::vector<std::string>, std::vector<std::string>, std::vector<double>, std::size_t,

@@ -15,13 +15,12 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/outputs.h"
-#include "axiometry/app/results/report_subject.h"
 #include "axiometry/app/results/result_json.h"
 #include "axiometry/app/results/second_opinion.h"
 #include "axiometry/app/workbench/test_options.h"
 #include "axiometry/base/json/json.h"
 #include "axiometry/formats/test/metadata_json.h"
-#include "axiometry/report/writer.h"
+#include "python/native/interpreter.h"
 #include "python/native/rooms.h"
 #include "python/native/taken.h"
 
@@ -34,9 +33,9 @@ using Numbers = py::array_t<double, py::array::c_style>;
 /// A test and what Python has stated of it, which counts over what its file says and is told as entered.
 struct StatedTest {
   Test test;
-  std::string name;        ///< of one among many in its file; else empty
-  std::string file{};      ///< with its folders: no output may take its place
-  app::Changes entered{};  ///< each key once
+  std::string name;          ///< of one among many in its file; else empty
+  app::InputFiles inputs{};  ///< the file it was read from, whatever it is called since: no output may take its place
+  app::Changes entered{};    ///< each key once
 
   /// As it is written and shown.
   Result<Test> whole() const {
@@ -69,15 +68,19 @@ StatedTest test_of_arrays(const Numbers& targets, const Numbers& up, const Numbe
 }
 
 StatedTest test_of_file(const std::string& file, const std::string& format, const std::string& profile) {
-  return {taken(app::read_test(file, format, profile)), {}, file};
+  const OthersRun others_run;
+  app::InputFiles inputs(std::vector<app::InputFile>{{file}});
+  return {taken(app::read_test(file, format, profile)), {}, std::move(inputs)};
 }
 
 std::vector<StatedTest> tests_of_file(const std::string& file) {
+  const OthersRun others_run;
+  const app::InputFiles inputs(std::vector<app::InputFile>{{file}});
   std::vector<StatedTest> tests;
   app::Source source = taken(app::Source::open(file));
   taken(app::in_file(app::read_tests(source,
                                      [&](Test&& test, std::string&& name) -> Result<void> {
-                                       tests.push_back({std::move(test), std::move(name), file});
+                                       tests.push_back({std::move(test), std::move(name), inputs});
                                        return {};
                                      }),
                      file));
@@ -106,17 +109,12 @@ std::string metadata_of(const StatedTest& t) {
   return json::dump(object, 0);
 }
 
-/// Whole or not at all, and never over the file that was read.
-void write_over_no_input(const std::string& input, const std::string& output, const std::string& bytes) {
-  if (!input.empty()) taken(app::InputFiles(std::vector<app::InputFile>{{input}}).check_spared(output));
-  taken(app::write_file(output, bytes));
-}
-
 /// Gives what is left behind.
 std::vector<std::string> write_test(const StatedTest& t, const std::string& file, const std::string& format) {
   const Test whole = taken(t.whole());
   const formats::Format* form = taken(app::format_to_write(format, file));
-  write_over_no_input(t.file, file, taken(app::in_file(app::lossless_bytes(whole, *form), file)));
+  taken(t.inputs.check_spared(file));
+  taken(app::write_file(file, taken(app::in_file(app::lossless_bytes(whole, *form), file))));
   return app::left_behind(whole, *form);
 }
 
@@ -136,7 +134,7 @@ struct EvaluateCall {
 
 struct Outcome {
   app::Evaluated evaluated;
-  std::string file;  ///< the test's, as above
+  app::InputFiles inputs;  ///< the test's
 };
 
 Result<app::EvaluateOptions> options_of(const EvaluateCall& call, const StatedTest& t) {
@@ -162,7 +160,7 @@ Result<app::EvaluateOptions> options_of(const EvaluateCall& call, const StatedTe
 Outcome evaluated(const StatedTest& t, const EvaluateCall& call) {
   const app::EvaluateOptions options = taken_without_place(options_of(call, t));
   const auto computed = [&]() -> Result<app::Evaluated> {
-    const py::gil_scoped_release others_run;
+    const OthersRun others_run;
     AXIOMETRY_TRY(app::Evaluated outcome, app::evaluate_test(t.test, options));
     outcome.name = t.name;
     if (call.verify) {
@@ -172,7 +170,7 @@ Outcome evaluated(const StatedTest& t, const EvaluateCall& call) {
   };
   auto outcome = computed();
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-  return {taken(app::in_file(std::move(outcome), t.test.provenance.file)), t.file};
+  return {taken(app::in_file(std::move(outcome), t.test.provenance.file)), t.inputs};
 }
 
 struct ReportCall {
@@ -195,19 +193,21 @@ Result<report::Options> report_options(const ReportCall& call) {
       return fail(fmt::format("found the decimal mark '{}', expected point or comma", *call.decimal));
     options.numbers.decimal_mark = *call.decimal == "point" ? '.' : ',';
   }
+  if (call.decimals && (*call.decimals < 0 || *call.decimals > 6))
+    return fail(fmt::format("found {} decimals, expected 0 to 6", *call.decimals));
   options.deviation_decimals = call.decimals;
   return options;
 }
 
 void write_report(const Outcome& outcome, const ReportCall& call) {
   const report::Options options = taken(report_options(call));
-  const std::size_t dot = call.file.rfind('.');
-  const report::Writer* writer = taken(app::document_writer(dot == call.file.npos ? "" : call.file.substr(dot + 1)));
-  const auto set = [&] {
-    const py::gil_scoped_release others_run;
-    return writer->write(app::report_subject(outcome.evaluated), options);
+  app::OutputNames names{.json = {}, .reports = {call.file}, .inputs = outcome.inputs, .uncertainty = {}};
+  taken(app::check_outputs(names));
+  const auto written = [&] {
+    const OthersRun others_run;
+    return app::write_outputs(outcome.evaluated, names, options);
   };
-  write_over_no_input(outcome.file, call.file, taken(set()));
+  taken(written());
 }
 
 }  // namespace

@@ -312,7 +312,7 @@ Result<void> check_options(const PropagationOptions& options) {
   const std::size_t trials = options.trials.value_or(options.trials_max);
   if (trials < 100) return fail(fmt::format("found {}, expected at least 100", counted(trials, "trial")));
   if (trials > 4'000'000'000) return fail(fmt::format("found {} trials, expected at most 4000000000", trials));
-  if (!(options.coverage > 0.0 && options.coverage < 1.0))
+  if (!(options.coverage > 0.0 && 0.5 + 0.5 * options.coverage < 1.0))
     return fail(fmt::format("found the coverage probability {}, expected one between 0 and 1", options.coverage));
   if (options.digits < 1 || options.digits > 4)
     return fail(fmt::format("found {} significant digits, expected 1 to 4", options.digits));

@@ -15,7 +15,7 @@ namespace axiometry::uncertainty {
 namespace {
 
 Result<void> check_inputs(std::span<const InputQuantity> inputs, double coverage) {
-  if (!(coverage > 0.0 && coverage < 1.0))
+  if (!(coverage > 0.0 && 0.5 + 0.5 * coverage < 1.0))
     return fail(fmt::format("found the coverage probability {}, expected one between 0 and 1", coverage));
   for (const InputQuantity& input : inputs) {
     const std::string name = text::quoted(input.name);

@@ -19,15 +19,16 @@ using json::Value;
 using volumetric::ErrorModel;
 using volumetric::ToolPointError;
 
-Result<void> check_inside(const ErrorModel& model, const Vector3& axes_mm) {
+Result<void> check_inside(const ErrorModel& model, std::size_t axis, double position_mm) {
   constexpr double slack_mm = 0.01;
-  for (std::size_t a = 0; a < volumetric::axis_count; ++a) {
-    const volumetric::CurveBasis& basis = model.coefficients().basis(a);
-    const double q = axes_mm[a];
-    if (q >= basis.lower_mm() - slack_mm && q <= basis.upper_mm() + slack_mm) continue;
-    return fail(fmt::format("found {} at {} mm, expected it from {} to {} mm, where the errors are known", "XYZ"[a],
-                            format_exact(q), format_exact(basis.lower_mm()), format_exact(basis.upper_mm())));
-  }
+  const volumetric::CurveBasis& basis = model.coefficients().basis(axis);
+  if (position_mm >= basis.lower_mm() - slack_mm && position_mm <= basis.upper_mm() + slack_mm) return {};
+  return fail(fmt::format("found {} at {} mm, expected it from {} to {} mm, where the errors are known", "XYZ"[axis],
+                          format_exact(position_mm), format_exact(basis.lower_mm()), format_exact(basis.upper_mm())));
+}
+
+Result<void> check_inside(const ErrorModel& model, const Vector3& axes_mm) {
+  for (std::size_t a = 0; a < volumetric::axis_count; ++a) AXIOMETRY_TRY_VOID(check_inside(model, a, axes_mm[a]));
   return {};
 }
 

@@ -15,6 +15,7 @@ namespace axiometry::app {
 /// Curves are stated over how far readings reach, or to the ends of the travel that they nearly cover: fails elsewhere,
 /// by more than a hundredth of a millimetre.
 Result<void> check_inside(const volumetric::ErrorModel& model, const Vector3& axes_mm);
+Result<void> check_inside(const volumetric::ErrorModel& model, std::size_t axis, double position_mm);
 
 struct FieldRequest {
   std::string result;  ///< file of `axiometry volumetric identify --out`

@@ -21,8 +21,8 @@ namespace axiometry::app {
 struct KeptModel {
   volumetric::ErrorModel model;
   std::vector<NamedFinding> against;        ///< findings_against() of the result, and notes of errors measured singly
-  std::string sha256 = {};                  ///< hash of its file; empty of one that is at hand
-  std::vector<std::string> made_from = {};  ///< hashes of the files it names; empty of one that is at hand
+  std::string sha256 = {};                  ///< hash of its file; empty of one that is at hand as a value
+  std::vector<std::string> made_from = {};  ///< hashes of the files it names; empty likewise
 };
 
 /// Serious findings of a result, each under its own name and as one of what is made of it, and that it was made from
