@@ -628,7 +628,7 @@ def main():
         return 3
     print(f"{contents} files, {tests} tests, {entries} entries, {triggers} triggers: all that is there is as it was written")
     if not seals and not heads:
-        print("not proved without a seal: that nothing is missing at the end")
+        print("not proved without a seal: that nothing is missing at the end, and that nobody made all of it anew")
     return 0
 
 

@@ -177,6 +177,8 @@ std::string tolerance_table(const app::Evaluated& e, const report::Options& opti
           "\n";
   if (const std::string lacks = report::incomplete_statement(e.judgements, e.assessment); !lacks.empty())
     text += terminal.yellow(wrapped(report::translated(lacks, options), terminal.width(), 0)) + "\n";
+  if (const std::string late = report::uncalibrated_statement(e.judgements, e.assessment); !late.empty())
+    text += terminal.yellow(wrapped(report::translated(late, options), terminal.width(), 0)) + "\n";
   if (const std::string noise = report::noise_statement(e.judgements, e.assessment); !noise.empty())
     text += terminal.yellow(wrapped(report::translated(noise, options), terminal.width(), 0)) + "\n";
   for (const std::string& withheld : report::withheld_statements(e.judgements))

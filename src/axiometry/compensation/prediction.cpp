@@ -166,12 +166,19 @@ Result<Series> scatter_alone(const Series& series) {
 std::optional<RetestEffect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
                                             const AxisCorrection* removed, double same_target_native) {
   const std::vector<RetestChange> changes = changes_of(before, after, added, removed, same_target_native);
-  if (changes.size() < 3) return std::nullopt;
+  std::vector<double> places;
+  for (const RetestChange& c : changes) places.push_back(c.position);
+  std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
+  if (changes.size() < 3 || places.size() < std::min<std::size_t>(3, before.target_count())) return std::nullopt;
   const ChangeLine line = line_of(changes, &RetestChange::wanted);
   if (!(line.ww > 0.0)) return std::nullopt;
   RetestEffect effect{line.share()};
   effect.u_of_scatter = line.u_of_scatter();
   effect.compared = changes.size();
+  effect.targets = places.size();
+  effect.first = places.front();
+  effect.last = places.back();
   for (const Direction direction : both_directions) {
     std::vector<RetestChange> way;
     std::ranges::copy_if(changes, std::back_inserter(way),

@@ -59,10 +59,12 @@ struct RetestEffect {
   bool exchanged = false, mirrored = false;
   bool has_reversal = false;  ///< the table changes the reversal, by more than what rounding makes
   std::size_t compared = 0;   ///< targets and directions that both tests have
+  std::size_t targets = 0;    ///< targets that both have, and the first and last of them
+  double first = 0.0, last = 0.0;
 };
 
-/// `change` is what is added now less what was added in the first test. Nothing where fewer than three targets and
-/// directions are in both tests (within `same_target_native`), or the change is the same at all of them.
+/// `change` is what is added now less what was added in the first test. Nothing where fewer than three targets, or all
+/// of a test of fewer, are in both tests (within `same_target_native`), or the change is the same at all of them.
 std::optional<RetestEffect> effect_of_table(const Series& before, const Series& after, const AxisCorrection& added,
                                             const AxisCorrection* removed, double same_target_native);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "axiometry/compensation/fit.h"
+#include "axiometry/compensation/retest_findings.h"
 #include "axiometry/compensation/suspicions.h"
 #include "axiometry/standards/iso230_2/parameters.h"
 #include "tests/support/series.h"
@@ -111,6 +112,43 @@ TEST(FindingOfRetest, CallsNothingWhatItShouldBeThatIsNot) {
   EXPECT_EQ(id_of_retest(acting(none, none)), "retest-not-active");
   EXPECT_EQ(id_of_retest(acting({0, 14, -14, 14, -14}, {9, -9, 9, -9, 9})), "retest-unexplained")
       << "a table that is not active changes nothing";
+}
+
+/// Of the same axis, measured again at these of its targets alone.
+Series part_of(const Series& whole, const std::vector<std::size_t>& places) {
+  std::vector<Position> positions;
+  std::vector<double> readings;
+  for (const std::size_t i : places) positions.push_back(whole.targets()[i]);
+  for (const Direction d : {Direction::up, Direction::down})
+    for (const std::size_t i : places)
+      readings.insert(readings.end(), whole.cell(i, d).begin(), whole.cell(i, d).end());
+  return *Series::make_dense(std::move(positions), whole.run_count(), std::move(readings));
+}
+
+TEST(FindingOfRetest, SaysOfWhichPartOfTheTableItTells) {
+  const auto effect_of = [](const std::vector<std::size_t>& places) {
+    return effect_of_table(before(), part_of(with_share(1.0), places), table(), nullptr, 1e-3);
+  };
+  EXPECT_FALSE(effect_of({0, 1})) << "two targets, from both sides";
+  const auto part = effect_of({0, 1, 2});
+  ASSERT_TRUE(part);
+  const auto told = finding_of_part(*part, before(), AxisKind::linear);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(
+      told->message,
+      "found 3 of the 5 targets of the test in the re-test, from 0 mm to 200 mm: of the rest of the table it tells "
+      "nothing");
+  EXPECT_THAT(finding_of_retest(*part, {.is_part = true}).message, HasSubstr("where it was measured again"));
+  EXPECT_TRUE(finding_of_part(*effect_of({1, 2, 3}), before(), AxisKind::linear));
+  EXPECT_FALSE(finding_of_part(*effect_of({0, 2, 4}), before(), AxisKind::linear));
+}
+
+TEST(FindingOfRetest, DoesNotSayThatNoMoreIsLeftWhereALittleMoreIs) {
+  const AxisCorrection c = table();
+  std::vector<double> up = c.values(Direction::up), down = c.values(Direction::down);
+  for (auto* values : {&up, &down})
+    for (double& x : *values) x *= 0.9;
+  EXPECT_EQ(id_of_retest(acting(up, down), {.above_95 = true}), "retest-little-more-left");
 }
 
 TEST(FindingOfRetest, CallsAReversalThatChangedNoPrediction) {

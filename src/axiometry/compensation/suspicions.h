@@ -28,16 +28,4 @@ std::vector<NamedFinding> findings_of_readings(const Series& series, AxisKind ki
 std::vector<NamedFinding> findings_of_table(const Series& series, const AxisCorrection& correction,
                                             bool rolls_over = false);
 
-struct RetestContext {
-  bool sign_inferred = false;   ///< whether the control's sign is inferred: a sign mistake then names the way out
-  bool above_expected = false;  ///< more is left than 95 % of re-tests would show
-};
-
-/// Of a re-test: "does what it should", where all of the change is the table's, within 5 % or three times its standard
-/// uncertainty, and nothing is above what was expected; or what went wrong instead, where that explains the change: a
-/// sign mistake (the error doubled), a table that was not active, or in one direction alone, one that was added twice,
-/// directions that are exchanged, positions mirrored, a reversal that is corrected twice. What nothing explains is told
-/// as that, and so is a reversal of the table of which the re-test does not tell whether it is corrected.
-NamedFinding finding_of_retest(const RetestEffect& effect, const RetestContext& context = {});
-
 }  // namespace axiometry::compensation

@@ -13,6 +13,7 @@
 #include "axiometry/compensation/fit.h"
 #include "axiometry/compensation/grid.h"
 #include "axiometry/compensation/prediction.h"
+#include "axiometry/compensation/retest_findings.h"
 #include "axiometry/compensation/suspicions.h"
 #include "axiometry/language/language.h"
 #include "tests/support/repository_file.h"
@@ -110,6 +111,13 @@ std::set<std::string> of_retests() {
   findings.push_back(finding_of_retest({.whole = share_of(1.0), .has_reversal = true}));
   findings.push_back(finding_of_retest({.whole = share_of(1.0, 0.5)}));
   findings.push_back(finding_of_retest({.whole = share_of(1.0)}, {.above_expected = true}));
+  for (const double share : {1.0, 0.9}) {
+    findings.push_back(finding_of_retest({.whole = share_of(share)}, {.is_part = true}));
+    EXPECT_NE(findings.back().message.find("where it was measured again"), std::string::npos);
+  }
+  findings.push_back(finding_of_retest({.whole = share_of(0.9)}, {.above_95 = true}));
+  const auto whole = testing_support::make_series({0, 100, 200, 300}, {{0, 1, 2, 3}}, {{0, 1, 2, 3}});
+  findings.push_back(finding_of_part({.targets = 2, .first = 0.0, .last = 100.0}, whole, AxisKind::linear).value());
   const TableShare no_line{0.3, 0.1, 0.2, false, false};
   findings.push_back(finding_of_retest({.whole = no_line, .directions = {share_of(1.0), share_of(0.0)}}));
   findings.push_back(finding_of_retest({.whole = no_line, .directions = {share_of(0.0), share_of(1.0)}}));
@@ -130,7 +138,8 @@ TEST(GermanSuspicions, AreAllOfThem) {
   std::set<std::string> found = of_readings();
   found.merge(of_tables());
   found.merge(of_retests());
-  const std::string source = testing_support::repository_file("src/axiometry/compensation/suspicions.cpp");
+  const std::string source = testing_support::repository_file("src/axiometry/compensation/suspicions.cpp") +
+                             testing_support::repository_file("src/axiometry/compensation/retest_findings.cpp");
   const std::regex id(R"("((?:compensation|retest)-[a-z-]+)\")");
   std::set<std::string> expected;
   for (std::sregex_iterator at(source.begin(), source.end(), id), end; at != end; ++at) expected.insert((*at)[1]);

@@ -29,6 +29,10 @@ bool may_be_compensated(const Axis& axis) {
   return !text::says_nothing(axis.compensation) && !text::says_no(axis.compensation);
 }
 
+bool states_no_compensation(const Axis& axis) {
+  return axis.compensation_points.empty() && text::says_no(axis.compensation);
+}
+
 std::optional<SpatialLine> spatial_line(const Axis& axis) {
   const auto origin = vector_of(axis.line_origin_mm), direction = vector_of(axis.line_direction);
   if (axis.kind != AxisKind::linear || !origin || !direction || norm(*direction) < shortest_direction)

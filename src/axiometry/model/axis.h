@@ -76,6 +76,9 @@ struct Axis {
 /// not where nothing is stated, nor where it is stated that there was none ("none", "not used", "keine", "aucune").
 bool may_be_compensated(const Axis& axis);
 
+/// Whether it says that none was.
+bool states_no_compensation(const Axis& axis);
+
 /// A straight line in space that the linear axes X, Y, Z drive together, or one of them alone at a known place: at
 /// position P they stand at origin_mm + P·direction.
 struct SpatialLine {

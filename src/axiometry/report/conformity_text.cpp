@@ -144,14 +144,30 @@ std::string rule_statement(std::span<const Judgement> judgements, AxisKind kind,
   return text;
 }
 
-std::string incomplete_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {
-  const bool decides = std::ranges::any_of(judgements, [](const Judgement& j) {
+bool uncertainty_decides(std::span<const Judgement> judgements) {
+  return std::ranges::any_of(judgements, [](const Judgement& j) {
     return j.rule.kind != DecisionRule::Kind::simple && j.uncertainty.has_value();
   });
+}
+
+std::string incomplete_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {
+  const bool decides = uncertainty_decides(judgements);
   const auto found = std::ranges::find(assessment.findings, "uncertainty-stated", &iso230_2::Finding::id);
   if ((!decides && !any_probability(judgements)) || found == assessment.findings.end()) return "";
   return decides ? fmt::format("p_c and verdicts hold only as far as what lacks is negligible: {}.", found->message)
                  : fmt::format("p_c and risks hold only as far as what lacks is negligible: {}.", found->message);
+}
+
+/// What equipment out of calibration contributes is not known, and is in no uncertainty.
+std::string uncalibrated_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {
+  const bool decides = uncertainty_decides(judgements);
+  const auto found = std::ranges::find(assessment.findings, "equipment-calibrated", &iso230_2::Finding::id);
+  if ((!decides && !any_probability(judgements)) || found == assessment.findings.end()) return "";
+  return decides
+             ? fmt::format("p_c and verdicts hold only as far as the equipment measured as when it was calibrated: {}.",
+                           found->message)
+             : fmt::format("p_c and risks hold only as far as the equipment measured as when it was calibrated: {}.",
+                           found->message);
 }
 
 std::string noise_statement(std::span<const Judgement> judgements, const iso230_2::Assessment& assessment) {

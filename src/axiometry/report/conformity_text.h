@@ -34,6 +34,11 @@ std::string rule_statement(std::span<const iso230_2::Judgement> judgements, Axis
 std::string incomplete_statement(std::span<const iso230_2::Judgement> judgements,
                                  const iso230_2::Assessment& assessment);
 
+/// That equipment was out of calibration, whose contribution is in no uncertainty; empty where it was not, and under
+/// simple acceptance without probabilities.
+std::string uncalibrated_statement(std::span<const iso230_2::Judgement> judgements,
+                                   const iso230_2::Assessment& assessment);
+
 /// That noise makes A and R larger than the uncertainty of record knows, where one of them lies beyond its limit and a
 /// finding tells it (noise-beside-scatter); else empty.
 std::string noise_statement(std::span<const iso230_2::Judgement> judgements, const iso230_2::Assessment& assessment);

@@ -2691,6 +2691,8 @@ export interface components {
             overrun: number;
             /** @description Feed speed between targets, mm/min or degrees/min. */
             feed: number;
+            /** @description Of the axis, mm/s² or degrees/s², on which durations rest; absent or null: 1000, or 500 of a rotary one. */
+            acceleration?: number | null;
             /** @description Time at rest on every target, seconds. */
             dwell_s: number;
             /** @description Movements there and back before the first reading. */

@@ -62,13 +62,16 @@ std::string_view unit_text(const CompensationRecord& c) {
 std::string course(const app::ListedCompensation& listed) {
   const CompensationRecord& c = listed.compensation.value;
   const std::string_view unit = unit_text(c);
-  std::string text =
-      fmt::format("E {} {} → {} {} predicted", figure_of(c, "E", "before"), unit, figure_of(c, "E", "predicted"), unit);
-  if (listed.retest_counts()) text += fmt::format(" → {} {} in test {}", figure_of(c, "E", "retest"), unit, *c.retest);
+  std::string text = in_language_asked(fmt::format("E {} {} → {} {} predicted", figure_of(c, "E", "before"), unit,
+                                                   figure_of(c, "E", "predicted"), unit));
+  const auto add = [&text](std::string_view before, const std::string& words) {
+    text += std::string(before) + in_language_asked(words);
+  };
+  if (listed.retest_counts()) add(" → ", fmt::format("{} {} in test {}", figure_of(c, "E", "retest"), unit, *c.retest));
   if (listed.retest && !listed.retest_counts())
-    text += fmt::format(", re-test {} {} since", *c.retest, listed.retest->withdrawn ? "withdrawn" : "revised");
+    add(", ", fmt::format("re-test {} {} since", *c.retest, listed.retest->withdrawn ? "withdrawn" : "revised"));
   if (listed.test.withdrawn || listed.test.revised)
-    text += fmt::format(", test {} {}", c.test, listed.test.withdrawn ? "withdrawn since" : "has another version");
+    add(", ", fmt::format("test {} {}", c.test, listed.test.withdrawn ? "withdrawn since" : "has another version"));
   return text;
 }
 

@@ -143,10 +143,11 @@ Result<int> add(const StoreArguments& arguments) {
                   app::in_file(workbench.receive(std::span(&upload, 1), {"import", "axiometry store add"}), name));
     for (const app::ReceivedTest& test : received.tests) {
       fmt::print("test {}: {}\n", test.id, report::printable(test.title));
-      for (const std::string& remark : test.remarks) fmt::print("noted: {}\n", report::printable(remark));
+      for (const std::string& remark : test.remarks) fmt::print("{}\n", in_language_asked("noted: ", remark));
     }
     if (const auto& same = received.same_content; !same.empty())
-      fmt::print("noted: the same bytes are kept as test {} already\n", fmt::join(same, ", "));
+      fmt::print("{}\n", in_language_asked("noted: ", fmt::format("the same bytes are kept as test {} already",
+                                                                 fmt::join(same, ", "))));
     std::fflush(stdout);  // what is said is kept, even if the next one ends this process
   }
   return exit_done;

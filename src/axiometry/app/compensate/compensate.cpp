@@ -16,6 +16,7 @@
 #include "axiometry/base/text/rounded_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/base/time/iso_date.h"
+#include "axiometry/compensation/retest_findings.h"
 #include "axiometry/compensation/suspicions.h"
 #include "axiometry/standards/readings/runs_made.h"
 
@@ -112,33 +113,16 @@ Result<AxisCorrection> proved(const Setting& s, const std::string& text, const E
       text_of(E_before), text_of(E_after), unit, spread_before, spread_after, unit));
 }
 
-/// Of a re-test that says itself that it is none of this axis, or none after the table.
-void add_doubts_of_retest(const Metadata& before, const Metadata& after, std::vector<NamedFinding>& findings) {
-  const auto differs = [&](std::string_view what, const std::string& a, const std::string& b) {
-    if (text::trim(a).empty() || text::trim(b).empty() || text::equal_ignoring_case(text::trim(a), text::trim(b)))
-      return;
-    findings.push_back({"retest-of-another", true,
-                        fmt::format("the re-test names the {} {}, the test {}: it proves nothing of this table", what,
-                                    text::quoted(b), text::quoted(a))});
-  };
-  differs("axis", before.axis.name, after.axis.name);
-  differs("machine", before.machine.name, after.machine.name);
-  differs("serial number", before.machine.serial_number, after.machine.serial_number);
-  const std::string first = iso_date(before.conditions.date), then = iso_date(after.conditions.date);
-  if (!first.empty() && !then.empty() && then < first)
-    findings.push_back({"retest-before-test", true,
-                        fmt::format("the re-test is of {}, the test of {}: no table that was made of the test can have "
-                                    "been active",
-                                    then, first)});
-}
-
-/// What lies above 95 % of the re-tests that were to be expected.
-void add_exceeded(const Evaluation& retest, const compensation::ExpectedRetest& expected, AxisKind kind,
+/// What lies above 95 % of the re-tests that were to be expected; whether anything does.
+bool add_exceeded(const Evaluation& retest, const compensation::ExpectedRetest& expected, AxisKind kind,
                   std::vector<NamedFinding>& findings) {
   constexpr double room = 1.2;  // so that one re-test in twenty is not called wrong
+  bool is_above = false;
   for (const auto member : {&iso230_2::AxisParameters::E, &iso230_2::AxisParameters::B}) {
     const auto &found = retest.parameters.*member, &most = expected.percent_95.*member;
-    if (!found || !most || found->in_native() <= room * most->in_native()) continue;
+    if (!found || !most || found->in_native() <= most->in_native()) continue;
+    is_above = true;
+    if (found->in_native() <= room * most->in_native()) continue;
     findings.push_back(
         {"retest-above-expected", true,
          fmt::format("the re-test shows {} of {:.2f} {}, where 95 % of re-tests would show less than {:.2f} "
@@ -146,6 +130,7 @@ void add_exceeded(const Evaluation& retest, const compensation::ExpectedRetest& 
                      member == &iso230_2::AxisParameters::E ? "E" : "B", found->in_native(), deviation_unit(kind),
                      most->in_native(), deviation_unit(kind))});
   }
+  return is_above;
 }
 
 /// What is known of the table before its re-test is looked at.
@@ -163,17 +148,19 @@ Result<Retest> retest_of(NamedTest again, const Test& before, const Foretold& fo
   const AxisCorrection* removed = s.existing ? &*s.existing : nullptr;
   Evaluation evaluation = iso230_2::evaluate(test.series);
   std::vector<NamedFinding> exceeded;
-  if (foretold.expected) add_exceeded(evaluation, *foretold.expected, s.options.kind, exceeded);
+  const bool above_95 = foretold.expected && add_exceeded(evaluation, *foretold.expected, s.options.kind, exceeded);
   const auto effect =
       compensation::effect_of_table(before.series, test.series, foretold.applied, removed, same_target_native);
+  const auto part = effect ? compensation::finding_of_part(*effect, before.series, s.options.kind) : std::nullopt;
   if (effect)
-    findings.push_back(compensation::finding_of_retest(*effect, {s.control.uses.turned_sign, !exceeded.empty()}));
+    findings.push_back(compensation::finding_of_retest(
+        *effect, {s.control.uses.turned_sign, !exceeded.empty(), above_95, part.has_value()}));
   else
     findings.push_back({"retest-other-targets", true,
                         "the re-test has fewer than three targets in common with the test: it cannot be held against "
                         "the prediction"});
-  add_doubts_of_retest(before.metadata, test.metadata, findings);
-  std::ranges::move(findings_of_retest_state(test), std::back_inserter(findings));
+  if (part) findings.push_back(*part);
+  std::ranges::move(findings_of_retest_state(before.metadata, test), std::back_inserter(findings));
   std::ranges::move(exceeded, std::back_inserter(findings));
   return Retest{std::move(test), std::move(evaluation), effect};
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "axiometry/base/text/text.h"
+#include "axiometry/base/time/iso_date.h"
 #include "axiometry/model/simulated.h"
 #include "axiometry/model/swapped_labels.h"
 #include "axiometry/standards/iso230_2/inputs/uncorrected_effects.h"
@@ -31,6 +32,26 @@ bool same_readings(const Series& a, const Series& b) {
     for (const Direction direction : {Direction::up, Direction::down})
       if (!std::ranges::equal(a.cell(i, direction), b.cell(i, direction), same_number)) return false;
   return true;
+}
+
+/// Of a re-test that says itself that it is none of this axis, or none after the table.
+void add_doubts_of_retest(const Metadata& before, const Metadata& after, std::vector<NamedFinding>& findings) {
+  const auto differs = [&](std::string_view what, const std::string& a, const std::string& b) {
+    if (text::trim(a).empty() || text::trim(b).empty() || text::equal_ignoring_case(text::trim(a), text::trim(b)))
+      return;
+    findings.push_back({"retest-of-another", true,
+                        fmt::format("the re-test names the {} {}, the test {}: it proves nothing of this table", what,
+                                    text::quoted(b), text::quoted(a))});
+  };
+  differs("axis", before.axis.name, after.axis.name);
+  differs("machine", before.machine.name, after.machine.name);
+  differs("serial number", before.machine.serial_number, after.machine.serial_number);
+  const std::string first = iso_date(before.conditions.date), then = iso_date(after.conditions.date);
+  if (!first.empty() && !then.empty() && then < first)
+    findings.push_back({"retest-before-test", true,
+                        fmt::format("the re-test is of {}, the test of {}: no table that was made of the test can have "
+                                    "been active",
+                                    then, first)});
 }
 
 }  // namespace
@@ -69,6 +90,11 @@ std::vector<NamedFinding> findings_of_state(const Test& test, TableCurves curves
   if (simulated_by_purpose(test.metadata.conditions.purpose))
     findings.push_back({"compensation-simulated", false, "the readings were simulated: the table is of no machine"});
   const Axis& axis = test.metadata.axis;
+  if (table_given && states_no_compensation(axis))
+    findings.push_back({"compensation-states-no-table", true,
+                        fmt::format("the test states {} as axis.compensation, and a table that was active is given: if "
+                                    "none was, the new one corrects twice what that one holds",
+                                    text::quoted(text::trim(axis.compensation)))});
   if (table_given || !may_be_compensated(axis)) return findings;
   const std::string said = !axis.compensation_points.empty()
                                ? "sampling points of a compensation (axis.compensation_points)"
@@ -80,14 +106,21 @@ std::vector<NamedFinding> findings_of_state(const Test& test, TableCurves curves
   return findings;
 }
 
-std::vector<NamedFinding> findings_of_retest_state(const Test& retest) {
+std::vector<NamedFinding> findings_of_retest_state(const Metadata& before, const Test& retest) {
   std::vector<NamedFinding> findings;
+  add_doubts_of_retest(before, retest.metadata, findings);
   if (has_swapped_labels(retest))
     findings.push_back({"retest-directions-swapped", true,
                         fmt::format("the re-test's two directions may be exchanged: {}", swapped_labels)});
   for (const iso230_2::UncorrectedEffect& effect : iso230_2::uncorrected_effects(retest))
     findings.push_back(
         {"retest-uncorrected", true, fmt::format("the re-test shows what is not of the axis: {}", effect.reason())});
+  if (states_no_compensation(retest.metadata.axis))
+    findings.push_back(
+        {"retest-states-no-table", true,
+         fmt::format("the re-test states {} as axis.compensation: with no table active it proves nothing "
+                     "of this one",
+                     text::quoted(text::trim(retest.metadata.axis.compensation)))});
   return findings;
 }
 

@@ -21,11 +21,12 @@ NamedFinding finding_of_kept_table(const Error& why_not_made);
 
 /// Of the test a table is made of, each serious: labels of direction that its rows contradict, unless the table has one
 /// curve for both; effects on the readings that the metadata tell of and nothing was done about
-/// (uncorrected_effects.h); a compensation that was active, and no table to count from (`table_given`).
+/// (uncorrected_effects.h); a compensation that was active, and no table to count from (`table_given`), or the reverse.
 std::vector<NamedFinding> findings_of_state(const Test& test, TableCurves curves, bool table_given);
 
-/// Of its re-test: such labels, and such effects.
-std::vector<NamedFinding> findings_of_retest_state(const Test& retest);
+/// Of its re-test: another axis or machine, or an earlier day, than the test states (`before`); such labels and
+/// effects; and that it states no table was active.
+std::vector<NamedFinding> findings_of_retest_state(const Metadata& before, const Test& retest);
 
 /// Fails where both are one file with the same readings: it proves nothing. Several tests of one file are none such.
 Result<void> check_not_itself(const Test& test, const Test& retest);

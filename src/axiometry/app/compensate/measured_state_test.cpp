@@ -106,6 +106,24 @@ TEST(MeasuredState, DirectionsThatTheRowsContradictAreSeriousWhereTheTableKnowsD
   expect_in_both_languages(found->message);
 }
 
+TEST(MeasuredState, AStatementThatNoTableWasActiveSpeaksAgainstOne) {
+  const auto first = compensate({stated_axis()}, {.control = "linuxcnc"});
+  ASSERT_TRUE(first) << first.error().message;
+  for (const std::string stated : {"none", "keine", ""}) {
+    NamedTest axis = stated_axis(), again = stated_axis(1);
+    axis.test.metadata.axis.compensation = again.test.metadata.axis.compensation = stated;
+    const auto upon = compensate({axis, NamedTable{"old.comp", first->text}, again}, {.control = "linuxcnc"});
+    ASSERT_TRUE(upon) << upon.error().message;
+    for (const std::string id : {"compensation-states-no-table", "retest-states-no-table"}) {
+      const auto told = std::ranges::find(upon->findings, id, &NamedFinding::id);
+      ASSERT_EQ(told != upon->findings.end(), !stated.empty()) << id << ' ' << stated;
+      if (stated.empty()) continue;
+      EXPECT_TRUE(told->serious);
+      expect_in_both_languages(told->message);
+    }
+  }
+}
+
 TEST(MeasuredState, WhatWasNotCorrectedIsSerious) {
   const std::vector<std::string> told{"compensation-uncorrected"};
   EXPECT_TRUE(serious_ids(stated_axis()).empty());

@@ -82,6 +82,7 @@ TEST(PlanDuration, CountsTheFurtherPlans) {
 // One acceleration, wherever the plan goes: its file, its sheet, its part program.
 TEST(PlanUseCase, KeepsTheAccelerationThatWasStated) {
   iso230_2::PlanRequest r;
+  r.axis.name = "X";
   r.axis.travel_begin = Position::native(0);
   r.axis.travel_end = Position::native(6000);
   r.acceleration = 250;

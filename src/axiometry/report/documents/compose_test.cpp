@@ -274,6 +274,28 @@ TEST(ConformitySection, SaysWhatLacksWhereAnnexAStatesNothing) {
                                                            "uncertainty is stated after Annex A")));
 }
 
+TEST(ConformitySection, SaysThatEquipmentWasOutOfCalibrationBesideWhatItsUncertaintyDecides) {
+  Reported table2 = reported_table2();
+  table2.judge({tolerance("A", 30)}, {uncertainty::DecisionRule::Kind::iso_14253_1});
+  const std::string_view words = "only as far as the equipment measured as when it was calibrated: found a test";
+  EXPECT_THAT(notes_on_decisions(table2), Not(Contains(HasSubstr(words))));
+  table2.assessment.findings.push_back(
+      {"equipment-calibrated", "8.2.1", iso230_2::Severity::note,
+       "found a test on 2026-05-15, when its equipment was out of calibration: laser"});
+  EXPECT_THAT(notes_on_decisions(table2), Contains(HasSubstr(words)));
+}
+
+TEST(ParameterSection, CallsNothingABasisForAcceptanceOfATestThatDeparts) {
+  Reported table2 = reported_table2();
+  const auto first_note = [&] {
+    return plain_text(tables(section(composed(table2), "parameters")).front().notes.front());
+  };
+  EXPECT_THAT(first_note(), HasSubstr("May serve as a basis"));
+  table2.assessment.findings.push_back(
+      {"number-of-targets", "5.3.2", iso230_2::Severity::departure, "found 3 targets, expected 5"});
+  EXPECT_THAT(first_note(), HasSubstr("departs from the standard"));
+}
+
 TEST(ConformitySection, LeavesUndecidedWhereAllThatIsDrawnLiesBelowALimitThatTheValueExceeds) {
   Reported table2 = reported_table2();
   iso230_2::MonteCarlo trials;

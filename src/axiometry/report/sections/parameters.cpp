@@ -32,8 +32,11 @@ std::vector<RichText> notes(const Subject& subject, const Options& options) {
   const auto& assessment = subject.assessment;
   const std::string& label = assessment.label;
   std::vector<RichText> notes = {
-      plain(label.empty() ? std::string("*) May serve as a basis for machine acceptance (8.2).")
-                          : fmt::format("*) A parameter for machine acceptance by 8.2; this test: {}.", label))};
+      plain(!label.empty() ? fmt::format("*) A parameter for machine acceptance by 8.2; this test: {}.", label)
+            : assessment.conforming()
+                ? std::string("*) May serve as a basis for machine acceptance (8.2).")
+                : std::string("*) A parameter for machine acceptance by 8.2; this test departs from the standard, see "
+                              "the findings."))};
   const bool repeated = assessment.evaluation.parameters.R_up || assessment.evaluation.parameters.R_down;
   if (!repeated)
     notes.push_back(joined({plain("Repeatabilities "), italic("R"), plain(" and errors "), italic("A"),

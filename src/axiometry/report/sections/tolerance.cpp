@@ -173,6 +173,8 @@ std::vector<RichText> notes(const Subject& subject, Wanted want, const Options& 
   for (const std::string& withheld : withheld_statements(subject.judgements)) notes.push_back(plain(withheld));
   if (const std::string lacks = incomplete_statement(subject.judgements, subject.assessment); !lacks.empty())
     notes.push_back(plain(lacks));
+  if (const std::string late = uncalibrated_statement(subject.judgements, subject.assessment); !late.empty())
+    notes.push_back(plain(late));
   if (const std::string noise = noise_statement(subject.judgements, subject.assessment); !noise.empty())
     notes.push_back(plain(noise));
   if (want.guard_band && std::ranges::any_of(subject.judgements, [](const Judgement& j) {

@@ -248,10 +248,14 @@ void Verifier::conclude() {
         fmt::format("the format of the files of {} (test.format): received by a program whose entries did not tell it",
                     number_text(tests_without_format_, "test")));
   found_.unproved.push_back("when the archive was given its tables (migration.at): no entry tells it");
+  found_.unproved.push_back("that kept figures follow from the kept files: nothing is evaluated again here");
   if (expected_.seals.empty() && expected_.heads.empty())
-    found_.unproved.push_back(
-        "that no entries are missing at the end of the audit trail with all that they tell of: only a seal from before "
-        "can show that");
+    found_.unproved.insert(
+        found_.unproved.end(),
+        {"that no entries are missing at the end of the audit trail with all that they tell of: only a seal from "
+         "before can show that",
+         "that nobody who may write the archive has made all of it anew, figures and trail together: only a seal or a "
+         "report that lies elsewhere can show that"});
   else
     found_.unproved.push_back("that nothing was taken away again which came after the latest of the seals and heads");
   found_.unproved.push_back("that times and names are true: they are what clocks and people said");

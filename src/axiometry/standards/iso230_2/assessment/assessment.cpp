@@ -8,6 +8,7 @@
 
 #include "axiometry/model/fields.h"
 #include "axiometry/model/plan.h"
+#include "axiometry/standards/iso230_2/rules/order_by_times.h"
 #include "axiometry/standards/iso230_2/severity_order.h"
 #include "axiometry/standards/readings/artefact.h"
 #include "axiometry/standards/readings/reading_correction.h"
@@ -67,6 +68,7 @@ Assessment assess(const Test& test, Depth depth) {
   result.inputs = resolve_inputs(test.metadata, test.series, test.provenance.stated);
   result.annex_a = annex_a(test.metadata, test.series, result.evaluation, test.provenance.stated);
   result.findings = find_departures(test.metadata, test.series, result.evaluation, result.annex_a, depth);
+  std::ranges::move(order_findings(test), std::back_inserter(result.findings));
   if (depth == Depth::departures_only)
     result.progression = find_progression(test.metadata, test.series, result.evaluation, result.annex_a);
   else if (const auto told = std::ranges::find(result.findings, "ordered-progression", &Finding::id);
