@@ -169,7 +169,7 @@ Document compose(const CompensationSubject& subject, const Options& options) {
   Section provenance = provenance_section(whole, options);
   if (const Provenance* retest = subject.retest_source)
     provenance.blocks.emplace_back(
-        Facts{"Re-test",
+        Facts{"Source of the re-test",
               {{plain("Source file"), file_cell(retest->file)},
                {plain("SHA-256 of the source"),
                 retest->sha256.empty() ? quiet_cell("not recorded") : verbatim_cell(retest->sha256)}}});
