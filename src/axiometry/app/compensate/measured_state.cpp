@@ -91,10 +91,11 @@ std::vector<NamedFinding> findings_of_state(const Test& test, TableCurves curves
     findings.push_back({"compensation-simulated", false, "the readings were simulated: the table is of no machine"});
   const Axis& axis = test.metadata.axis;
   if (table_given && states_no_compensation(axis))
-    findings.push_back({"compensation-states-no-table", true,
-                        fmt::format("the test states {} as axis.compensation, and a table that was active is given: if "
-                                    "none was, the new one corrects twice what that one holds",
-                                    text::quoted(text::trim(axis.compensation)))});
+    findings.push_back(
+        {"compensation-states-no-table", true,
+         fmt::format("the test states {} as the compensation used, and a table that was active is given: if "
+                     "none was, the new one corrects twice what that one holds",
+                     text::quoted(text::trim(axis.compensation)))});
   if (table_given || !may_be_compensated(axis)) return findings;
   const std::string said = !axis.compensation_points.empty()
                                ? "sampling points of a compensation (axis.compensation_points)"
@@ -118,7 +119,7 @@ std::vector<NamedFinding> findings_of_retest_state(const Metadata& before, const
   if (states_no_compensation(retest.metadata.axis))
     findings.push_back(
         {"retest-states-no-table", true,
-         fmt::format("the re-test states {} as axis.compensation: with no table active it proves nothing "
+         fmt::format("the re-test states {} as the compensation used: with no table active it proves nothing "
                      "of this one",
                      text::quoted(text::trim(retest.metadata.axis.compensation)))});
   return findings;
