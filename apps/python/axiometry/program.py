@@ -87,7 +87,7 @@ def _done(words: list[str]) -> subprocess.CompletedProcess:
 @functools.cache
 def _program(named: str) -> str:
     """AXIOMETRY_PROGRAM; the program of the build or the prefix that this package is of; or the one on the path."""
-    here = pathlib.Path(__file__).parents
+    here = list(pathlib.Path(__file__).parents)
     beside = (here[2] / "axiometry", *(folder / "bin" / "axiometry" for folder in here[4:5]))
     program = (named and os.path.abspath(named)) or next((p for p in beside if p.is_file()), None) or shutil.which(
         "axiometry")
