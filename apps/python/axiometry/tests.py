@@ -120,15 +120,15 @@ def read_all(file: str | os.PathLike) -> list[Test]:
 
 def evaluate(test: Test | str | os.PathLike, *, methods: str | Iterable[str] = ("gum",), trials: int | None = None,
              seed: int | None = None, coverage: float | None = None, corrections: str | Iterable[str] = (),
-             method: str | None = None, stating: Mapping | None = None, tolerances: Mapping | None = None, rule: str | None = None,
-             verify: bool = False) -> Result:
+             method: str | None = None, stating: Mapping | None = None, tolerances: Mapping | None = None,
+             rule: str | None = None, verify: bool = False) -> Result:
     """Parameters, uncertainty, verdicts and findings of a test or of the test in a file.
 
     methods: of uncertainty beside Annex A, "gum" and "monte-carlo"; with the latter trials (at most ten million; None
-    until two digits are stable), seed (1) and coverage (0.95). method: whose uncertainty is that of record, "annex-a", "gum" or "monte-carlo". corrections: "nde",
-    "air=ciddor", "dead-path", "drift". stating: as of Test, for this evaluation. tolerances: {"A": "10um", "R_up":
-    "0.003mm"}, a bare number in µm or ″. rule: "simple", "iso14253-1" or "guard-band=3um". verify: computes every
-    figure a second time on a path of its own and raises Error where one differs.
+    until two digits are stable), seed (1) and coverage (0.95). method: whose uncertainty is that of record, "annex-a",
+    "gum" or "monte-carlo". corrections: "nde", "air=ciddor", "dead-path", "drift". stating: as of Test, for this
+    evaluation. tolerances: {"A": "10um", "R_up": "0.003mm"}, a bare number in µm or ″. rule: "simple", "iso14253-1" or
+    "guard-band=3um". verify: computes every figure a second time on a path of its own and raises Error where one differs.
     """
     if not isinstance(test, Test):
         test = read(test)
