@@ -35,4 +35,5 @@ export function lazy_page<Name extends string>(load: () => Promise<Record<Name, 
 /** All other pages, one after the other: the program may be gone when they are wanted, or another one by then. */
 export async function load_all_pages(): Promise<void> {
   for (const load of loads) await load().catch(() => undefined);
+  performance.mark('all-pages-loaded');
 }

@@ -148,7 +148,8 @@ export const layout = {
     const on_paper = page.locator('.drawn.only-print');
     await on_paper.waitFor({ state: 'attached' });
     assert.ok(!(await on_paper.isVisible()), 'the figure for paper is on the screen');
-    await page.waitForLoadState('networkidle');  // the pages that come once this one is shown
+    // The pages that come once this one is shown, however slowly.
+    await page.waitForFunction(() => performance.getEntriesByName('all-pages-loaded').length > 0);
     const fetched = [];
     page.on('request', (request) => fetched.push(request.url()));
     await page.emulateMedia({ media: 'print' });
