@@ -36,7 +36,7 @@ export const rules = {
     const id = await world.kept();
     const page = await world.page();
     await page.goto(`/tests/${id}/rules?rules=jis-b-6201`);
-    await shows(page.locator('table.by-rules'), /Lost motion\s*–\s*needs seven approaches to both ends and the middle from either direction/);
+    await shows(page.locator('table.by-rules'), /Lost motion\s*–\s*needs seven approaches to both ends and the middle from each direction/);
     await page.goto(`/tests/${id}/rules?rules=vdi-dgq-3441`);
     await page.getByLabel(/with the interval in which each figure lies/).check();
     await shows(page.locator('table.by-rules'), /P\s*10\.6\s*\d+\.\d to \d+\.\d/, 60_000);

@@ -112,7 +112,7 @@ constexpr std::array fields = {
         "axis.line_direction", "Line in space, direction X/Y/Z", "", "", "", Wanted::no,
         "Where position grows along the line, of any length: 1 1 0 is the diagonal of X and Y. Several axes that "
         "move at once make a test after ISO 230-6."),
-    choice_field<ChoiceAccess<At<&Metadata::conditions, &Conditions::cycle>, cycle_words>>(
+    choice_field<OptionalChoiceAccess<At<&Metadata::conditions, &Conditions::cycle>, cycle_words>>(
         "test.cycle", "Test cycle", "5.3.2", cycle_words,
         "Standard test cycle (Figure 1), step cycle (Annex B), pilgrim, unidirectional or user-defined."),
     number_field<PlainAccess<At<&Metadata::conditions, &Conditions::feed>, double>>(

@@ -95,7 +95,9 @@ struct TestConditions {
   std::string report_number;
   std::string purpose;  ///< "acceptance", "reverification", …
   std::string comment;
-  TestCycle cycle = TestCycle::standard;
+  std::optional<TestCycle> cycle;
+  /// What an order of the readings rests on where nobody says in which they were taken: the cycle of Figure 1 (5.3.2).
+  TestCycle cycle_or_standard() const { return cycle.value_or(TestCycle::standard); }
   std::optional<double> feed;  ///< mm/min or °/min, after the kind of the axis
   std::optional<Duration> dwell;
   std::string warm_up;
@@ -144,7 +146,7 @@ struct GumInputs {
   std::optional<Measurand> measurand;               ///< this_test when absent
   std::optional<UncertaintyMethod> method;          ///< method of record: it decides and stands with every result
   std::optional<EnvironmentKind> environment_kind;  ///< what kind of effect E_VE is (A.9); unknown when absent
-  std::vector<double> drift_recording;  ///< readings at standstill (A.2.5), µm or ″, equally far apart in time
+  std::vector<double> drift_recording;     ///< readings at standstill (A.2.5), µm or ″, equally far apart in time
   std::optional<Duration> drift_interval;  ///< time between two of these readings
   std::vector<InputDistribution> distributions;
 };

@@ -338,14 +338,21 @@ TEST(IdentificationSection, CountsApproachesAndNotTheNumbersOfTheRuns) {
 }
 
 TEST(IdentificationSection, CallsReadingsOfOneDirectionNoStandardCycle) {
-  const auto cycle = [](const std::vector<testing_support::RunDeviations>& down) {
-    return facts(section(composed(reported({{}, testing_support::make_series({0, 100}, {{1, 2}}, down), {}})),
+  const auto cycle = [](std::optional<TestCycle> stated, const std::vector<testing_support::RunDeviations>& down) {
+    Metadata metadata;
+    metadata.conditions.cycle = stated;
+    return facts(section(composed(reported({metadata, testing_support::make_series({0, 100}, {{1, 2}}, down), {}})),
                          "identification"));
   };
-  EXPECT_THAT(cycle({{2, 3}}), Contains("Test cycle: standard"));
-  const std::string row = "none but the standard one is given; one direction of approach only, not for acceptance";
-  EXPECT_THAT(cycle({}), Contains("Test cycle: " + row));
-  for (const language::Language language : language::languages()) EXPECT_TRUE(language::is_known(row, language));
+  const auto says = [&](const auto& facts_of_test, const std::string& row) {
+    EXPECT_THAT(facts_of_test, Contains("Test cycle: " + row));
+    for (const language::Language language : language::languages()) EXPECT_TRUE(language::is_known(row, language));
+  };
+  const std::string label = "one direction of approach only, not for acceptance";
+  says(cycle(TestCycle::standard, {{2, 3}}), "standard");
+  says(cycle(TestCycle::standard, {}), "none but the standard one is given; " + label);
+  says(cycle({}, {{2, 3}}), "not stated, taken to be the standard one");
+  says(cycle({}, {}), "not stated; " + label);
 }
 
 TEST(IdentificationSection, ShowsEveryGivenFieldButThoseOfTheBudget) {

@@ -147,12 +147,16 @@ std::vector<Fact> facts_of_readings(const Subject& subject, bool lists_targets, 
                                  place(series.targets().back()), lists_targets ? ", listed in Table 2" : ""))}};
 }
 
-/// Readings of one direction are no standard test cycle, which is what counts where no other is given, stated or not.
-TableCell stated_of_test(const Field& field, const Subject& subject, const Options& options) {
+constexpr std::string_view cycle_key = "test.cycle";
+
+/// Readings of one direction are no standard test cycle, stated or not.
+TableCell stated_cycle(const Field& field, const Subject& subject, const Options& options) {
   const Metadata& metadata = subject.test.metadata;
-  const bool standard = field.key == "test.cycle" && metadata.conditions.cycle == TestCycle::standard;
-  if (standard && !subject.assessment.label.empty())
-    return text_cell(fmt::format("none but the standard one is given; {}", subject.assessment.label));
+  const std::string_view label = subject.assessment.label;
+  if (!metadata.conditions.cycle)
+    return text_cell(label.empty() ? "not stated, taken to be the standard one" : fmt::format("not stated; {}", label));
+  if (*metadata.conditions.cycle == TestCycle::standard && !label.empty())
+    return text_cell(fmt::format("none but the standard one is given; {}", label));
   return stated(field, metadata, options);
 }
 
@@ -183,8 +187,10 @@ void append_group(Identification& all, std::string_view title, std::span<const F
       Table table = record_table(field, std::get<Records>(field.get(metadata)), options);
       table.caption = plain(field.title);
       all.tables.emplace_back(std::move(table));
+    } else if (field.key == cycle_key) {
+      add(field.title, stated_cycle(field, subject, options));
     } else if (is_given(field, metadata) || is_wanted(field, metadata)) {
-      add(field.title, stated_of_test(field, subject, options));
+      add(field.title, stated(field, metadata, options));
     }
   }
   if (title == axis_title && !octant_of(metadata.axis).empty())

@@ -48,7 +48,7 @@ std::optional<TestCourse> measured_course(const Test& test) {
 
 /// Whether the cycle tells the order of the readings.
 bool tells_order(const Test& test) {
-  const TestCycle cycle = test.metadata.conditions.cycle;
+  const TestCycle cycle = test.metadata.conditions.cycle_or_standard();
   const bool both = test.series.has_both_directions();
   return cycle != TestCycle::user_defined && !(cycle == TestCycle::unidirectional && both);
 }
@@ -71,15 +71,18 @@ std::vector<Approach> sequence_of(const Series& series, TestCycle cycle) {
 TestCourse course_of(const Test& test) {
   if (auto course = measured_course(test)) return *std::move(course);
   const bool known = tells_order(test);
-  const TestCycle cycle = known ? test.metadata.conditions.cycle : TestCycle::standard;
+  const TestCycle cycle = known ? test.metadata.conditions.cycle_or_standard() : TestCycle::standard;
   const auto sequence = sequence_of(test.series, cycle);
   const bool both = test.series.has_both_directions();
-  const std::string order =
-      !both && cycle == TestCycle::standard ? "the runs" : fmt::format("the {} cycle", cycle_name(cycle));
-  TestCourse course{
-      std::vector<double>(dense_size(test.series), unknown), std::nullopt, sequence.size() - 1,
-      fmt::format("readings equally far apart in the order of {}{}", order, known ? "" : ", their own not being known"),
-      known};
+  const bool of_runs = !both && cycle == TestCycle::standard;
+  const std::string order = of_runs ? "the runs" : fmt::format("the {} cycle", cycle_name(cycle));
+  const bool assumed = !of_runs && !test.metadata.conditions.cycle;
+  TestCourse course{std::vector<double>(dense_size(test.series), unknown), std::nullopt, sequence.size() - 1,
+                    fmt::format("readings equally far apart in the order of {}{}", order,
+                                assumed ? ", none being stated"
+                                : known ? ""
+                                        : ", their own not being known"),
+                    known};
   for (std::size_t k = 0; k < sequence.size(); ++k)  // m ≥ 2, so that there are two steps at least
     course.share[dense_place(test.series, sequence[k])] = static_cast<double>(k) / static_cast<double>(course.steps);
   return course;

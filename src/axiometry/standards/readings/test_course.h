@@ -31,6 +31,7 @@ struct TestCourse {
 
 /// From Test::times_s when every reading has its time and they differ; else readings are taken to be equally far apart,
 /// in the order of approaches() (model/plan.h) for the cycle of the metadata, where a missing reading keeps its time.
+/// Where none is stated that is the standard one, and the basis says so.
 /// Directions without readings are left out of the order. The order of a user-defined cycle is known to nobody, nor
 /// that of a unidirectional one with readings in both directions: what is interpolated takes the standard one, and says
 /// so. A unidirectional cycle with readings ↓ only goes from the last target to the first.

@@ -15,7 +15,7 @@ using Measured = axiometry::Test;  // within a TEST, Test is the fixture
 using testing_support::none;
 const std::vector<testing_support::RunDeviations> two_runs = {{0, 0, 0}, {0, none, 0}};
 
-Measured made(TestCycle cycle, bool up, bool down) {
+Measured made(std::optional<TestCycle> cycle, bool up, bool down) {
   const std::vector<testing_support::RunDeviations> no_runs;
   Measured test{{}, testing_support::make_series({1, 2, 3}, up ? two_runs : no_runs, down ? two_runs : no_runs), {}};
   test.metadata.conditions.cycle = cycle;
@@ -41,6 +41,15 @@ TEST(TestCourse, FollowsTheOrderOfEachCycle) {
   EXPECT_DOUBLE_EQ(place(pilgrim, 1, Direction::up, 0), 2);
   EXPECT_DOUBLE_EQ(place(pilgrim, 2, Direction::down, 0), 6);
   EXPECT_DOUBLE_EQ(place(pilgrim, 0, Direction::down, 1), 11);
+}
+
+TEST(TestCourse, TakesTheStandardCycleWhereNoneIsStatedAndSaysSo) {
+  const Measured unstated = made({}, true, true);
+  EXPECT_DOUBLE_EQ(place(unstated, 2, Direction::down, 0), 3);
+  EXPECT_EQ(course_of(unstated).basis,
+            "readings equally far apart in the order of the standard cycle, none being stated");
+  EXPECT_TRUE(course_of(unstated).order_known);
+  EXPECT_EQ(course_of(made({}, true, false)).basis, "readings equally far apart in the order of the runs");
 }
 
 TEST(TestCourse, LeavesOutADirectionWithoutReadings) {

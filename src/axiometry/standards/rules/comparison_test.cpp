@@ -140,7 +140,7 @@ TEST(CompareRules, RefusesWhatAnotherDirectionWouldHaveToGive) {
 
 TEST(CompareRules, RefusesWhatOneApproachCannotGive) {
   const RuleComparison c = compared(test_of(make_series({0, 1}, {{1, 3}}, {{1, 2}})));
-  EXPECT_EQ(absence(c, "vdi-dgq-3441", "P"), "needs two approaches or more to every target from either direction");
+  EXPECT_EQ(absence(c, "vdi-dgq-3441", "P"), "needs two approaches or more to every target from each direction");
   EXPECT_EQ(absence(c, "gb-t-38614-2020", "repeatability_up"), "needs two approaches or more to every target");
   EXPECT_DOUBLE_EQ(value(c, "vdi-dgq-3441", "U_max"), 1.0);
 }
@@ -158,7 +158,7 @@ TEST(CompareRules, GivesNoRepeatabilityOfSevenApproachesWithSix) {
   EXPECT_EQ(absence(of_runs(6), "jis-b-6201", "repeatability_up"),
             "needs seven approaches to both ends and the middle from this direction");
   EXPECT_EQ(absence(of_runs(6), "jis-b-6201", "lost_motion"),
-            "needs seven approaches to both ends and the middle from either direction");
+            "needs seven approaches to both ends and the middle from each direction");
   EXPECT_TRUE(messages(of_runs(6).findings, "JIS B 6201, JIS B 6330").empty());
 }
 

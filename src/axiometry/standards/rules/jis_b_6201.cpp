@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t approaches_to_a_place = 7;
 constexpr std::string_view needs_seven = "needs seven approaches to both ends and the middle from this direction";
 constexpr std::string_view needs_seven_from_both =
-    "needs seven approaches to both ends and the middle from either direction";
+    "needs seven approaches to both ends and the middle from each direction";
 
 /// Range of the deviations of the first run of a direction.
 template <Direction direction>

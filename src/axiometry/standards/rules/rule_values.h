@@ -14,7 +14,7 @@ namespace axiometry::standards {
 inline constexpr std::string_view needs_both_directions = "needs approaches from both directions";
 inline constexpr std::string_view needs_both_everywhere = "needs every target approached from both directions";
 inline constexpr std::string_view needs_two_from_both =
-    "needs two approaches or more to every target from either direction";
+    "needs two approaches or more to every target from each direction";
 inline constexpr std::string_view needs_this_direction = "needs approaches from this direction";
 inline constexpr std::string_view needs_two = "needs two approaches or more to every target";
 inline constexpr std::string_view needs_reading_everywhere = "needs a reading at every target";

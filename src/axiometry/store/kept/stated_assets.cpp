@@ -5,16 +5,11 @@
 
 #include <algorithm>
 
-#include "axiometry/base/text/text.h"
 #include "axiometry/store/kept/assets.h"
-#include "axiometry/store/kept/folded_text.h"
+#include "axiometry/store/kept/identity.h"
 
 namespace axiometry::store {
 namespace {
-
-std::string key(std::string_view text) { return folded(text::trim(text), text.size()); }
-bool same(std::string_view a, std::string_view b) { return key(a) == key(b); }
-bool given(std::string_view text) { return !text::trim(text).empty(); }
 
 constexpr std::string_view number_taken = "serial number stated by a test";
 
@@ -22,8 +17,8 @@ constexpr std::string_view number_taken = "serial number stated by a test";
 template <typename Asset>
 Asset completed(Asset earlier, const Asset& latest) {
   if constexpr (requires { earlier.serial_number; }) {
-    if (!given(earlier.serial_number)) earlier.serial_number = latest.serial_number;
-    if (!given(earlier.manufacturer)) earlier.manufacturer = latest.manufacturer;
+    if (!is_given(earlier.serial_number)) earlier.serial_number = latest.serial_number;
+    if (!is_given(earlier.manufacturer)) earlier.manufacturer = latest.manufacturer;
   }
   return earlier;
 }
@@ -43,28 +38,25 @@ Result<std::optional<Versioned<Asset>>> find(Connection& connection, const std::
   return std::nullopt;
 }
 
-/// Where only one of them says who made it, they may be the same.
-bool same_maker(std::string_view a, std::string_view b) { return !given(a) || !given(b) || same(a, b); }
-
 /// Without a serial number only kind and maker tell: the one that has no number either, or the only one.
 KnownInstrument unnumbered(const std::vector<Versioned<InstrumentRecord>>& instruments,
                            const InstrumentRecord& stated) {
   std::vector<const Versioned<InstrumentRecord>*> alike;
   for (const Versioned<InstrumentRecord>& instrument : instruments)
-    if (same(instrument.value.manufacturer, stated.manufacturer) && same(instrument.value.type, stated.type))
+    if (same_word(instrument.value.manufacturer, stated.manufacturer) && same_word(instrument.value.type, stated.type))
       alike.push_back(&instrument);
   for (const auto* instrument : alike)
-    if (alike.size() == 1 || !given(instrument->value.serial_number)) return *instrument;
+    if (alike.size() == 1 || !is_given(instrument->value.serial_number)) return *instrument;
   return std::nullopt;
 }
 
 Result<KnownInstrument> known_among(Connection& connection, const std::vector<Versioned<InstrumentRecord>>& instruments,
                                     const InstrumentRecord& stated) {
-  const bool numbered = given(stated.serial_number);
-  if (!numbered && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  const bool numbered = is_given(stated.serial_number);
+  if (!numbered && !is_given(stated.manufacturer) && !is_given(stated.type)) return std::nullopt;
   if (!numbered) return unnumbered(instruments, stated);
   return find(connection, instruments, [&](const InstrumentRecord& instrument) {
-    return same(instrument.serial_number, stated.serial_number) &&
+    return same_word(instrument.serial_number, stated.serial_number) &&
            same_maker(instrument.manufacturer, stated.manufacturer);
   });
 }
@@ -75,12 +67,12 @@ Result<std::vector<Versioned<MachineRecord>>> machines_called(Connection& connec
                                                               std::string_view name) {
   std::vector<Versioned<MachineRecord>> found;
   for (const Versioned<MachineRecord>& machine : machines)
-    if (same(machine.value.name, name)) found.push_back(machine);
+    if (same_word(machine.value.name, name)) found.push_back(machine);
   if (!found.empty()) return found;
   for (const Versioned<MachineRecord>& machine : machines) {
     if (machine.version == 1) continue;
     AXIOMETRY_TRY(const auto versions, asset_versions<MachineRecord>(connection, machine.id));
-    if (std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, name); }))
+    if (std::ranges::any_of(versions, [&](const auto& version) { return same_word(version.value.name, name); }))
       found.push_back(machine);
   }
   return found;
@@ -91,7 +83,7 @@ Result<MachineMeant> first_of_number(Connection& connection, const std::vector<V
   if (so_called.size() != 1) return MachineMeant{};
   AXIOMETRY_TRY(const auto versions, asset_versions<MachineRecord>(connection, so_called.front().id));
   const bool had_one =
-      std::ranges::any_of(versions, [](const auto& version) { return given(version.value.serial_number); });
+      std::ranges::any_of(versions, [](const auto& version) { return is_given(version.value.serial_number); });
   return had_one ? MachineMeant{} : MachineMeant{.known = so_called.front(), .takes_number = true};
 }
 
@@ -99,24 +91,24 @@ Result<MachineMeant> first_of_number(Connection& connection, const std::vector<V
 MachineMeant without_number(const std::vector<Versioned<MachineRecord>>& so_called) {
   if (so_called.size() == 1) return {.known = so_called.front()};
   for (const Versioned<MachineRecord>& machine : so_called)
-    if (!given(machine.value.serial_number)) return {.known = machine, .others = so_called.size() - 1};
+    if (!is_given(machine.value.serial_number)) return {.known = machine, .others = so_called.size() - 1};
   return {.others = so_called.size()};
 }
 
 }  // namespace
 
 Result<MachineMeant> machine_meant(Connection& connection, const MachineRecord& stated) {
-  const bool numbered = given(stated.serial_number);
-  if (!numbered && !given(stated.name)) return MachineMeant{};
+  const bool numbered = is_given(stated.serial_number);
+  if (!numbered && !is_given(stated.name)) return MachineMeant{};
   AXIOMETRY_TRY(const auto machines, all_assets<MachineRecord>(connection));
   if (numbered) {
     AXIOMETRY_TRY(auto found, find(connection, machines, [&](const MachineRecord& machine) {
-                    return same(machine.serial_number, stated.serial_number) &&
+                    return same_word(machine.serial_number, stated.serial_number) &&
                            same_maker(machine.manufacturer, stated.manufacturer);
                   }));
     if (found) return MachineMeant{.known = std::move(found)};
   }
-  if (!given(stated.name)) return MachineMeant{};
+  if (!is_given(stated.name)) return MachineMeant{};
   AXIOMETRY_TRY(const auto so_called, machines_called(connection, machines, stated.name));
   return numbered ? first_of_number(connection, so_called) : without_number(so_called);
 }
@@ -127,16 +119,16 @@ Result<KnownMachine> known_machine(Connection& connection, const MachineRecord& 
 }
 
 Result<KnownAxis> known_axis(Connection& connection, Id machine, const AxisRecord& stated) {
-  if (!given(stated.name)) return std::nullopt;
+  if (!is_given(stated.name)) return std::nullopt;
   AXIOMETRY_TRY(const auto axes, axes_of(connection, machine));
   return find(connection, axes,
-              [&](const AxisRecord& axis) { return axis.kind == stated.kind && same(axis.name, stated.name); });
+              [&](const AxisRecord& axis) { return axis.kind == stated.kind && same_word(axis.name, stated.name); });
 }
 
 Result<bool> stays_linked(Connection& connection, Id linked, const MachineRecord& stated) {
-  if (given(stated.serial_number) || !given(stated.name)) return false;
+  if (is_given(stated.serial_number) || !is_given(stated.name)) return false;
   AXIOMETRY_TRY(const auto versions, asset_versions<MachineRecord>(connection, linked));
-  return std::ranges::any_of(versions, [&](const auto& version) { return same(version.value.name, stated.name); });
+  return std::ranges::any_of(versions, [&](const auto& version) { return same_word(version.value.name, stated.name); });
 }
 
 Result<KnownAxis> known_axis(Connection& connection, const StatedAxis& stated) {
@@ -169,13 +161,13 @@ Result<Id> StatedAssets::found_or_added(const MachineRecord& stated) {
     return numbered.id;
   }
   MachineRecord added = stated;
-  if (!given(added.name)) added.name = given(added.type) ? added.type : added.serial_number;
+  if (!is_given(added.name)) added.name = is_given(added.type) ? added.type : added.serial_number;
   AXIOMETRY_TRY(const Versioned<MachineRecord> machine, add_asset(connection_, added, change_));
   return machine.id;
 }
 
 Result<std::optional<Id>> StatedAssets::machine(const MachineRecord& stated) {
-  if (!given(stated.serial_number) && !given(stated.name)) return std::nullopt;
+  if (!is_given(stated.serial_number) && !is_given(stated.name)) return std::nullopt;
   if (linked_) {
     AXIOMETRY_TRY(const bool stays, stays_linked(connection_, *linked_, stated));
     if (stays) return linked_;
@@ -187,7 +179,7 @@ Result<std::optional<Id>> StatedAssets::machine(const MachineRecord& stated) {
 }
 
 Result<std::optional<Id>> StatedAssets::axis(Id machine, const AxisRecord& stated) {
-  if (!given(stated.name)) return std::nullopt;
+  if (!is_given(stated.name)) return std::nullopt;
   const std::pair<Id, Names> names{machine, {stated.kind, stated.name}};
   if (const auto looked_for = axes_.find(names); looked_for != axes_.end()) return looked_for->second;
   AXIOMETRY_TRY(const KnownAxis known, known_axis(connection_, machine, stated));
@@ -210,7 +202,7 @@ Result<InstrumentUse> StatedAssets::found_or_added(const InstrumentRecord& state
 }
 
 Result<std::optional<InstrumentUse>> StatedAssets::instrument(const InstrumentRecord& stated) {
-  if (!given(stated.serial_number) && !given(stated.manufacturer) && !given(stated.type)) return std::nullopt;
+  if (!is_given(stated.serial_number) && !is_given(stated.manufacturer) && !is_given(stated.type)) return std::nullopt;
   const Names names{stated.serial_number, stated.manufacturer, stated.type};
   if (const auto looked_for = uses_.find(names); looked_for != uses_.end()) return looked_for->second;
   AXIOMETRY_TRY(const InstrumentUse use, found_or_added(stated));

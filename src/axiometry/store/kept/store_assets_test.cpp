@@ -58,6 +58,46 @@ TEST_P(StoreAssetsTest, KeepsEveryVersionOfAMachine) {
   EXPECT_EQ(store_->change(2, 1, machine("x"), by_anna).error().kind, ErrorKind::not_found);
 }
 
+TEST_P(StoreAssetsTest, RefusesASecondOneThatNoTestCouldTellFromTheFirst) {
+  must(store_->add(machine("Mill 5"), by_anna));
+  EXPECT_THAT(why(store_->add(machine("mill 5 "), by_anna)), HasSubstr("machine 1 called 'Mill 5' too"));
+  MachineRecord numbered = machine("Mill 5");
+  numbered.serial_number = "S-1";
+  EXPECT_EQ(must(store_->add(numbered, by_anna)).id, 2);
+  numbered.name = "Mill 6";
+  numbered.serial_number = " s-1";
+  EXPECT_THAT(why(store_->add(numbered, by_anna)), HasSubstr("machine 2 of the same serial number"));
+  numbered.manufacturer = "Acme";  // the other's is not known
+  EXPECT_FALSE(store_->add(numbered, by_anna));
+  AxisRecord axis{.machine = 1, .name = "X", .kind = "linear", .limits = {}, .notes = {}};
+  must(store_->add(axis, by_anna));
+  axis.name = "x";
+  EXPECT_THAT(why(store_->add(axis, by_anna)), HasSubstr("axis 1 of this machine called 'X' too"));
+  axis.kind = "rotary";
+  EXPECT_EQ(must(store_->add(axis, by_anna)).id, 2);
+  InstrumentRecord laser;
+  laser.manufacturer = "Acme";
+  laser.type = "Laser";
+  must(store_->add(laser, by_anna));
+  EXPECT_THAT(why(store_->add(laser, by_anna)), HasSubstr("instrument 1 of the same manufacturer and type"));
+  laser.serial_number = "7";
+  must(store_->add(laser, by_anna));
+  EXPECT_FALSE(store_->add(laser, by_anna));
+  // Nothing of what was refused was kept.
+  EXPECT_EQ(must(store_->all<MachineRecord>()).size(), 2u);
+  EXPECT_EQ(must(store_->all<AxisRecord>()).size(), 2u);
+  EXPECT_EQ(must(store_->all<InstrumentRecord>()).size(), 2u);
+}
+
+TEST_P(StoreAssetsTest, RefusesAChangeThatMakesOneLikeAnother) {
+  must(store_->add(machine("Mill 5"), by_anna));
+  must(store_->add(machine("Mill 6"), by_anna));
+  EXPECT_THAT(why(store_->change(2, 1, machine("MILL 5"), by_anna)), HasSubstr("called 'Mill 5' too"));
+  MachineRecord noted = machine("mill 6");
+  noted.notes = "the new one";
+  EXPECT_EQ(must(store_->change(2, 1, noted, by_anna)).version, 2);
+}
+
 TEST_P(StoreAssetsTest, ListsMachinesByNameWhateverTheCase) {
   for (const char* name : {"beta", "Alpha", "Öl", "alpha 2", "ölig"}) must(store_->add(machine(name), by_anna));
   std::string names;

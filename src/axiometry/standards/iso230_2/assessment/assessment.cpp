@@ -18,7 +18,7 @@ namespace {
 
 /// Results of another cycle than the standard one never stand without saying so (1, Annex B).
 std::string_view label_of(const Metadata& metadata, const Series& series) {
-  if (const std::string_view label = cycle_label(metadata.conditions.cycle); !label.empty()) return label;
+  if (const std::string_view label = cycle_label(metadata.conditions.cycle_or_standard()); !label.empty()) return label;
   const bool both = series.has_both_directions();
   return both ? "" : "one direction of approach only, not for acceptance";
 }

@@ -370,7 +370,7 @@ Result<PeriodicError> periodic_error(const Test& test, const PeriodicOptions& op
   }
   // One direction only is what this test wants; every other cycle but the standard one keeps its label.
   if (test.metadata.conditions.cycle != TestCycle::unidirectional)
-    result.label = cycle_label(test.metadata.conditions.cycle);
+    result.label = cycle_label(test.metadata.conditions.cycle_or_standard());
   result.findings = periodic_findings(test, result.directions);
   return result;
 }

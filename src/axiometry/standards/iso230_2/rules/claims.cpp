@@ -358,7 +358,8 @@ std::string word_of_the_tester(const Test& test, const TestEnvironment* surround
   std::string word = word_on_cycle_and_machine(surroundings, test.series.has_both_directions());
   if (axis_ends(test.metadata.axis).length_native()) return word;
   return fmt::format(
-      "{}; and, since the axis travel is not stated, that as much of it was measured as was agreed (3.2)", word);
+      "{}; and, since the ends of the axis travel are not stated, that as much of it was measured as was agreed (3.2)",
+      word);
 }
 
 }  // namespace axiometry::iso230_2

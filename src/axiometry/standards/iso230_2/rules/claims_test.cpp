@@ -446,7 +446,7 @@ TEST(Claims, RestOnTheWordOfTheTesterForTheGradientUnlessALogShowsItKept) {
   }
   EXPECT_NE(word_of(nullptr, true, true).find(on_his_word), std::string_view::npos);
   EXPECT_EQ(word_of(nullptr, true, true).find("axis travel"), std::string::npos);
-  EXPECT_NE(word_of(nullptr, true, false).find("since the axis travel is not stated"), std::string::npos);
+  EXPECT_NE(word_of(nullptr, true, false).find("since the ends of the axis travel are not stated"), std::string::npos);
 }
 
 TEST(Claims, RestOnTheWordOfTheTesterForTheSoakingUnlessItsTimeIsStated) {

@@ -45,7 +45,7 @@ std::string reading_text(const Approach& a) {
 }
 
 std::optional<Finding> other_order(const Test& test) {
-  const TestCycle cycle = test.metadata.conditions.cycle;
+  const TestCycle cycle = test.metadata.conditions.cycle_or_standard();
   if (cycle == TestCycle::user_defined) return std::nullopt;
   const std::vector<Approach> order = timed_in_order_of(test, cycle);
   const auto early = first_too_early(test, order);

@@ -232,7 +232,7 @@ std::optional<Finding> more_than_five_turns(const Case& c) {
 
 std::optional<Finding> cycle_declared_otherwise(const Case& c) {
   const bool both = c.runs.up > 0 && c.runs.down > 0;
-  switch (c.metadata.conditions.cycle) {
+  switch (c.metadata.conditions.cycle_or_standard()) {
     case TestCycle::pilgrim:
       return departure("cycle-declared-otherwise", programme_clause(c.programme),
                        "found the pilgrim cycle, expected the standard test cycle (Figure 1)");
