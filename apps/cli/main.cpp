@@ -135,11 +135,10 @@ std::optional<axiometry::language::Language> asked_language(int argc, char** arg
 std::optional<axiometry::language::Language> usual_language() {
   const char* const tag = std::getenv("AXIOMETRY_LANGUAGE");
   if (tag == nullptr || *tag == '\0') return {};
-  const auto language = axiometry::language::language_of(tag);
-  if (!language)
-    axiometry::cli::tell(fmt::format("AXIOMETRY_LANGUAGE: found {}, expected one of {}", axiometry::text::quoted(tag),
-                                     axiometry::language::tags_of_languages()));
-  return language;
+  const auto language = axiometry::language::chosen_language(tag);
+  if (language) return *language;
+  axiometry::cli::tell("AXIOMETRY_LANGUAGE: " + language.error().message);
+  return {};
 }
 
 /// A flag that some verbs took and others refused would be a surprise.

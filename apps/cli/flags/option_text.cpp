@@ -7,6 +7,7 @@
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/language/language.h"
+#include "axiometry/report/option_words.h"
 
 namespace axiometry::cli {
 
@@ -52,26 +53,15 @@ Flag add_seed(const Verb& verb, const std::string& description, std::function<vo
 
 Flag add_decimal(const Verb& verb, char& mark, const std::string& description) {
   return add_read(verb, {"--decimal", "MARK", description}, [&mark](const std::string& word) -> Result<void> {
-    if (word != "point" && word != "comma")
-      return fail(fmt::format("found {}, expected point or comma", text::quoted(word)));
-    mark = word == "point" ? '.' : ',';
+    AXIOMETRY_TRY(mark, report::decimal_mark_of(word));
     return {};
   });
 }
 
-namespace {
-
-Result<language::Language> known_language(const std::string& word) {
-  if (const auto language = language::language_of(word)) return *language;
-  return fail(fmt::format("found {}, expected one of {}", text::quoted(word), language::tags_of_languages()));
-}
-
-}  // namespace
-
 Flag add_language(const Verb& verb, report::Options& options, Flag decimal) {
   return add_read(verb, {"--language", "LANGUAGE", "Language of reports and sheets: " + language::tags_of_languages()},
                   [&options, decimal](const std::string& word) -> Result<void> {
-                    AXIOMETRY_TRY(options.language, known_language(word));
+                    AXIOMETRY_TRY(options.language, language::chosen_language(word));
                     if (decimal->count() == 0) options.numbers = language::usual_numbers(options.language);
                     return {};
                   });
@@ -80,7 +70,7 @@ Flag add_language(const Verb& verb, report::Options& options, Flag decimal) {
 Flag add_language(const Verb& verb) {
   return add_read(verb, {"--language", "LANGUAGE", "Language of what is told: " + language::tags_of_languages()},
                   [](const std::string& word) -> Result<void> {
-                    AXIOMETRY_TRY_VOID(known_language(word));
+                    AXIOMETRY_TRY_VOID(language::chosen_language(word));
                     return {};
                   });
 }

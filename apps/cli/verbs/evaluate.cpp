@@ -16,6 +16,7 @@
 #include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/report/drawing/utf8.h"
+#include "axiometry/report/option_words.h"
 #include "cli/flags/capture_flags.h"
 #include "cli/flags/correction_flags.h"
 #include "cli/flags/option_text.h"
@@ -127,18 +128,18 @@ Flag add_choice(const Verb& verb, const std::string& name, Value& target,
 }
 
 void add_number_flags(const Verb& verb, EvaluateArguments& arguments) {
-  using enum report::DisplayUnit;
   constexpr const char* group = "Numbers in summary and reports";
-  add_choice(verb, "--unit", arguments.report.unit,
-             {{"um", um}, {"mm", mm}, {"nm", nm}, {"deg", deg}, {"arcsec", arcsec}},
-             "Unit of the parameters: um, mm, nm, arcsec or deg")
-      ->type_name("UNIT")
+  add_read(verb, {"--unit", "UNIT", "Unit of the parameters: um, mm, nm, arcsec or deg"},
+           [&unit = arguments.report.unit](const std::string& word) -> Result<void> {
+             AXIOMETRY_TRY(unit, report::unit_of(word));
+             return {};
+           })
       ->group(group);
   Flag decimal = add_decimal(verb, arguments.report.numbers.decimal_mark)->group(group);
   add_language(verb, arguments.report, decimal)->group(group);
   verb.add_option("--decimals", arguments.report.deviation_decimals,
                   "Decimals of deviations in µm or arcsec (1, more for a very small A)")
-      ->check_range(0, 6)
+      ->check_range(0, report::most_deviation_decimals)
       ->type_name("N")
       ->group(group);
   verb.add_option("--uncertainty-digits", arguments.report.uncertainty_digits, "Significant digits of U (2)")

@@ -20,6 +20,7 @@
 #include "axiometry/app/workbench/test_options.h"
 #include "axiometry/base/json/json.h"
 #include "axiometry/formats/test/metadata_json.h"
+#include "axiometry/report/option_words.h"
 #include "python/native/interpreter.h"
 #include "python/native/rooms.h"
 #include "python/native/taken.h"
@@ -182,19 +183,13 @@ struct ReportCall {
 
 Result<report::Options> report_options(const ReportCall& call) {
   report::Options options;
-  const auto language = language::language_of(call.language);
-  if (!language)
-    return fail(
-        fmt::format("found the language '{}', expected one of {}", call.language, language::tags_of_languages()));
-  options.language = *language;
-  options.numbers = language::usual_numbers(*language);
+  AXIOMETRY_TRY(options.language, language::chosen_language(call.language));
+  options.numbers = language::usual_numbers(options.language);
   if (call.decimal) {
-    if (*call.decimal != "point" && *call.decimal != "comma")
-      return fail(fmt::format("found the decimal mark '{}', expected point or comma", *call.decimal));
-    options.numbers.decimal_mark = *call.decimal == "point" ? '.' : ',';
+    AXIOMETRY_TRY(options.numbers.decimal_mark, report::decimal_mark_of(*call.decimal));
   }
-  if (call.decimals && (*call.decimals < 0 || *call.decimals > 6))
-    return fail(fmt::format("found {} decimals, expected 0 to 6", *call.decimals));
+  if (call.decimals && (*call.decimals < 0 || *call.decimals > report::most_deviation_decimals))
+    return fail(fmt::format("found {} decimals, expected 0 to {}", *call.decimals, report::most_deviation_decimals));
   options.deviation_decimals = call.decimals;
   return options;
 }

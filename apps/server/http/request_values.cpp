@@ -11,20 +11,9 @@
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/base/time/iso_date.h"
+#include "axiometry/report/option_words.h"
 
 namespace axiometry::server {
-namespace {
-
-constexpr std::array units = {
-    std::pair{std::string_view("um"), report::DisplayUnit::um},
-    std::pair{std::string_view("mm"), report::DisplayUnit::mm},
-    std::pair{std::string_view("nm"), report::DisplayUnit::nm},
-    std::pair{std::string_view("deg"), report::DisplayUnit::deg},
-    std::pair{std::string_view("arcsec"), report::DisplayUnit::arcsec},
-};
-
-}  // namespace
-
 Result<store::Id> id_of(const Request& request, std::string_view what) {
   const std::string_view segment = request.segment("id");
   const auto id = parse_count(segment);
@@ -85,14 +74,12 @@ Result<bool> flag_of(const Request& request, std::string_view name, bool otherwi
 }
 
 Result<void> choose_number_style(std::string_view decimal, std::string_view unit, report::Options& options) {
-  if (!decimal.empty() && decimal != "comma" && decimal != "point")
-    return fail(fmt::format("found the decimal mark {}, expected point or comma", text::quoted(decimal)));
-  if (!decimal.empty()) options.numbers.decimal_mark = decimal == "comma" ? ',' : '.';
-  if (unit.empty()) return {};
-  const auto row = std::ranges::find(units, unit, &std::pair<std::string_view, report::DisplayUnit>::first);
-  if (row == units.end())
-    return fail(fmt::format("found the unit {}, expected um, mm, nm, deg or arcsec", text::quoted(unit)));
-  options.unit = row->second;
+  if (!decimal.empty()) {
+    AXIOMETRY_TRY(options.numbers.decimal_mark, report::decimal_mark_of(decimal));
+  }
+  if (!unit.empty()) {
+    AXIOMETRY_TRY(options.unit, report::unit_of(unit));
+  }
   return {};
 }
 

@@ -267,11 +267,7 @@ Result<Issue> issue_of(const Request& request) {
   AXIOMETRY_TRY_VOID(members.finish());
   Request styled = request;
   if (!tag.empty()) {
-    const auto language = language::language_of(tag);
-    if (!language)
-      return fail(
-          fmt::format("found the language {}, expected one of {}", text::quoted(tag), language::tags_of_languages()));
-    styled.language = *language;
+    AXIOMETRY_TRY(styled.language, language::chosen_language(tag));
   }
   AXIOMETRY_TRY(auto wanted, report_request(styled, extension));
   AXIOMETRY_TRY_VOID(choose_number_style(decimal, unit, wanted.options));

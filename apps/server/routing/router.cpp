@@ -145,9 +145,8 @@ std::optional<Response> Router::refused_query(const Entry& entry, const Request&
     const std::string found = text::quoted(name);
     if (std::ranges::count(request.query, name, [](const auto& pair) { return pair.first; }) > 1)
       return refused(fmt::format("found the query parameter {} more than once, expected it once", found));
-    if (name == "language" && !language::language_of(value))
-      return refused(
-          fmt::format("found the language {}, expected one of {}", text::quoted(value), language::tags_of_languages()));
+    if (name == "language")
+      if (const auto language = language::chosen_language(value); !language) return refused(language.error().message);
     if (name == "language" || is_file_name(name)) continue;
     const auto known = std::ranges::find(names, name, &QueryName::name);
     if (known == names.end())

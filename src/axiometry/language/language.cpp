@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "axiometry/language/language.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <mutex>
@@ -69,6 +71,11 @@ std::optional<Language> language_of(std::string_view tag) {
   const std::string primary = text::to_lower(tag.substr(0, tag.find('-')));
   const auto found = std::ranges::find(known, primary, &Known::tag);
   return found == known.end() ? std::nullopt : std::optional(found->language);
+}
+
+Result<Language> chosen_language(std::string_view tag) {
+  if (const auto language = language_of(tag)) return *language;
+  return fail(fmt::format("found the language {}, expected one of {}", text::quoted(tag), tags_of_languages()));
 }
 
 std::span<const Language> languages() {

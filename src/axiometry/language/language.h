@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "axiometry/base/result.h"
 #include "axiometry/base/text/number_text.h"
 
 /// Finished English texts in another language. The rest of the library composes its sentences in English; where a
@@ -25,6 +26,9 @@ std::span<const Language> languages();
 
 /// "en", "de", "fr"; also with a region, "de-AT". Nothing for others.
 std::optional<Language> language_of(std::string_view tag);
+
+Result<Language> chosen_language(std::string_view tag);  ///< the same, where another tag is refused
+
 std::string_view tag(Language language);       ///< "en"
 std::string_view own_name(Language language);  ///< as its readers call it: "Deutsch"
 std::string tags_of_languages();               ///< tags of all languages: "en, de, fr"
