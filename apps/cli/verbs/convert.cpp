@@ -67,14 +67,14 @@ void print_preview(const formats::Guess& guess) {
 int show_guess(const ConvertArguments& arguments) {
   const auto guess = app::guess_file(arguments.convert.input);
   if (!guess) return failed(guess.error());
-  fmt::print("{} from line {}", counted(guess->row_count, "row"), guess->first_line);
-  if (guess->questions.empty()) fmt::print(", least confidence {:.0f}%", 100.0 * guess->confidence());
-  fmt::print("\n");
+  std::string found = fmt::format("{} from line {}", counted(guess->row_count, "row"), guess->first_line);
+  if (guess->questions.empty()) found += fmt::format(", least confidence {:.0f}%", 100.0 * guess->confidence());
+  fmt::print("{}\n", in_language_asked(found));
   print_preview(*guess);
-  fmt::print("\nTaken for\n");
+  fmt::print("\n{}\n", in_language_asked("What it is taken for"));
   print_items(guess->decisions);
   if (!guess->questions.empty()) {
-    fmt::print("\nOpen, to be answered in a profile\n");
+    fmt::print("\n{}\n", in_language_asked("Open, to be answered in a profile"));
     print_items(guess->questions);
   }
   if (!arguments.save_profile.empty())
