@@ -84,6 +84,7 @@ inline Test complete_test() {
   m.conditions.date = "2024-05-06";
   m.conditions.inspector = "A. Nonym";
   m.conditions.purpose = "acceptance";
+  m.conditions.cycle = TestCycle::standard;
   m.conditions.feed = 1000;
   m.conditions.dwell = Duration::s(5);
   m.conditions.warm_up = "five cycles at 1000 mm/min";

@@ -60,7 +60,7 @@ TEST_P(StoreAssetsTest, KeepsEveryVersionOfAMachine) {
 
 TEST_P(StoreAssetsTest, RefusesASecondOneThatNoTestCouldTellFromTheFirst) {
   must(store_->add(machine("Mill 5"), by_anna));
-  EXPECT_THAT(why(store_->add(machine("mill 5 "), by_anna)), HasSubstr("machine 1 called 'Mill 5' too"));
+  EXPECT_THAT(why(store_->add(machine("mill 5 "), by_anna)), HasSubstr(R"(machine 1 called "Mill 5" too)"));
   MachineRecord numbered = machine("Mill 5");
   numbered.serial_number = "S-1";
   EXPECT_EQ(must(store_->add(numbered, by_anna)).id, 2);
@@ -72,7 +72,7 @@ TEST_P(StoreAssetsTest, RefusesASecondOneThatNoTestCouldTellFromTheFirst) {
   AxisRecord axis{.machine = 1, .name = "X", .kind = "linear", .limits = {}, .notes = {}};
   must(store_->add(axis, by_anna));
   axis.name = "x";
-  EXPECT_THAT(why(store_->add(axis, by_anna)), HasSubstr("axis 1 of this machine called 'X' too"));
+  EXPECT_THAT(why(store_->add(axis, by_anna)), HasSubstr(R"(axis 1 of this machine called "X" too)"));
   axis.kind = "rotary";
   EXPECT_EQ(must(store_->add(axis, by_anna)).id, 2);
   InstrumentRecord laser;
@@ -92,7 +92,7 @@ TEST_P(StoreAssetsTest, RefusesASecondOneThatNoTestCouldTellFromTheFirst) {
 TEST_P(StoreAssetsTest, RefusesAChangeThatMakesOneLikeAnother) {
   must(store_->add(machine("Mill 5"), by_anna));
   must(store_->add(machine("Mill 6"), by_anna));
-  EXPECT_THAT(why(store_->change(2, 1, machine("MILL 5"), by_anna)), HasSubstr("called 'Mill 5' too"));
+  EXPECT_THAT(why(store_->change(2, 1, machine("MILL 5"), by_anna)), HasSubstr(R"(called "Mill 5" too)"));
   MachineRecord noted = machine("mill 6");
   noted.notes = "the new one";
   EXPECT_EQ(must(store_->change(2, 1, noted, by_anna)).version, 2);
