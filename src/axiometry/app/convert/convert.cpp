@@ -11,6 +11,7 @@
 #include "axiometry/app/files/source.h"
 #include "axiometry/app/files/whole_file.h"
 #include "axiometry/app/results/outputs.h"
+#include "axiometry/base/read_budget.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/model/fields.h"
 #include "axiometry/model/swapped_labels.h"
@@ -38,6 +39,9 @@ bool same_readings(const Series& a, const Series& b) {
 
 /// What the written text does not give back, as one word; empty when nothing is lost.
 std::string lost_in(const std::string& text, const formats::Format& format, const Test& test) {
+  const auto known = formats::recognise(std::string_view(text).substr(0, read_budget::head_bytes));
+  if (!known || *known != &format)
+    return fmt::format("a header within its first {} KiB, by which it is known", read_budget::head_bytes >> 10);
   const auto again = format.read(text);
   if (!again) return fmt::format("a text that can be read again ({})", again.error().message);
   if (!same_readings(again->series, test.series)) return "the readings";

@@ -82,8 +82,8 @@ Result<void> LongRows::take(std::string_view lines, const char* readable_end) {
   const char* const end = p + whole;
   while (p < end) {
     ++line_;
-    const char* next = repeated_row(p, readable_end);
-    if (next == nullptr) next = plain_row(p, readable_end);
+    const char* next = doubts_thousands() ? nullptr : repeated_row(p, readable_end);
+    if (next == nullptr && !doubts_thousands()) next = plain_row(p, readable_end);
     if (next == nullptr) {
       next = static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p))) + 1;
       AXIOMETRY_TRY_VOID(general_row({p, next}));
@@ -99,6 +99,12 @@ Result<void> LongRows::finish() {
   if (in_test_) return end_test();
   return fail(
       fmt::format("found no readings below the header on line {}, expected one per line", preamble_.header_line));
+}
+
+/// As long as marks may part thousands, numbers are looked at as they are written. Between commas a point parts none.
+bool LongRows::doubts_thousands() const {
+  constexpr std::size_t enough_rows = 20'000;
+  return preamble_.delimiter != ',' && !thousands_.settled() && rows_doubted_ < enough_rows;
 }
 
 int LongRows::mark() const { return numbers_.mark() ? *numbers_.mark() : no_decimal_mark; }
@@ -272,6 +278,11 @@ Result<void> LongRows::add_cells(const std::vector<CsvCell>& cells) {
   AXIOMETRY_TRY(row.deviation, placed(native_deviation(layout_.rule, target, value), at(layout_.reading)));
   if (readings_.size() >= reading_limit)
     return fail(fmt::format("found more than {} readings in one test, expected fewer", reading_limit), {line_, 1});
+  if (doubts_thousands()) {
+    thousands_.look_at(0, cells[layout_.target].text);
+    thousands_.look_at(1, reading.text);
+    ++rows_doubted_;
+  }
   compare_with_position(cells, target, row.deviation);
   readings_.push_back(row);
   return {};
@@ -335,6 +346,7 @@ Result<std::vector<double>> LongRows::dense(std::size_t runs) {
 
 Result<void> LongRows::end_test() {
   const TextPosition at{test_line_, 0};
+  if (const auto doubt = thousands_.found()) return fail(thousands_fault(*doubt), at);
   std::size_t runs = 0;
   for (const RowReading& row : readings_) runs = std::max<std::size_t>(runs, row.run + 1);
   const std::size_t m = targets_.targets().size();

@@ -15,6 +15,7 @@
 #include "axiometry/formats/format.h"
 #include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/text/csv_cells.h"
+#include "axiometry/formats/text/thousands.h"
 
 namespace axiometry::formats {
 
@@ -83,6 +84,7 @@ class LongRows {
   const char* repeated_row(const char* p, const char* readable_end);
   const char* plain_cell(const char* p, ColumnRole role, int mark, PlainRow& row) const;
   int mark() const;
+  bool doubts_thousands() const;
   bool add_plain(const PlainRow& row);
   Result<void> general_row(std::string_view line);
   Result<void> comment_row(std::string_view line);
@@ -104,6 +106,8 @@ class LongRows {
   NamedTestSink sink_;
   Path path_;
   NumberReader numbers_;
+  ThousandsDoubt thousands_{2};  // of targets and readings
+  std::size_t rows_doubted_ = 0;
   std::optional<Metadata> metadata_;  // read when the first test ends: then the decimal mark is known
   bool native_targets_;
   bool native_readings_;

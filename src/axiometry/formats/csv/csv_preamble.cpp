@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "axiometry/base/text/text.h"
-#include "axiometry/formats/csv/csv_values.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/model/fields.h"
 
@@ -134,6 +132,9 @@ Result<std::optional<std::string>> field_key(const std::string& key, TextPositio
   return std::nullopt;
 }
 
+/// "# taken from "C:\\x.rtl", read as …", as metadata_lines() begins.
+bool is_note_of_origin(std::string_view key) { return key.starts_with("taken_from_"); }
+
 Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::size_t number) {
   const auto pair = key_and_value(line);
   if (!pair) return {};
@@ -142,7 +143,10 @@ Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::s
     return {};
   }
   AXIOMETRY_TRY(auto key, field_key(pair->key, {number, line.find_first_not_of("\"# \t") + 1}));
-  if (!key) return {};
+  if (!key) {
+    if (!pair->value.empty() && !is_note_of_origin(pair->key)) preamble.passed_over.add(line);
+    return {};
+  }
   const TextPosition at{number, pair->value_column};
   const bool reading = text::is_one_of(*key, reading_unit_keys);
   if (!reading && !text::is_one_of(*key, target_unit_keys)) {
@@ -153,7 +157,12 @@ Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::s
   if (unit == nullptr)
     return fail(fmt::format("found the unknown unit {}, expected one of {}", text::quoted(pair->value), unit_names()),
                 at);
-  (reading ? preamble.default_units.reading : preamble.default_units.target) = unit;
+  const Unit*& stated = reading ? preamble.default_units.reading : preamble.default_units.target;
+  if (stated != nullptr && stated != unit)
+    return fail(fmt::format("found the unit {} of the {}, expected only {}, which a line above states", unit->name,
+                            reading ? "readings" : "targets", stated->name),
+                at);
+  stated = unit;
   return {};
 }
 
@@ -259,8 +268,23 @@ Result<void> check_header(const HeaderLine& header, const std::vector<CsvCell>& 
   return {};
 }
 
+/// A unit stated for the whole file is that of columns without one.
+void remark_other_units(Preamble& preamble) {
+  for (const Column& c : preamble.columns) {
+    const bool reading = c.role == ColumnRole::reading;
+    if (!reading && c.role != ColumnRole::target) continue;
+    const Unit* stated = reading ? preamble.default_units.reading : preamble.default_units.target;
+    if (stated == nullptr || c.unit == nullptr || c.unit == stated) continue;
+    preamble.remarks.push_back(
+        {false,
+         fmt::format("the unit {} that is stated above the table is not that of the column {}, whose own is taken",
+                     stated->symbol, text::quoted(c.name))});
+    return;
+  }
+}
+
 /// What an instrument prints above the header, "Machine:;Mill 5" or "Machine: Mill 5"; all but known keys is passed
-/// over.
+/// over, and told.
 void take_plain_line(Preamble& preamble, std::string_view line, std::size_t number) {
   const auto cells = split_row(line, delimiter_of(line), number);
   if (!cells || cells->empty()) return;
@@ -269,51 +293,32 @@ void take_plain_line(Preamble& preamble, std::string_view line, std::size_t numb
   for (std::size_t k = 1; k < cells->size(); ++k)
     if (!(*cells)[k].text.empty()) pair += " " + (*cells)[k].text;
   Preamble trial = preamble;
-  if (take_comment_line(trial, "# " + pair, number)) preamble = std::move(trial);
+  const bool taken =
+      take_comment_line(trial, "# " + pair, number) &&
+      (trial.metadata.size() > preamble.metadata.size() || trial.default_units != preamble.default_units);
+  if (taken)
+    preamble = std::move(trial);
+  else
+    preamble.passed_over.add(line);
 }
-
-/// Decimal comma to point, in the fields that hold numbers only.
-std::string with_point(const Field& field, std::string value, char decimal_mark) {
-  const bool numeric = field.type == FieldType::number || field.type == FieldType::numbers;
-  if (numeric && decimal_mark == ',' && value.find('.') == std::string::npos) std::ranges::replace(value, ',', '.');
-  return value;
-}
-
-/// Records of fields that may be given again and again. They are put into the metadata when all are known: one by one
-/// each would copy all before it.
-class GatheredRecords {
- public:
-  Result<void> add(const Field& field, std::string_view value, TextPosition at) {
-    Metadata alone;
-    AXIOMETRY_TRY_VOID(set_line_value(alone, field, value));
-    const FieldValue read = field.get(alone);
-    auto& [records, last] = records_[&field];
-    last = at;
-    if (const auto* one = std::get_if<Records>(&read))
-      records.insert(records.end(), one->begin(), one->end());
-    else
-      records.clear();  // an empty line takes back what was given before it
-    return {};
-  }
-
-  Result<void> put_into(Metadata& metadata) {
-    for (auto& [field, given] : records_)
-      if (!given.records.empty())
-        AXIOMETRY_TRY_VOID(placed(set_field(metadata, *field, std::move(given.records)), given.last));
-    return {};
-  }
-
- private:
-  struct Given {
-    Records records;
-    TextPosition last;
-  };
-  std::map<const Field*, Given> records_;
-};
 
 }  // namespace
 
 std::span<const KeyAlias> key_aliases() { return aliases; }
+
+void LinesPassedOver::add(std::string_view line) {
+  if (count++ == 0) first = text::trim(line);
+}
+
+std::optional<SourceRemark> LinesPassedOver::remark() const {
+  if (count == 0) return std::nullopt;
+  return SourceRemark{
+      false, count == 1 ? fmt::format("1 line above the table told nothing that is known and was passed over: {}",
+                                      text::quoted(first))
+                        : fmt::format("{} lines above the table told nothing that is known and were passed over, the "
+                                      "first of them {}",
+                                      count, text::quoted(first))};
+}
 
 Result<bool> is_metadata_line(std::string_view line, std::size_t line_number) {
   Preamble scratch;
@@ -342,6 +347,8 @@ Result<Preamble> read_preamble(std::string_view text) {
   AXIOMETRY_TRY(const std::vector<CsvCell> cells, split_row(header->names, preamble.delimiter, header->number));
   AXIOMETRY_TRY_VOID(check_header(*header, cells));
   preamble.columns = columns_from(cells);
+  if (auto remark = preamble.passed_over.remark()) preamble.remarks.push_back(*std::move(remark));
+  remark_other_units(preamble);
   return preamble;
 }
 
@@ -355,38 +362,6 @@ bool has_faulty_header(std::string_view text) {
   if (!header) return false;
   const auto cells = split_row(header->names, delimiter_of(header->names), header->number);
   return cells && !check_header(*header, *cells);
-}
-
-Result<Metadata> metadata_of(const Preamble& preamble, AxisKind kind, char decimal_mark) {
-  Metadata metadata;
-  GatheredRecords records;
-  std::vector<const MetadataLine*> seen;
-  for (const MetadataLine& line : preamble.metadata) {
-    const Field& field = *find_field(line.key);
-    const auto before =
-        std::ranges::find(seen, line.key, [](const MetadataLine* l) -> const std::string& { return l->key; });
-    if (before != seen.end() && line.key == "test.comment") {
-      metadata.conditions.comment += "; " + line.value;
-      continue;
-    }
-    if (before != seen.end() && field.type != FieldType::records)
-      return fail(
-          fmt::format("found a second value of {}, expected only that on line {}", line.key, (*before)->at.line),
-          line.at);
-    if (before == seen.end()) seen.push_back(&line);
-    if (field.type == FieldType::records) {
-      AXIOMETRY_TRY_VOID(placed(records.add(field, line.value, line.at), line.at));
-      continue;
-    }
-    AXIOMETRY_TRY_VOID(placed(set_line_value(metadata, field, with_point(field, line.value, decimal_mark)), line.at));
-    if (line.key == "axis.kind" && metadata.axis.kind != kind)
-      return fail(fmt::format("found axis.kind = {} and columns in units of a {} axis, expected the same",
-                              text::quoted(line.value), kind == AxisKind::linear ? "linear" : "rotary"),
-                  line.at);
-  }
-  AXIOMETRY_TRY_VOID(records.put_into(metadata));
-  metadata.axis.kind = kind;
-  return metadata;
 }
 
 }  // namespace axiometry::formats

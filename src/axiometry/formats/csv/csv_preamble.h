@@ -26,9 +26,19 @@ struct MetadataLine {
   TextPosition at;
 };
 
+/// Lines above a table of which nothing is kept.
+struct LinesPassedOver {
+  std::size_t count = 0;
+  std::string first;
+
+  void add(std::string_view line);
+  std::optional<SourceRemark> remark() const;  ///< nothing where there are none
+};
+
 struct Preamble {
   std::vector<MetadataLine> metadata;
   std::vector<SourceRemark> remarks;  ///< `# source_remark: …`: what was told when the readings were first read
+  LinesPassedOver passed_over;        ///< but comments that name nothing
   DefaultUnits default_units;         ///< `# unit: um`, `# target unit: mm`
   char delimiter = ',';
   std::vector<Column> columns;  ///< columns of the header; empty when there is none

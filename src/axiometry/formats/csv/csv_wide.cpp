@@ -17,6 +17,7 @@
 #include "axiometry/formats/series/target_index.h"
 #include "axiometry/formats/text/decoded_text.h"
 #include "axiometry/formats/text/text_source.h"
+#include "axiometry/formats/text/thousands.h"
 
 namespace axiometry::formats {
 namespace csv_wide {
@@ -118,7 +119,9 @@ class WideRows {
   Result<void> add(const std::vector<CsvCell>& cells, std::size_t line) {
     const CsvCell& target_cell = cells[layout_.target];
     AXIOMETRY_TRY(const double x, numbers_.read(target_cell.text, {line, target_cell.column}));
+    thousands_.look_at(0, target_cell.text);
     const Position target = position_in(*layout_.target_unit, x);
+    falling_ = falling_ && (targets_.empty() || target.in_native() < targets_.back().in_native());
     std::optional<Direction> direction;
     if (layout_.direction) {
       const CsvCell& cell = cells[*layout_.direction];
@@ -133,6 +136,7 @@ class WideRows {
       if (is_missing(cell.text)) continue;
       const TextPosition at{line, cell.column};
       AXIOMETRY_TRY(const double value, numbers_.read(cell.text, at));
+      thousands_.look_at(1, cell.text);
       const auto d = static_cast<std::size_t>(run.direction ? *run.direction : *direction);
       AXIOMETRY_TRY(readings_[i][d * layout_.run_count + run.run],
                     placed(native_deviation(layout_.rule, target, value), at));
@@ -146,6 +150,8 @@ class WideRows {
     if (targets_.empty())
       return fail(
           fmt::format("found no readings below the header on line {}, expected one row per target", header.line));
+    const auto doubt = preamble_.delimiter == ',' ? std::nullopt : thousands_.found();  // as in csv-long
+    if (doubt) return fail(thousands_fault(*doubt), header);
     const std::size_t m = targets_.size();
     std::vector<double> deviations;
     deviations.reserve(2 * m * layout_.run_count);
@@ -161,6 +167,9 @@ class WideRows {
   }
 
   std::optional<char> mark() const { return numbers_.mark(); }
+
+  /// Whether every row's target is below that of the row before.
+  bool targets_fall() const { return falling_ && lines_.size() > 1; }
 
  private:
   /// Index of the target; a row that was there before is refused.
@@ -190,11 +199,13 @@ class WideRows {
   const Preamble& preamble_;
   WideLayout layout_;
   NumberReader numbers_;
+  ThousandsDoubt thousands_{2};  // of targets and readings
   std::map<double, std::size_t> numbers_of_targets_;
   std::vector<Position> targets_;
   std::vector<Directions> lines_;              // of the rows of each target; 0 before they come
   std::vector<std::vector<double>> readings_;  // per target: all runs up, then all runs down
   std::size_t reading_count_ = 0;
+  bool falling_ = true;
 };
 
 Result<void> take_row(WideRows& rows, const Preamble& preamble, std::string_view line, std::size_t number,
@@ -214,6 +225,20 @@ Result<void> take_row(WideRows& rows, const Preamble& preamble, std::string_view
                                               .cut_off = cut_off}));
   if (std::ranges::all_of(cells, [](const CsvCell& c) { return c.text.empty(); })) return {};
   return rows.add(cells, number);
+}
+
+/// A column of a run whose name says forward or back rather than up or down: nothing where all say the latter.
+const Column* named_by_order(const Preamble& preamble) {
+  constexpr std::string_view words[] = {"forward",  "fwd",  "hin",   "vor",       "vorwärts",   "vorwaerts",
+                                        "backward", "back", "bwd",   "rev",       "reverse",    "zurück",
+                                        "zurueck",  "rück", "rueck", "rückwärts", "rueckwaerts"};
+  for (const Column& column : preamble.columns)
+    if (column.role == ColumnRole::reading && column.direction) {
+      const std::string name = text::to_lower(column.name);
+      for (const std::string_view word : words)
+        if (name.contains(word)) return &column;
+    }
+  return nullptr;
 }
 
 Result<Test> read(std::string_view bytes) {
@@ -241,6 +266,13 @@ Result<Test> read(std::string_view bytes) {
   test.provenance.remarks.insert(test.provenance.remarks.end(), preamble.remarks.begin(), preamble.remarks.end());
   if (auto passed_over = passed_over_text(preamble.columns))
     test.provenance.remarks.push_back({false, *std::move(passed_over)});
+  if (rows.targets_fall())
+    if (const Column* column = named_by_order(preamble))
+      test.provenance.remarks.push_back(
+          {false, fmt::format("the targets fall from row to row, and the column {} is named for an order: forward was "
+                              "taken as ↑, towards growing positions; where it means along the rows, both directions "
+                              "are exchanged",
+                              text::quoted(column->name))});
   return test;
 }
 

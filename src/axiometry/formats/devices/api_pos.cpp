@@ -12,6 +12,7 @@
 #include "axiometry/formats/series/approaches.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
+#include "axiometry/formats/text/fixed_units.h"
 #include "axiometry/formats/text/text_lines.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"
@@ -66,7 +67,9 @@ Result<Content> content_from(std::string_view text) {
   Content content;
   NumberReader numbers(' ');
   std::vector<Point>* block = nullptr;
-  for (const TextLine& line : content_lines(text)) {
+  const std::vector<TextLine> lines = content_lines(text);
+  AXIOMETRY_TRY_VOID(expect_fixed_units(lines, {"mm"}));
+  for (const TextLine& line : lines) {
     if (const auto head = block_head(line.text)) {
       std::size_t& first = content.head_lines[static_cast<std::size_t>(*head)];
       if (first != 0)

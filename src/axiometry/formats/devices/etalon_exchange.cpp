@@ -9,6 +9,7 @@
 #include "axiometry/base/text/number_text.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/devices/error_curves.h"
+#include "axiometry/formats/text/fixed_units.h"
 #include "axiometry/formats/text/text_lines.h"
 
 namespace axiometry::formats {
@@ -36,7 +37,9 @@ Result<ErrorPoint> point_from(std::string_view content, const TextLine& line) {
 class CurveReader {
  public:
   Result<std::vector<ErrorCurve>> read(std::string_view text) {
-    for (const TextLine& line : content_lines(text)) AXIOMETRY_TRY_VOID(take(line));
+    const std::vector<TextLine> lines = content_lines(text);
+    AXIOMETRY_TRY_VOID(expect_fixed_units(lines, {"mm"}));
+    for (const TextLine& line : lines) AXIOMETRY_TRY_VOID(take(line));
     if (in_points_)
       return fail(fmt::format("found no }} behind the grid points of {}, expected one; is the file cut off?", name_),
                   {line_, 1});
@@ -54,6 +57,10 @@ class CurveReader {
       return {};
     }
     const auto item = tagged_value(content, '=');
+    if (item && item->tag == "sign" && parse_number(item->value) != 1.0)
+      return fail(fmt::format("found SIGN = {}, expected 1 or none: errors are actual minus nominal in this format",
+                              text::quoted(item->value)),
+                  line.at(item->value));
     if (!item || item->tag != "gridpoints" || !item->value.starts_with('{')) return {};
     in_points_ = true;
     if (line_ == 0) line_ = line.number;

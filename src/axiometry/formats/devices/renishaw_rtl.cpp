@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <ranges>
 
 #include "axiometry/base/counted.h"
 #include "axiometry/base/read_budget.h"
@@ -18,6 +19,7 @@
 #include "axiometry/formats/series/series_order.h"
 #include "axiometry/formats/text/csv_cells.h"
 #include "axiometry/formats/text/decoded_text.h"
+#include "axiometry/formats/text/fixed_units.h"
 #include "axiometry/formats/text/text_lines.h"
 #include "axiometry/formats/text/text_source.h"
 #include "axiometry/formats/text/units.h"
@@ -33,6 +35,13 @@ using Sections = std::map<std::string, std::vector<TextLine>>;
 std::optional<std::string> section_name(std::string_view line) {
   if (!line.ends_with("::") || line.size() < 3) return std::nullopt;
   return plain_name(line.substr(0, line.size() - 2));
+}
+
+/// Whether nothing stands behind the section.
+bool is_last_section(const std::vector<TextLine>& lines, std::string_view name) {
+  for (const TextLine& line : lines | std::views::reverse)
+    if (const auto found = section_name(line.text)) return *found == name;
+  return false;
 }
 
 Sections sections_of(const std::vector<TextLine>& lines) {
@@ -227,17 +236,29 @@ std::span<const TextLine> lines_of(const Sections& sections, const std::string& 
 
 Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(const DecodedText decoded, decoded_text(bytes));
-  const Sections sections = sections_of(content_lines(decoded.text));
+  const std::vector<TextLine> lines = content_lines(decoded.text);
+  const Sections sections = sections_of(lines);
   AXIOMETRY_TRY(const Content content, ContentReader().read(sections));
+  if (content.rotary)
+    AXIOMETRY_TRY_VOID(expect_fixed_units(lines, {"deg", "mrad"}));
+  else
+    AXIOMETRY_TRY_VOID(expect_fixed_units(lines, {"mm", "um"}));
   AXIOMETRY_TRY_VOID(check_counts(content));
   AXIOMETRY_TRY(RtlRunRule rule, rtl_run_rule(content.rows, content.unidirectional));
   AXIOMETRY_TRY(const std::vector<ListedReading> approaches, approaches_from(content, rule));
   AXIOMETRY_TRY(GatheredSeries gathered_series, gathered(approaches));
+  const AxisKind kind = content.rotary ? AxisKind::rotary : AxisKind::linear;
+  AXIOMETRY_TRY_VOID(placed(check_deviations(gathered_series.series, kind), content.rows.front().at));
   Metadata metadata;
-  metadata.axis.kind = content.rotary ? AxisKind::rotary : AxisKind::linear;
+  metadata.axis.kind = kind;
   Provenance provenance;
   provenance.remarks = encoding_remarks(decoded);
   std::ranges::move(rule.remarks, std::back_inserter(provenance.remarks));
+  if (!lines.back().has_break && is_last_section(lines, "deviations"))
+    provenance.remarks.push_back(
+        {false,
+         "the file ends within a line of readings, expected EOF:: or another section behind them: its last "
+         "reading may be cut off"});
   if (content.rotary)
     provenance.remarks.push_back(
         {false,

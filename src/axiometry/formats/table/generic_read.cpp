@@ -376,10 +376,7 @@ Result<Test> read_with(const ImportProfile& profile, std::string_view bytes) {
   AXIOMETRY_TRY(test.metadata, metadata_of(above.preamble, profile.target_unit->kind, profile.decimal_mark));
   auto& remarks = test.provenance.remarks;
   std::ranges::move(encoding_remarks(decoded), std::back_inserter(remarks));
-  if (above.passed_over > 0)
-    remarks.push_back(
-        {false, fmt::format("{} above the table told nothing that is known and {} passed over",
-                            counted(above.passed_over, "line"), above.passed_over == 1 ? "was" : "were")});
+  if (auto remark = above.passed_over.remark()) remarks.push_back(*std::move(remark));
   if (auto turned = reader.turned()) remarks.push_back(std::move(*turned));
   if (auto swapped = reader.swapped_labels()) remarks.push_back(std::move(*swapped));
   return test;

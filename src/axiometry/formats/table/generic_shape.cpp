@@ -11,6 +11,7 @@
 #include "axiometry/base/read_budget.h"
 #include "axiometry/base/text/text.h"
 #include "axiometry/formats/text/head_words.h"
+#include "axiometry/formats/text/thousands.h"
 
 namespace axiometry::formats::generic {
 namespace {
@@ -109,8 +110,9 @@ std::optional<Block> block_of(std::span<const PlainLine> lines, const Split& spl
     if (!block && census.numbers >= 2) block = Block{k, k};
     if (!block) continue;
     if (census.numbers >= 2) words_at_most = std::max(words_at_most, census.words);
-    // A row whose readings are all missing still belongs to the table.
-    if (census.numbers >= 2 || (census.numbers == 1 && census.words <= words_at_most)) block->last = k;
+    // A row whose readings are all missing still belongs to the table, "Mittel;;;2,2" does not.
+    const bool of_table = census.words <= words_at_most && head_of(cells->front().text).role != HeadRole::ignored;
+    if (census.numbers >= 2 || (census.numbers == 1 && of_table)) block->last = k;
   }
   return block;
 }
@@ -181,8 +183,11 @@ void find_decimal_mark(TableShape& shape) {
   bool comma = false;
   bool point = false;
   bool only_thousands = true;
+  ThousandsDoubt thousands(shape.columns);
   for (const auto& row : shape.rows)
-    for (const std::string& cell : row) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string& cell = row[c];
+      if (number_in(cell, ',') || number_in(cell, '.')) thousands.look_at(c, cell);
       const std::size_t at = cell.find(',');
       if (at != std::string::npos && number_in(cell, ',')) {
         comma = true;
@@ -202,6 +207,12 @@ void find_decimal_mark(TableShape& shape) {
         {"decimal_mark", "", 0.0,
          "found commas only before three digits, as in \"1,250\"; they may be decimal marks or part "
          "thousands: remove those, or say comma"});
+  else if (const auto doubt = comma || shape.rule.delimiter == Delimiter::comma ? std::nullopt : thousands.found())
+    shape.questions.push_back(
+        {"decimal_mark", "", 0.0,
+         fmt::format("found {} and {} in one column; points may be decimal marks or part thousands: remove those, or "
+                     "say point",
+                     text::quoted(doubt->marked), text::quoted(doubt->whole))});
 }
 
 /// Decimal commas between commas: twice as many whole numbers as there are columns.

@@ -126,7 +126,7 @@ LinesAbove read_lines_above(std::span<const PlainLine> lines, AxisKind kind, cha
         ++taken;
       }
     }
-    above.passed_over += taken == 0;
+    if (taken == 0) above.passed_over.add(line.text);
   }
   return above;
 }

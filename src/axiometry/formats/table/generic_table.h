@@ -29,7 +29,7 @@ Result<TableRegion> find_table(const ImportProfile& profile, std::span<const Pla
 /// What the lines above a table tell about the test.
 struct LinesAbove {
   Preamble preamble;
-  std::size_t passed_over = 0;  ///< lines that were not understood
+  LinesPassedOver passed_over;
 };
 
 /// `# key: value`, "Machine: Mill 5" and "Machine;Mill 5" with the keys of csv-long; what does not fit its field is

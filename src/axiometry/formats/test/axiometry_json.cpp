@@ -227,6 +227,7 @@ Result<Test> read(std::string_view bytes) {
   AXIOMETRY_TRY(const AxisKind kind, placed(kind_of(*target_unit, *unit), series->find("unit")->at()));
   AXIOMETRY_TRY_VOID(settle_kind(metadata, root, kind));
   AXIOMETRY_TRY(Series readings, series_from(*series, {measured, unit}, *target_unit));
+  if (measured == Measured::deviation) AXIOMETRY_TRY_VOID(placed(check_deviations(readings, kind), series->at()));
   Test test{std::move(metadata), std::move(readings), {}};
   if (const Value* times = root.find("times_s")) {
     AXIOMETRY_TRY(test.times_s, times_from(*times, *series, test.series.run_count()));

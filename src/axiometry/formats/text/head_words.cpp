@@ -91,7 +91,21 @@ constexpr std::string_view ignored_words[] = {
     "sum", "total", "mittel", "mittelwert", "standardabweichung", "streuung", "summe", "moyenne", "écart-type", "media",
     "promedio", "spannweite", "reversal", "umkehrspanne", "limit", "limits", "limite", "limites", "tolerance",
     "tolérance", "toleranz", "tolleranza", "tolerancia", "grenze", "grenzwert", "obergrenze", "untergrenze", "公差",
-    "平均", "平均值", "标准差", "標準偏差"};
+    "平均", "平均值", "标准差", "標準偏差", "stdabw", "rms", "rmse", "variance", "varianz", "varianza", "moy", "mittl",
+    "repeatability", "wiederholbarkeit", "wiederholpräzision", "wiederholgenauigkeit", "répétabilité", "répétabilite",
+    "repetabilite", "ripetibilità", "ripetibilita", "repetibilidad", "重复定位精度", "uncertainty", "unsicherheit",
+    "messunsicherheit", "incertitude", "incertezza", "incertidumbre", "不确定度", "backlash", "hysteresis", "hysterese",
+    "hystérésis", "isteresi", "histéresis", "umkehrspiel", "gioco", "反向间隙"};
+// A deviation with one of these is no deviation from a target along the axis, or has lost its sign: "standard
+// deviation", "écart-type", "yaw error", "vertical deviation", "abs error".
+constexpr std::string_view other_deviation_words[] = {
+    "standard",   "estándar",   "estandar",     "típica",      "tipica",      "type",        "tipo",
+    "quadratico", "quadratica", "quadratique",  "squared",     "square",      "quadratisch", "quadrat",
+    "cuadrático", "abs",        "absolute",     "absolut",     "absolu",      "assoluto",    "absoluto",
+    "betrag",     "magnitude",  "yaw",          "pitch",       "roll",        "gieren",      "nicken",
+    "rollen",     "vertical",   "vertikal",     "verticale",   "horizontal",  "horizontale", "straightness",
+    "geradheit",  "rectitude",  "rettilineità", "incremental", "inkremental", "incrémental", "cumulative",
+    "relative"};
 // Deviations, or what takes them away ("Added ↑" of our own reports of tables): names alone do not say.
 constexpr std::string_view correction_words[] = {
     "added",        "addiert",           "ajouté",       "correction",    "corrections",
@@ -114,6 +128,13 @@ constexpr std::string_view down_words[] = {
     "負方向",   "负方向",   "回程",      "復路",       "逆行程",    "下行"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// "4s up", "6 sigma", "2σ": so many standard deviations, and no number of a run.
+bool names_a_multiple_of_s(const std::vector<std::string>& words) {
+  for (std::size_t k = 1; k < words.size(); ++k)
+    if (is_digit(words[k - 1].front()) && (words[k] == "s" || words[k] == "σ" || words[k] == "sigma")) return true;
+  return false;
+}
 
 /// "Lauf 1 auf", "ab 2": a direction at the end of a name, or before its number; "auf 20 °C bezogen" tells none.
 std::optional<Direction> direction_by_end(const std::vector<std::string>& words) {
@@ -174,6 +195,16 @@ struct NameAndUnit {
   const Unit* unit = nullptr;
 };
 
+/// "Abweichung 1/10", "error in 0.1", "deviation in 10": the unit behind it is counted in parts or in tens, and which
+/// it is only a person knows. "Lauf 1" is a number of its own.
+bool is_multiple_of_unit(std::string_view before_unit) {
+  const std::size_t begin = before_unit.find_last_not_of("0123456789./,");
+  const std::string_view number = text::trim(before_unit.substr(begin == std::string_view::npos ? 0 : begin + 1));
+  if (number.empty() || !is_digit(number.front()) || !is_digit(number.back())) return false;
+  const std::string_view words = text::trim(before_unit.substr(0, before_unit.size() - number.size()));
+  return number.find_first_of("./,") != std::string_view::npos || words.ends_with(" in") || words.ends_with(" en");
+}
+
 /// "soll [mm]", "error_um", "Abweichung in µm", "位置(mm)".
 NameAndUnit part_unit(std::string name) {
   for (const auto& [open, close] : {std::pair{'(', ')'}, std::pair{'[', ']'}, std::pair{'<', '>'}}) {
@@ -192,7 +223,7 @@ NameAndUnit part_unit(std::string name) {
   if (unit == nullptr) return {std::move(name), nullptr};
   std::string before(text::trim(std::string_view(name).substr(0, mark)));
   if (before.ends_with(" in") || before.ends_with(" en")) before.resize(before.size() - 3);
-  return {std::move(before), unit};
+  return {std::move(before), is_multiple_of_unit(before) ? nullptr : unit};
 }
 
 /// A sign is a direction at the very beginning or end, in brackets, and between a blank and a digit; not the hyphen in
@@ -213,8 +244,9 @@ std::optional<Direction> direction_by_sign(std::string_view name) {
 }
 
 HeadRole role_of(const std::vector<std::string>& words) {
-  if (find_any(words, ignored_words)) return HeadRole::ignored;
-  if (find_any(words, deviation_words)) return HeadRole::deviation;
+  if (find_any(words, ignored_words) || names_a_multiple_of_s(words)) return HeadRole::ignored;
+  if (find_any(words, deviation_words))
+    return find_any(words, other_deviation_words) ? HeadRole::ignored : HeadRole::deviation;
   if (find_any(words, measured_words)) return HeadRole::measured;
   if (find_any(words, target_words)) return find_any(words, index_words) ? HeadRole::index : HeadRole::target;
   if (find_any(words, direction_heads)) return HeadRole::direction;
@@ -265,6 +297,7 @@ Head head_of(std::string_view raw) {
   const std::string_view plain = text::trim(parts.name);
   const std::vector<std::string> words = words_of(plain);
   head.role = role_of(words);
+  if (plain.starts_with('|') && plain.ends_with('|') && head.role == HeadRole::deviation) head.role = HeadRole::ignored;
   const bool corrected = find_any(words, correction_words).has_value();
   std::vector<std::string> ways = words;
   if (corrected)  // "vor Kompensation" and "avant correction" are before it, not forward

@@ -161,6 +161,7 @@ void add_doubts(Against& against, const Case& c, const Assessment& assessment) {
     against.push_back(*std::move(finding));
   };
   ask(rules::part_of_axis_travel(c));
+  ask(rules::readings_beyond_errors(c));
   ask(rules::readings_repeat_exactly(c));
   ask(rules::readings_copied(c));
   ask(rules::runs_left_out(c));

@@ -173,6 +173,20 @@ std::optional<Finding> straight_slope(const Case& c) {
                       is_diagonal(c.metadata.axis) ? ", a squareness error" : ""));
 }
 
+/// No axis that is tested departs by a hundredth of its way, which is a millimetre or a degree at least: positions
+/// stand in the place of deviations, or the unit is not that of the readings.
+std::optional<Finding> readings_beyond_errors(const Case& c) {
+  constexpr double share_of_way = 0.01, least_way = 1.0;  // mm or °
+  const AxisParameters& p = c.evaluation.parameters;
+  const double E = (p.E ? p.E : p.E_up ? p.E_up : p.E_down)->in_native();
+  if (E < std::max(least_way, share_of_way * c.travel()) * deviation_per_position(c.kind())) return std::nullopt;
+  return departure(
+      "readings-beyond-errors", "3.6",
+      message("found deviations that differ by {} over {} of targets, expected less than a hundredth of the "
+              "way: are they deviations, and in the unit that is stated?",
+              deviation_message(c, E), position_text(c, c.travel())));
+}
+
 std::optional<Finding> same_reversal_everywhere(const Case& c) {
   const auto with_both = std::ranges::count_if(
       c.evaluation.positions, [](const PositionResult& position) { return position.reversal.has_value(); });

@@ -27,6 +27,7 @@ constexpr Row every_rule[] = {
     {both_ends_from_both_sides, may_depart},
     {targets_within_axis_travel, may_depart},
     {part_of_axis_travel},
+    {readings_beyond_errors, may_depart},
     {same_reversal_everywhere},
     {readings_repeat_exactly},
     {readings_copied},

@@ -59,6 +59,7 @@ using Rule = std::optional<Finding>(const Case&);
 Rule both_ends_from_both_sides;       // 3.2
 Rule targets_within_axis_travel;      // 3.2
 Rule part_of_axis_travel;             // 3.2
+Rule readings_beyond_errors;          // 3.6
 Rule same_reversal_everywhere;        // 3.17
 Rule readings_repeat_exactly;         // 3.18
 Rule readings_copied;                 // 3.18
