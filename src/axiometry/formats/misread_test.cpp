@@ -97,19 +97,20 @@ TEST(Misread, UnitsThatContradictAreRefusedOrTold) {
   EXPECT_THAT(answer("[EXX]\nSIGN = -1\nGridpoints = {\n0 0.0005\n100 0.0012\n}\n"), HasSubstr("found SIGN = \"-1\""));
 }
 
-const std::string rtl_head = "HEADER::\nFile type  : rtl\n";
-const std::string rtl_rest =
+const std::string rtl_beginning = "HEADER::\nFile type  : rtl\n";
+const std::string rtl_middle =
     "TARGET DATA::\nTarget-count: 2\nTargets :\n100 200\nRUNS::\nRun-count: 2\nDEVIATIONS::\nRun Target Data:\n";
-const std::string rtl_rows = " 1 1 0.100\n 1 2 0.400\n 2 2 1.900\n 2 1 1.600";
+const std::string rtl_readings = " 1 1 0.100\n 1 2 0.400\n 2 2 1.900\n 2 1 1.600";
 
 TEST(Misread, AnRtlFileIsInItsUnitsAndWhole) {
-  EXPECT_THAT(answer(rtl_head + "Units: inch\n" + rtl_rest + rtl_rows + "\nEOF::\n"),
+  EXPECT_THAT(answer(rtl_beginning + "Units: inch\n" + rtl_middle + rtl_readings + "\nEOF::\n"),
               HasSubstr("expected none but mm and um"));
-  EXPECT_EQ(answer(rtl_head + rtl_rest + rtl_rows + "\nEOF::\n"), "read");
-  EXPECT_EQ(answer(rtl_head + rtl_rest + rtl_rows + "\n"), "read");
-  EXPECT_THAT(answer(rtl_head + rtl_rest + rtl_rows), HasSubstr("its last reading may be cut off"));
-  EXPECT_THAT(answer(rtl_head + rtl_rest + " 1 1 100000.1\n 1 2 200000.4\n 2 2 200001.9\n 2 1 100001.6\nEOF::\n"),
-              HasSubstr("deviations as large as the target positions"));
+  EXPECT_EQ(answer(rtl_beginning + rtl_middle + rtl_readings + "\nEOF::\n"), "read");
+  EXPECT_EQ(answer(rtl_beginning + rtl_middle + rtl_readings + "\n"), "read");
+  EXPECT_THAT(answer(rtl_beginning + rtl_middle + rtl_readings), HasSubstr("its last reading may be cut off"));
+  EXPECT_THAT(
+      answer(rtl_beginning + rtl_middle + " 1 1 100000.1\n 1 2 200000.4\n 2 2 200001.9\n 2 1 100001.6\nEOF::\n"),
+      HasSubstr("deviations as large as the target positions"));
 }
 
 TEST(Misread, PositionsAreNoDeviationsInJsonEither) {
