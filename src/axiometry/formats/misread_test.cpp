@@ -52,7 +52,8 @@ TEST(Misread, ASummaryIsNoSeriesOfDeviations) {
         "Mittel [µm];Messunsicherheit [µm]", "Media (um);Scarto tipo (um)", "Media (um);Desviación estándar (um)",
         "Mean (um);|error| (um)", "Mean (um);Error yaw (um)", "Mean (um);Vertical deviation (um)",
         "Mean (um);Backlash (um)", "Mean (um);error_rms_um"})
-    EXPECT_THAT(answer("Target (mm);Direction;" + head + "\n" + rows), HasSubstr("which column holds them"));
+    EXPECT_THAT(answer("Target (mm);Direction;" + head + "\n" + rows), testing::Not(testing::StartsWith("read")))
+        << head;
   EXPECT_THAT(answer("target_mm,direction,run,|error| um\n0,up,1,0.1\n50,up,1,0.4\n50,down,1,1.1\n0,down,1,0.9\n"),
               testing::Not(testing::StartsWith("read")));
 }
