@@ -132,8 +132,13 @@ Result<std::optional<std::string>> field_key(const std::string& key, TextPositio
   return std::nullopt;
 }
 
-/// "# taken from "C:\\x.rtl", read as …", as metadata_lines() begins.
-bool is_note_of_origin(std::string_view key) { return key.starts_with("taken_from_"); }
+/// "# air temperature: 68 F", by its few words; "# Readings: ISO 230-2:2014, Table 2. All else is made up" is prose, as
+/// "# taken from "x.rtl", read as …" is.
+bool looks_like_a_particular(const KeyAndValue& pair) {
+  constexpr std::ptrdiff_t most_words = 3;
+  return !pair.value.empty() && std::ranges::count(pair.key, '_') < most_words &&
+         std::ssize(text::words(pair.value)) <= most_words;
+}
 
 Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::size_t number) {
   const auto pair = key_and_value(line);
@@ -144,7 +149,7 @@ Result<void> take_comment_line(Preamble& preamble, std::string_view line, std::s
   }
   AXIOMETRY_TRY(auto key, field_key(pair->key, {number, line.find_first_not_of("\"# \t") + 1}));
   if (!key) {
-    if (!pair->value.empty() && !is_note_of_origin(pair->key)) preamble.passed_over.add(line);
+    if (looks_like_a_particular(*pair)) preamble.passed_over.add(line);
     return {};
   }
   const TextPosition at{number, pair->value_column};
