@@ -188,9 +188,13 @@ target_mm,direction,run,deviation_um
 - Delimiter: comma, semicolon or tab. Decimal point, or decimal comma with semicolons or tabs; one of them in a file.
 - Text is UTF-8. Files of one test may be UTF-16, Windows-1252, Latin-1 or GBK too, which a remark then tells.
 - Fields may be quoted (RFC 4180). A byte order mark, CRLF, blank rows and comments (`# …`) do no harm.
-- Instruments may print lines of their own above the header: `Machine;Mill 5` is understood, the unknown passed over.
+- Instruments may print lines of their own above the header: `Machine;Mill 5` is understood, the unknown passed over
+  and told. So is a comment of few words, `# air temperature: 68 F`, of which nothing is kept.
   A header may stand behind a `#`. German names are understood too: Sollposition, Richtung, Lauf, Abweichung.
-- A missing reading is an empty field, `-`, `NA` or `n/a`.
+- A missing reading is an empty field, `-`, `--`, `NA`, `n/a`, `#N/A` or `null`.
+- Between semicolons and tabs, `1.000` beside `500` is refused: its mark may part thousands. As many decimals in all
+  numbers, or none of these marks, make it plain.
+- A unit stated for all is that of columns without one; two different ones are refused.
 - Lines `# key: value` above the header are metadata. Keys are those of the metadata table, such as `machine.name`;
   `machine`, `axis`, `date`, `inspector`, `serial number`, `feed` and the like are understood. A text that a line
   cannot hold as it is stands in quotation marks as in JSON: `# machine.name: "two\nlines"`.
