@@ -133,7 +133,7 @@ ENGLISH = set("""
 """.split())
 # What the examples and their files call things, and names of files and of metadata.
 NAMES = re.compile(r"\w+[\w-]*\.(?:csv|json|txt|rtx)|[a-z]+\.[a-z_]+|--[a-z-]+|axiometry [a-z]+|this-machine|"
-                   r"Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|Lira & Cargill|"
+                   r"\"# quantity: position\"|\"Messprotokoll Positionierung\"|Table 2 of ISO 230-2 \(worked example\)|Tilting rotary table \(made up\)|Virtual machine|Fräse 7|Lira & Cargill|"
                    r"Machining centre|(?:leica|api|faro|etalon)-\w+|\b(?:P_?s,|U_?)(?:mean|max)\b|E[A-CX-Z][X-Z]\b|[NP0]{3}-[NP0]{3}|\bvice\b|\bshort\b")
 
 

@@ -1844,9 +1844,11 @@ export interface components {
             axes: components["schemas"]["Axis"][];
             /** @description How many, without withdrawn ones. */
             tests: number;
+            /** @description By the day it was measured or, where none is known, received. */
             latest_test: {
                 id: components["schemas"]["Id"];
                 measured_on: string;
+                received_at: string;
                 verdict: components["schemas"]["Verdict"] | null;
             } | null;
             /** @description Of each axis that has tests the latest, by the day it was measured or, where none is known, received. */

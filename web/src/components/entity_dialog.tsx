@@ -11,6 +11,7 @@ import { ConflictDialog } from './conflict';
 import { Dialog } from './dialog';
 import { FailureNotice } from './failure';
 import { Field } from './field';
+import { merged_body } from './merged_edit';
 
 const t = texts({
   reason: 'Reason for the change',
@@ -47,15 +48,17 @@ export function EntityDialog<T extends Entity>({ title, path, entity, collect, o
     if (is_kept) returned.value += 1;   // what is behind this is asked for again
   };
 
-  const save = async (onto: number) => {
-    const body = collect();
-    if (body === null) return;
+  /** Onto the version that the form began with, or onto one of somebody else, whose changes stay where nothing was typed. */
+  const save = async (onto: T | null) => {
+    const typed = collect();
+    if (typed === null) return;
+    const body = entity !== null && onto !== null && onto.version !== entity.version ? merged_body(entity, typed, onto) : typed;
     set_busy(true);
     set_error(null);
     try {
       on_saved(entity === null
         ? await send<T>('POST', path, { ...body, reason })
-        : await send<T>('PUT', `${path}/${entity.id}`, { ...body, base_version: onto, reason }));
+        : await send<T>('PUT', `${path}/${entity.id}`, { ...body, base_version: onto?.version ?? entity.version, reason }));
     } catch (failure) {
       await explain(failure);
     }
@@ -73,7 +76,7 @@ export function EntityDialog<T extends Entity>({ title, path, entity, collect, o
   return (
     <>
       <Dialog
-        title={title} on_close={close} on_submit={() => { if (!is_kept) void save(base); }} wide={wide ?? false}
+        title={title} on_close={close} on_submit={() => { if (!is_kept) void save(theirs ?? entity); }} wide={wide ?? false}
         actions={
           <>
             <button type="button" onClick={close}>{t(is_kept ? 'close' : 'cancel')}</button>
@@ -95,7 +98,7 @@ export function EntityDialog<T extends Entity>({ title, path, entity, collect, o
       {theirs && (
         <ConflictDialog
           latest={{ ...theirs.change, version: theirs.version }} busy={busy}
-          on_theirs={() => on_theirs(theirs)} on_mine={() => void save(theirs.version)} on_close={() => set_theirs(null)}
+          on_theirs={() => on_theirs(theirs)} on_mine={() => void save(theirs)} merges on_close={() => set_theirs(null)}
         />
       )}
     </>

@@ -152,15 +152,19 @@ Result<Retest> retest_of(NamedTest again, const Test& before, const Foretold& fo
   const auto effect =
       compensation::effect_of_table(before.series, test.series, foretold.applied, removed, same_target_native);
   const auto part = effect ? compensation::finding_of_part(*effect, before.series, s.options.kind) : std::nullopt;
-  if (effect)
-    findings.push_back(compensation::finding_of_retest(
-        *effect, {s.control.uses.turned_sign, !exceeded.empty(), above_95, part.has_value()}));
-  else
+  std::vector<NamedFinding> of_state = findings_of_retest_state(before.metadata, test);
+  const bool excluded = std::ranges::any_of(of_state, &NamedFinding::serious);  // so that nothing is "as predicted"
+  if (effect) {
+    NamedFinding shown = compensation::finding_of_retest(
+        *effect, {s.control.uses.turned_sign, !exceeded.empty(), above_95, part.has_value()});
+    if (shown.serious || !excluded) findings.push_back(std::move(shown));
+  } else {
     findings.push_back({"retest-other-targets", true,
                         "the re-test has fewer than three targets in common with the test: it cannot be held against "
                         "the prediction"});
+  }
   if (part) findings.push_back(*part);
-  std::ranges::move(findings_of_retest_state(before.metadata, test), std::back_inserter(findings));
+  std::ranges::move(of_state, std::back_inserter(findings));
   std::ranges::move(exceeded, std::back_inserter(findings));
   return Retest{std::move(test), std::move(evaluation), effect};
 }

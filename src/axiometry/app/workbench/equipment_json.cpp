@@ -125,6 +125,7 @@ json::Value to_json(const MachineSummary& summary) {
     latest = Value::object();
     latest.add("id", id_value(summary.tests->latest));
     latest.add("measured_on", summary.tests->measured_on);
+    latest.add("received_at", summary.tests->received_at);
     latest.add("verdict", text_or_null(summary.tests->verdict));
   }
   Value& of_axes = object.add("latest_of_axes", Value::array());
@@ -233,6 +234,10 @@ Result<Edit<store::InstrumentRecord>> instrument_from(const json::Value& value) 
   AXIOMETRY_TRY_VOID(take_lines<store::InstrumentRecord>(members, value, instrument, instrument_lines));
   AXIOMETRY_TRY_VOID(check_date(value, "calibrated_on", instrument.calibrated_on));
   AXIOMETRY_TRY_VOID(check_date(value, "calibration_due", instrument.calibration_due));
+  if (const std::string& on = instrument.calibrated_on, &due = instrument.calibration_due;
+      !on.empty() && !due.empty() && due < on)
+    return at_member(value, "calibration_due",
+                     Error{fmt::format("found the day {}, expected one after the calibration of {}", due, on), {}, {}});
   if (const Value* inputs = members.optional("inputs")) {
     AXIOMETRY_TRY(instrument.inputs, changes_from(*inputs));
     AXIOMETRY_TRY_VOID(check_inputs(instrument.inputs, *inputs));

@@ -237,7 +237,7 @@ Result<std::string> Workbench::figure(store::Id id, std::optional<int> version, 
   auto figures = drawn_figures(record, *evaluated, request.options);
   if (index >= figures.size())
     return fail(ErrorKind::not_found,
-                fmt::format("found the figure {} of a test with {}, expected one of them", index, figures.size()));
+                fmt::format("found the figure {} of a test with {}, expected one of them", index + 1, figures.size()));
   report::Figure& figure = figures[index];
   return report::to_svg(dark ? report::for_dark_page(std::move(figure)) : figure);
 }

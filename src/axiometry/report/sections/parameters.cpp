@@ -53,7 +53,7 @@ std::vector<RichText> notes(const Subject& subject, const Options& options) {
   if (method == iso230_2::UncertaintyMethod::annex_a && assessment.annex_a && !assessment.annex_a->missing.empty())
     notes.push_back(joined({italic("U"), plain(" covers only the contributors that were given; see the budget.")}));
   if (const std::string late = uncalibrated_statement(subject.judgements, assessment); !late.empty())
-    notes.push_back(plain(late));
+    notes.push_back(with_symbols(late));
   for (const std::string& sentence : interval_assumptions(subject, options)) notes.push_back(with_symbols(sentence));
   if (!subject.judgements.empty())
     notes.push_back(

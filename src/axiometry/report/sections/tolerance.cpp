@@ -172,9 +172,9 @@ std::vector<RichText> notes(const Subject& subject, Wanted want, const Options& 
   notes.push_back(origins_of_limits(subject.judgements));
   for (const std::string& withheld : withheld_statements(subject.judgements)) notes.push_back(plain(withheld));
   if (const std::string lacks = incomplete_statement(subject.judgements, subject.assessment); !lacks.empty())
-    notes.push_back(plain(lacks));
+    notes.push_back(with_symbols(lacks));
   if (const std::string late = uncalibrated_statement(subject.judgements, subject.assessment); !late.empty())
-    notes.push_back(plain(late));
+    notes.push_back(with_symbols(late));
   if (const std::string noise = noise_statement(subject.judgements, subject.assessment); !noise.empty())
     notes.push_back(plain(noise));
   if (want.guard_band && std::ranges::any_of(subject.judgements, [](const Judgement& j) {

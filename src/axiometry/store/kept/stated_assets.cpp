@@ -121,6 +121,8 @@ Result<KnownMachine> known_machine(Connection& connection, const MachineRecord& 
 Result<KnownAxis> known_axis(Connection& connection, Id machine, const AxisRecord& stated) {
   if (!is_given(stated.name)) return std::nullopt;
   AXIOMETRY_TRY(const auto axes, axes_of(connection, machine));
+  for (const Versioned<AxisRecord>& axis : axes)  // archives of earlier versions hold "X" beside "x"
+    if (axis.value.kind == stated.kind && axis.value.name == stated.name) return axis;
   return find(connection, axes,
               [&](const AxisRecord& axis) { return axis.kind == stated.kind && same_word(axis.name, stated.name); });
 }

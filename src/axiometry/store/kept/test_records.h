@@ -126,13 +126,21 @@ struct TestFilter {
   std::int64_t limit = 50;  ///< most records, at most largest_page
 };
 
+/// The day that a test counts by: of measurement or, where that is not known, of arrival.
+inline std::string day_of_test(const std::string& measured_on, const std::string& received_at) {
+  return measured_on.empty() ? received_at.substr(0, 10) : measured_on;
+}
+
 /// The tests of a machine that are not withdrawn.
 struct MachineTests {
   Id machine = 0;
   std::int64_t total = 0;  ///< never 0
-  Id latest = 0;           ///< latest by the date of measurement, then of arrival
+  Id latest = 0;           ///< latest as AxisLatest has it
   std::string measured_on;
-  std::string verdict;  ///< verdict on the latest, like its date
+  std::string received_at;
+  std::string verdict;  ///< verdict on the latest, like its dates
+
+  std::string day() const { return day_of_test(measured_on, received_at); }
 };
 
 /// The latest test of an axis that is not withdrawn: by the day of measurement, or, where that is not known, of
@@ -145,7 +153,7 @@ struct AxisLatest {
   std::string received_at;
   std::string verdict;
 
-  std::string day() const { return measured_on.empty() ? received_at.substr(0, 10) : measured_on; }
+  std::string day() const { return day_of_test(measured_on, received_at); }
 };
 
 struct TestPage {

@@ -3,10 +3,10 @@
 import type { Machine, Verdict } from '../../api/types';
 import { days_until, months_later } from '../../components/dates';
 import { due_months } from '../../settings';
-import { last_verdict } from './axis_courses';
+import { is_over_new_limit, last_verdict } from './axis_courses';
 
 export interface Attention {
-  kind: 'does not conform' | 'overdue' | 'undecided' | 'never';
+  kind: 'does not conform' | 'new limit' | 'overdue' | 'undecided' | 'never';
   axes: readonly string[];       // of a verdict
   overdue: readonly Overdue[];   // of what is overdue
 }
@@ -25,7 +25,7 @@ export function overdue(machine: Machine): Overdue[] {
   const months = Number(due_months.value);
   if (months === 0 || machine.latest_test === null) return [];
   if (machine.latest_of_axes.length === 0) {
-    const since = overdue_since(machine.latest_test.measured_on, months);
+    const since = overdue_since(machine.latest_test.measured_on || machine.latest_test.received_at, months);
     return since === null ? [] : [{ since, axes: [] }];
   }
   const by_day = new Map<string, string[]>();
@@ -47,6 +47,8 @@ export function attention(machine: Machine): Attention[] {
     if (axes.length > 0 || machine.latest_test?.verdict === kind) all.push({ kind, axes, overdue: [] });
   };
   of_verdict('does not conform');
+  const over = machine.axes.filter(is_over_new_limit).map((axis) => axis.name);
+  if (over.length > 0) all.push({ kind: 'new limit', axes: over, overdue: [] });
   const late = overdue(machine);
   if (late.length > 0) all.push({ kind: 'overdue', axes: [], overdue: late });
   of_verdict('undecided');
@@ -54,5 +56,5 @@ export function attention(machine: Machine): Attention[] {
   return all;
 }
 
-const weights = { 'does not conform': 8, overdue: 4, undecided: 2, never: 1 };
+const weights = { 'does not conform': 16, 'new limit': 8, overdue: 4, undecided: 2, never: 1 };
 export const weight = (machine: Machine): number => attention(machine).reduce((sum, one) => sum + weights[one.kind], 0);

@@ -34,6 +34,14 @@ export function load_courses(axes: readonly Axis[]): () => void {
   return () => abort.abort();
 }
 
+/** Whether its last test, whatever it was judged by, stands over a limit that the axis has been given since. */
+export function is_over_new_limit(axis: Axis): boolean {
+  const points = complete.value.get(axis.id)?.points ?? [];
+  const figures = points[points.length - 1]?.figures ?? [];
+  return axis.limits.some(({ parameter, value }) =>
+    figures.some((one) => one.parameter === parameter && one.limit !== null && one.limit !== value && Math.abs(one.value) > value && one.verdict !== 'does not conform'));
+}
+
 /** Of the last test of an axis. */
 export function last_verdict(axis: number): Verdict | null {
   const points = complete.value.get(axis)?.points;

@@ -3,13 +3,13 @@ import { useState } from 'preact/hooks';
 import type { Axis, CompensationHead, CompensationList, Machine } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
-import { date_or_none } from '../../components/test_date';
 import { absent, shortest, unit_sign } from '../../numbers';
 import { AttentionTags } from './machines';
 import { CalibrationsOfMachine } from '../calibrations/of_machine';
 import './machines.css';
 import { AxisDialog } from './axis_dialog';
 import { EntityHistory } from './history';
+import { Day } from './day';
 import { MachineDialog } from './machine_dialog';
 import { plain_symbol } from './parameters';
 import { t } from './texts';
@@ -95,7 +95,7 @@ function Facts({ machine }: { machine: Machine }) {
         <div>
           <dt>{t('latest')}</dt>
           <dd class="latest">
-            {machine.latest_test ? <a href={`/tests/${machine.latest_test.id}`}>{date_or_none(machine.latest_test.measured_on)}</a> : absent}
+            {machine.latest_test ? <a href={`/tests/${machine.latest_test.id}`}><Day test={machine.latest_test} /></a> : absent}
             <AttentionTags machine={machine} />
           </dd>
         </div>

@@ -4,7 +4,7 @@ import type { Machine, MachineList } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
 import { DataTable, type Order } from '../../components/table';
-import { date_or_none } from '../../components/test_date';
+import { day_of_test } from '../../components/test_date';
 import { VerdictMark } from '../../components/verdict';
 import { absent } from '../../numbers';
 import { go } from '../../router';
@@ -12,14 +12,17 @@ import './machines.css';
 import { attention, weight } from './attention';
 import { last_verdict, load_courses } from './axis_courses';
 import { AxisSpark } from './axis_spark';
+import { Day } from './day';
 import { MachineDialog } from './machine_dialog';
 import { t } from './texts';
+
+const day_of_latest = ({ latest_test }: Machine): string => (latest_test ? day_of_test(latest_test) : '');
 
 const sorts: Record<string, (a: Machine, b: Machine) => number> = {
   attention: (a, b) => weight(a) - weight(b) || b.name.localeCompare(a.name),
   name: (a, b) => a.name.localeCompare(b.name),
   location: (a, b) => a.location.localeCompare(b.location) || a.name.localeCompare(b.name),
-  latest: (a, b) => (a.latest_test?.measured_on ?? '').localeCompare(b.latest_test?.measured_on ?? ''),
+  latest: (a, b) => day_of_latest(a).localeCompare(day_of_latest(b)),
 };
 
 function fits(machine: Machine, text: string): boolean {
@@ -83,7 +86,7 @@ function MachineTable({ rows, order, on_order }: { rows: Machine[]; order: Order
         { key: 'attention', head: t('attention'), order: 'attention', falling: true, class: 'wide-only', cell: (row) => <AttentionTags machine={row} /> },
         { key: 'latest', head: t('latest'), order: 'latest', falling: true, class: 'number-text wide-only', cell: (row) => (
           row.latest_test
-            ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}>{date_or_none(row.latest_test.measured_on)}</a>
+            ? <a class="quiet-link" href={`/tests/${row.latest_test.id}`}><Day test={row.latest_test} /></a>
             : absent
         ) },
         { key: 'tests', head: t('tests'), number: true, class: 'wide-only tests', cell: (row) => <a class="quiet-link" href={`/?machine=${row.id}`}>{row.tests}</a> },
@@ -102,6 +105,7 @@ export function AttentionTags({ machine }: { machine: Machine }) {
     <span class="tags">
       {all.map(({ kind, axes, overdue }) => {
         if (kind === 'never') return <span key={kind} class="tag">{t(kind)}</span>;
+        if (kind === 'new limit') return <span key={kind} class="tag caution">{t('over_new_limit', { axes: axes.join(', ') })}</span>;
         if (kind === 'overdue') return overdue.map((late) => <span key={late.since} class="tag caution">{late.axes.length === 0 ? t('overdue', { date: late.since }) : t('axes_overdue', { axes: late.axes.join(', '), date: late.since })}</span>);
         return <span key={kind} class="verdict-of">{axes.length > 0 && <strong>{axes.join(', ')}</strong>}<VerdictMark verdict={kind} /></span>;
       })}

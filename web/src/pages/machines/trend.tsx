@@ -8,11 +8,13 @@ import { FailureNotice } from '../../components/failure';
 import { ParameterSymbol } from '../../components/symbol';
 import { DataTable } from '../../components/table';
 import { VerdictMark } from '../../components/verdict';
+import { day_of_test } from '../../components/test_date';
 import { absent, shortest, unit_sign } from '../../numbers';
 import { go } from '../../router';
 import { at_hand, column_decimals, FigureCell, ParameterHead, shown_of, some_interval, some_U, uncertainty_text } from '../../components/figure_cell';
 import { differ, method_of, named_method, record_note } from '../../components/uncertainty';
 import { short_control } from '../compensations/lines';
+import { Day } from './day';
 import { look, parameters, plain_symbol, verdict_of } from './parameters';
 import { t } from './texts';
 import { colon, semicolon } from '../../i18n/colon';
@@ -21,8 +23,6 @@ type Point = Trend['points'][number];
 const most_named = 3;
 const no_tables: readonly CompensationHead[] = [];
 
-/** A test that does not say when it was measured stands where it was received. */
-const day_of = (point: Point): string => point.measured_on || point.received_at.slice(0, 10);
 
 const seconds_of = (point: Point): number => day_seconds(point.measured_on) ?? day_seconds(point.received_at) ?? 0;
 
@@ -140,7 +140,7 @@ function TrendChart({ trend, wanted, height, tables }: { trend: Trend; wanted: r
     if (!point) return null;
     return (
       <>
-        <div class="head"><Day point={point} /></div>
+        <div class="head"><Day test={point} /></div>
         <div class="title">{point.title}</div>
         <table>
           <tbody>
@@ -166,7 +166,7 @@ function TrendChart({ trend, wanted, height, tables }: { trend: Trend; wanted: r
     });
     const method = named_method(method_of(point?.figures ?? []));
     const further = [...(point ? [...table_words(tables, point), ...same_bytes_words(point)] : []), ...(method === '' ? [] : [t('by_method', { method })])];
-    return `${point ? day_of(point) : ''}, ${point?.title}${colon()} ${[said.join(semicolon()), ...further].join(semicolon())}`;
+    return `${point ? day_of_test(point) : ''}, ${point?.title}${colon()} ${[said.join(semicolon()), ...further].join(semicolon())}`;
   };
   return (
     <Chart
@@ -175,10 +175,6 @@ function TrendChart({ trend, wanted, height, tables }: { trend: Trend; wanted: r
       on_choose={(place) => { const point = points[place.index]; if (point) go(`/tests/${point.test}`); }}
     />
   );
-}
-
-function Day({ point }: { point: Point }) {
-  return <>{day_of(point)}{point.measured_on === '' && <span class="quiet"> ({t('received')})</span>}</>;
 }
 
 function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Parameter[] }) {
@@ -191,9 +187,9 @@ function TrendTable({ trend, wanted }: { trend: Trend; wanted: readonly Paramete
       <DataTable<Point>
         caption={t('trend_of', { axis: trend.axis.name })} rows={points} row_key={(point) => point.test}
         columns={[
-          { key: 'measured', head: t('measured'), class: 'number-text wide-only', cell: (point) => <Day point={point} /> },
+          { key: 'measured', head: t('measured'), class: 'number-text wide-only', cell: (point) => <Day test={point} /> },
           { key: 'test', head: t('test'), row_head: true, cell: (point) => (
-            <><a href={`/tests/${point.test}`}>{point.title}</a><span class="only-narrow quiet small number-text"><Day point={point} /></span>
+            <><a href={`/tests/${point.test}`}>{point.title}</a><span class="only-narrow quiet small number-text"><Day test={point} /></span>
               {named && method_of(point.figures) !== null && <span class="by-method quiet small">{t('by_method', { method: named_method(method_of(point.figures)) })}</span>}
               {same_bytes_words(point).map((words) => <span key={words} class="same-bytes quiet small"> {words}</span>)}</>
           ) },

@@ -92,7 +92,7 @@ function columns(rows: readonly TestRow[]): Column<TestRow>[] {
         {row.label !== '' && <> <span class="tag" title={row.label}>{t('not_for_acceptance')}</span></>}
       </>
     ) },
-    { key: 'machine', head: t('machine'), order: 'machine', class: 'wide-only', cell: (row) => (row.machine ? <a class="quiet-link" href={`/machines/${row.machine.id}`}>{row.machine.name}</a> : absent) },
+    { key: 'machine', head: t('machine'), order: 'machine', class: 'wide-only machine', cell: (row) => (row.machine ? <a class="quiet-link" href={`/machines/${row.machine.id}`}>{row.machine.name}</a> : absent) },
     { key: 'axis', head: t('axis'), class: 'wide-only', cell: (row) => (row.axis ? <a class="quiet-link" href={`/axes/${row.axis.id}`}>{row.axis.name}</a> : absent) },
     { key: 'measured', head: t('measured'), order: 'measured', falling: true, class: 'number-text wide-only', cell: (row) => row.measured_on || absent },
     figure('A'), figure('E'), figure('R'), figure('B'),
