@@ -144,14 +144,14 @@ TEST_P(StoreTest, TellsOfEachMachineHowManyTestsItHasAndTheLatest) {
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].machine, 1);
   EXPECT_EQ(all[0].total, 4);
-  EXPECT_EQ(all[0].latest, 4) << "without a day the day counts on which it came, as for axes";
-  EXPECT_EQ(all[0].measured_on, "");
-  EXPECT_FALSE(all[0].received_at.empty());
-  EXPECT_EQ(all[0].verdict, "conforms");
+  EXPECT_EQ(all[0].latest.test, 4) << "without a day the day counts on which it came, as for axes";
+  EXPECT_EQ(all[0].latest.measured_on, "");
+  EXPECT_FALSE(all[0].latest.received_at.empty());
+  EXPECT_EQ(all[0].latest.verdict, "conforms");
   must(store->withdraw(4, true, by_anna));
-  EXPECT_EQ(must(store->machine_tests(1))[0].latest, 3) << "of two on a day the one that came later";
-  EXPECT_EQ(all[1].latest, 6);
-  EXPECT_EQ(all[1].verdict, "");
+  EXPECT_EQ(must(store->machine_tests(1))[0].latest.test, 3) << "of two on a day the one that came later";
+  EXPECT_EQ(all[1].latest.test, 6);
+  EXPECT_EQ(all[1].latest.verdict, "");
   const auto one = must(store->machine_tests(2));
   ASSERT_EQ(one.size(), 1u);
   EXPECT_EQ(one[0].machine, 2);
@@ -181,22 +181,22 @@ TEST_P(StoreTest, TellsOfEachAxisTheLatestTest) {
   const auto all = must(store->axes_latest());
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].machine, 1);
-  EXPECT_EQ(all[0].test, 3) << "of two on a day the one that came later, and none that is withdrawn";
-  EXPECT_EQ(all[1].test, 2);
-  EXPECT_EQ(all[1].day(), "2017-05-01");
-  EXPECT_EQ(all[1].verdict, "undecided");
+  EXPECT_EQ(all[0].latest.test, 3) << "of two on a day the one that came later, and none that is withdrawn";
+  EXPECT_EQ(all[1].latest.test, 2);
+  EXPECT_EQ(all[1].latest.day(), "2017-05-01");
+  EXPECT_EQ(all[1].latest.verdict, "undecided");
   EXPECT_EQ(all[2].machine, 2);
-  EXPECT_EQ(all[2].measured_on, "");
-  EXPECT_EQ(all[2].day(), all[2].received_at.substr(0, 10));
+  EXPECT_EQ(all[2].latest.measured_on, "");
+  EXPECT_EQ(all[2].latest.day(), all[2].latest.received_at.substr(0, 10));
   const auto one = must(store->axes_latest(2));
   ASSERT_EQ(one.size(), 1u);
-  EXPECT_EQ(one[0].test, 6);
+  EXPECT_EQ(one[0].latest.test, 6);
   // One without a day counts by the day on which it arrived, which is later than that of the others.
   std::vector<NewTest> undated{new_test("undated")};
   undated.back().state.measured_on = "";
   undated.back().state.axis.name = "Z";
   must(store->receive(content_of("abd"), undated, by_anna));
-  EXPECT_EQ(must(store->axes_latest(1))[1].test, 7);
+  EXPECT_EQ(must(store->axes_latest(1))[1].latest.test, 7);
 }
 
 TEST_P(StoreTest, RefusesWhatOneOfTheDatabasesCouldNotKeep) {

@@ -106,6 +106,13 @@ Result<void> check_inputs(const Changes& inputs, const Value& at) {
   return {};
 }
 
+void add_latest(Value& object, const store::LatestTest& test) {
+  object.add("id", id_value(test.test));
+  object.add("measured_on", test.measured_on);
+  object.add("received_at", test.received_at);
+  object.add("verdict", text_or_null(test.verdict));
+}
+
 }  // namespace
 
 json::Value to_json(const store::Versioned<store::MachineRecord>& machine) {
@@ -123,19 +130,13 @@ json::Value to_json(const MachineSummary& summary) {
   Value& latest = object.add("latest_test", Value());
   if (summary.tests) {
     latest = Value::object();
-    latest.add("id", id_value(summary.tests->latest));
-    latest.add("measured_on", summary.tests->measured_on);
-    latest.add("received_at", summary.tests->received_at);
-    latest.add("verdict", text_or_null(summary.tests->verdict));
+    add_latest(latest, summary.tests->latest);
   }
   Value& of_axes = object.add("latest_of_axes", Value::array());
   for (const store::AxisLatest& of_one : summary.of_axes) {
     Value& row = of_axes.push(Value::object());
     row.add("axis", id_value(of_one.axis));
-    row.add("id", id_value(of_one.test));
-    row.add("measured_on", of_one.measured_on);
-    row.add("received_at", of_one.received_at);
-    row.add("verdict", text_or_null(of_one.verdict));
+    add_latest(row, of_one.latest);
   }
   return object;
 }

@@ -24,10 +24,8 @@ Result<Rows> listed(Connection& connection, Id first, Id last);
 Result<void> rename_machine_in_lists(Connection& connection, Id machine, const std::string& name);
 Result<void> rename_axis_in_lists(Connection& connection, Id axis, const AxisRecord& now);
 
-/// As store.h's tests(), machine_tests(), axes_latest() and trend(), within a transaction.
+/// As store.h's tests() and trend(), within a transaction.
 Result<TestPage> find_tests(Connection& connection, const TestFilter& filter);
-Result<std::vector<MachineTests>> find_machine_tests(Connection& connection, std::optional<Id> machine);
-Result<std::vector<AxisLatest>> find_axes_latest(Connection& connection, std::optional<Id> machine);
 Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std::span<const std::string> parameters,
                                            std::int64_t limit);
 

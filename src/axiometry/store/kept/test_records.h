@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "axiometry/store/kept/latest_tests.h"
 #include "axiometry/store/records.h"
 
 /// Tests in the archive, and what is found of them.
@@ -124,36 +125,6 @@ struct TestFilter {
   bool descending = true;
   std::int64_t offset = 0;
   std::int64_t limit = 50;  ///< most records, at most largest_page
-};
-
-/// The day that a test counts by: of measurement or, where that is not known, of arrival.
-inline std::string day_of_test(const std::string& measured_on, const std::string& received_at) {
-  return measured_on.empty() ? received_at.substr(0, 10) : measured_on;
-}
-
-/// The tests of a machine that are not withdrawn.
-struct MachineTests {
-  Id machine = 0;
-  std::int64_t total = 0;  ///< never 0
-  Id latest = 0;           ///< latest as AxisLatest has it
-  std::string measured_on;
-  std::string received_at;
-  std::string verdict;  ///< verdict on the latest, like its dates
-
-  std::string day() const { return day_of_test(measured_on, received_at); }
-};
-
-/// The latest test of an axis that is not withdrawn: by the day of measurement, or, where that is not known, of
-/// arrival; of several on a day the one that arrived last.
-struct AxisLatest {
-  Id machine = 0;
-  Id axis = 0;
-  Id test = 0;
-  std::string measured_on;  ///< empty: not known
-  std::string received_at;
-  std::string verdict;
-
-  std::string day() const { return day_of_test(measured_on, received_at); }
 };
 
 struct TestPage {

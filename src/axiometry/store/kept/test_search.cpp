@@ -304,69 +304,6 @@ Result<TestPage> find_tests(Connection& connection, const TestFilter& filter) {
   return page;
 }
 
-namespace {
-
-/// The newest test of an owner (a machine n, an axis a) with a day of measurement, or without one: either comes out of
-/// an index.
-std::string newest_of(std::string_view owner, std::string_view which) {
-  return fmt::format(
-      "(SELECT m.test FROM test_list m WHERE {} AND m.withdrawn = 0 AND m.measured_on {} "
-      "ORDER BY m.measured_on DESC, m.test DESC LIMIT 1)",
-      owner, which);
-}
-
-/// Of rows of one owner that follow each other the one of the latest day; of several on a day the last.
-template <typename Latest, typename SameOwner>
-void keep_latest(std::vector<Latest>& found, Latest next, SameOwner same_owner) {
-  if (found.empty() || !same_owner(found.back(), next))
-    found.push_back(std::move(next));
-  else if (next.day() >= found.back().day())
-    found.back() = std::move(next);
-}
-
-}  // namespace
-
-Result<std::vector<MachineTests>> find_machine_tests(Connection& connection, std::optional<Id> machine) {
-  std::vector<Parameter> parameters;
-  if (machine) parameters.emplace_back(*machine);
-  // The counts come out of the index list_machine too; of the table two rows for each machine are read.
-  AXIOMETRY_TRY(
-      const Rows rows,
-      connection.query(
-          fmt::format(
-              "SELECT n.machine, n.total, l.test, l.measured_on, l.received_at, l.verdict FROM (SELECT machine, "
-              "count(*) AS total FROM test_list WHERE withdrawn = 0 AND machine {} GROUP BY machine) n JOIN "
-              "test_list l ON l.test IN ({}, {}) ORDER BY n.machine, l.test",
-              machine ? "= $1" : "IS NOT NULL", newest_of("m.machine = n.machine", "> ''"),
-              newest_of("m.machine = n.machine", "= ''")),
-          parameters));
-  std::vector<MachineTests> found;
-  for (const Row& row : rows)
-    keep_latest(found,
-                MachineTests{row.integer(0), row.integer(1), row.integer(2), row.text(3), row.text(4), row.text(5)},
-                [](const MachineTests& a, const MachineTests& b) { return a.machine == b.machine; });
-  return found;
-}
-
-Result<std::vector<AxisLatest>> find_axes_latest(Connection& connection, std::optional<Id> machine) {
-  std::vector<Parameter> parameters;
-  if (machine) parameters.emplace_back(*machine);
-  AXIOMETRY_TRY(
-      const Rows rows,
-      connection.query(fmt::format("SELECT l.machine, l.axis, l.test, l.measured_on, l.received_at, l.verdict "
-                                   "FROM axis a JOIN test_list l ON l.test IN ({}, {}) WHERE l.machine {} "
-                                   "ORDER BY l.machine, l.axis, l.test",
-                                   newest_of("m.axis = a.id", "> ''"), newest_of("m.axis = a.id", "= ''"),
-                                   machine ? "= $1" : "IS NOT NULL"),
-                       parameters));
-  std::vector<AxisLatest> found;
-  for (const Row& row : rows)
-    keep_latest(found,
-                AxisLatest{row.integer(0), row.integer(1), row.integer(2), row.text(3), row.text(4), row.text(5)},
-                [](const AxisLatest& a, const AxisLatest& b) { return a.axis == b.axis; });
-  return found;
-}
-
 Result<std::vector<TrendPoint>> find_trend(Connection& connection, Id axis, std::span<const std::string> parameters,
                                            std::int64_t limit) {
   AXIOMETRY_TRY(const auto known, get_asset<AxisRecord>(connection, axis));
