@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { edit_field, save_version, shows_version } from './steps.mjs';
-import { shows } from './world.mjs';
+import { example, shows } from './world.mjs';
 
 export const conflict = {
   async 'two tabs edit the same test: the second is told, and nothing of either is lost'(world) {
@@ -26,5 +27,28 @@ export const conflict = {
     const keys = Object.keys(changes).join(' ');
     assert.match(keys, /misalignment/);
     assert.match(keys, /environment/);
+  },
+
+  async 'two people change the limits of an axis: what one did not touch stays as the other left it, and what stands over it is told'(world) {
+    const { name } = JSON.parse(await readFile(example)).machine;
+    const machine = await world.api('POST', '/api/machines', { name });
+    const limit = (parameter, value) => ({ parameter, value });
+    const x = { machine: machine.id, name: 'X', kind: 'linear', notes: '' };
+    const axis = await world.api('POST', '/api/axes', { ...x, limits: [limit('A', 12), limit('B', 5)] });
+    await world.kept();
+    const page = await world.page();
+    await page.goto(`/machines/${machine.id}`);
+    await page.getByRole('button', { name: 'Limits…' }).click();
+    const dialog = page.getByRole('dialog');
+    await dialog.getByLabel('E', { exact: true }).fill('9');
+    await world.api('PUT', `/api/axes/${axis.id}`, { ...x, limits: [limit('A', 6), limit('B', 5)], base_version: 1, reason: 'agreed' });
+    await dialog.getByRole('button', { name: /save/i }).click();
+    await page.getByRole('button', { name: 'Keep mine as version 3' }).click();
+    await dialog.first().waitFor({ state: 'hidden' });
+    const kept = await world.api('GET', `/api/axes/${axis.id}`);
+    assert.equal(kept.version, 3);
+    assert.deepEqual(Object.fromEntries(kept.limits.map((one) => [one.parameter, one.value])), { A: 6, B: 5, E: 9 });
+    await page.goto('/machines');
+    await shows(page.locator('main'), /X over the limit of today/);
   },
 };

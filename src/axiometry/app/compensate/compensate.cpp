@@ -153,7 +153,10 @@ Result<Retest> retest_of(NamedTest again, const Test& before, const Foretold& fo
       compensation::effect_of_table(before.series, test.series, foretold.applied, removed, same_target_native);
   const auto part = effect ? compensation::finding_of_part(*effect, before.series, s.options.kind) : std::nullopt;
   std::vector<NamedFinding> of_state = findings_of_retest_state(before.metadata, test);
-  const bool excluded = std::ranges::any_of(of_state, &NamedFinding::serious);  // so that nothing is "as predicted"
+  // Another axis, or a day before the test: then nothing is "as predicted". That none was active may be a slip of the
+  // pen.
+  const bool excluded = std::ranges::any_of(
+      of_state, [](const NamedFinding& f) { return f.id == "retest-before-test" || f.id == "retest-of-another"; });
   if (effect) {
     NamedFinding shown = compensation::finding_of_retest(
         *effect, {s.control.uses.turned_sign, !exceeded.empty(), above_95, part.has_value()});
