@@ -68,11 +68,11 @@ export const wrong_files = {
     const bytes = new TextEncoder().encode(JSON.stringify(await poisoned(world)));
     const { id } = await world.api('POST', '/api/tests', bytes, { 'X-File-Name': encodeURIComponent(`${markup}.json`), 'X-Actor': encodeURIComponent(markup) });
     const machine = await world.api('POST', '/api/machines', {
-      name: markup, manufacturer: markup, type: markup, serial_number: markup, controller: markup, location: markup, notes: markup,
+      name: markup, manufacturer: markup, type: markup, serial_number: `${markup} 2`, controller: markup, location: markup, notes: markup,
     });
     await world.api('POST', '/api/axes', { machine: machine.id, name: markup, kind: 'linear', limits: [], notes: markup });
     await world.api('POST', '/api/instruments', {
-      role: markup, manufacturer: markup, type: markup, serial_number: markup, certificate: markup, calibrated_on: '', calibration_due: '', inputs: {}, notes: markup,
+      role: markup, manufacturer: markup, type: markup, serial_number: `${markup} 2`, certificate: markup, calibrated_on: '', calibration_due: '', inputs: {}, notes: markup,
     });
     const plan = await world.plan(markup, { axis: markup.slice(0, 40), further: { machine: markup } });
     const { axes } = (await world.api('GET', `/api/machines/${machine.id}`));
