@@ -48,6 +48,7 @@ export const conflict = {
     const kept = await world.api('GET', `/api/axes/${axis.id}`);
     assert.equal(kept.version, 3);
     assert.deepEqual(Object.fromEntries(kept.limits.map((one) => [one.parameter, one.value])), { A: 6, B: 5, E: 9 });
+    await shows(page.locator('dd.latest'), /X over the limit of today/);
     await page.goto('/machines');
     await shows(page.locator('main'), /X over the limit of today/);
   },

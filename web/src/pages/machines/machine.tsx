@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import type { Axis, CompensationHead, CompensationList, Machine } from '../../api/types';
 import { use_get } from '../../api/use';
 import { FailureNotice } from '../../components/failure';
@@ -9,6 +9,7 @@ import { CalibrationsOfMachine } from '../calibrations/of_machine';
 import './machines.css';
 import { AxisDialog } from './axis_dialog';
 import { EntityHistory } from './history';
+import { load_courses } from './axis_courses';
 import { Day } from './day';
 import { MachineDialog } from './machine_dialog';
 import { plain_symbol } from './parameters';
@@ -21,6 +22,7 @@ export function MachinePage({ parts }: { parts: Record<string, string> }) {
   const machine = use_get<Machine>(`/api/machines/${parts['id']}`);
   const [editing, set_editing] = useState<'machine' | Axis | 'axis' | null>(null);
   const found = machine.data;
+  useEffect(() => (found ? load_courses(found.axes) : undefined), [found]);
   if (machine.error && !found) return <FailureNotice error={machine.error} retry={machine.reload} />;
   if (!found) return null;
   const saved_axis = () => { set_editing(null); machine.reload(); };
