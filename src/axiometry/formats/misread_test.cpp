@@ -54,6 +54,10 @@ TEST(Misread, ASummaryIsNoSeriesOfDeviations) {
         "Mean (um);Backlash (um)", "Mean (um);error_rms_um"})
     EXPECT_THAT(answer("Target (mm);Direction;" + head + "\n" + rows), testing::Not(testing::StartsWith("read")))
         << head;
+  EXPECT_THAT(
+      answer("Target (mm);Direction;Cumulative error (um)\n0;up;0.1\n50;up;0.4\n100;up;0.5\n100;down;1.3\n"
+             "50;down;1.1\n0;down;0.9\n0;up;0.2\n50;up;0.5\n100;up;0.5\n100;down;1.2\n50;down;1.0\n0;down;0.8\n"),
+      testing::StartsWith("read"));
   EXPECT_THAT(answer("target_mm,direction,run,|error| um\n0,up,1,0.1\n50,up,1,0.4\n50,down,1,1.1\n0,down,1,0.9\n"),
               testing::Not(testing::StartsWith("read")));
 }

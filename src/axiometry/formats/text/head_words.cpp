@@ -104,8 +104,7 @@ constexpr std::string_view other_deviation_words[] = {
     "cuadrático", "abs",        "absolute",     "absolut",     "absolu",      "assoluto",    "absoluto",
     "betrag",     "magnitude",  "yaw",          "pitch",       "roll",        "gieren",      "nicken",
     "rollen",     "vertical",   "vertikal",     "verticale",   "horizontal",  "horizontale", "straightness",
-    "geradheit",  "rectitude",  "rettilineità", "incremental", "inkremental", "incrémental", "cumulative",
-    "relative"};
+    "geradheit",  "rectitude",  "rettilineità", "incremental", "inkremental", "incrémental", "relative"};
 // Deviations, or what takes them away ("Added ↑" of our own reports of tables): names alone do not say.
 constexpr std::string_view correction_words[] = {
     "added",        "addiert",           "ajouté",       "correction",    "corrections",
