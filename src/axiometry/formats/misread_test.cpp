@@ -91,6 +91,8 @@ TEST(Misread, UnitsThatContradictAreRefusedOrTold) {
   EXPECT_THAT(answer("# unit: um\n# unit: mm\n" + rows),
               HasSubstr("found the unit mm of the readings, expected only um"));
   EXPECT_THAT(answer("# unit: um\n# units: µm\n" + rows), testing::StartsWith("read"));
+  EXPECT_THAT(answer("# unit: um\nUnit,mm\n" + rows), HasSubstr("found the unit mm of the readings, expected only um"));
+  EXPECT_EQ(answer("Unit,um\nUnits,um\n" + rows), "read");
   EXPECT_THAT(answer("# unit: mm\ntarget_mm,direction,run,deviation_um\n0,up,1,1\n100,up,1,2\n"),
               HasSubstr("the unit mm that is stated above the table is not that of the column \"deviation_um\""));
   EXPECT_THAT(answer("Units: inch\nPosition       Bidirectional Avg Error\n0.0\t0.0005\n4\t0.0012\n"),

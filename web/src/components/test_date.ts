@@ -8,10 +8,10 @@ const t = texts({
   simulated: 'simulated, no date',
 });
 
-/** A day as a list has it. */
 /** The day that a test counts by: of measurement or, where none is stated, of arrival. */
 export const day_of_test = (test: { measured_on: string; received_at: string }): string => test.measured_on || test.received_at.slice(0, 10);
 
+/** A day as a list has it. */
 export const date_or_none = (date: string | null | undefined): string => date || t('undated');
 
 /** As the test states it; in a simulated one stands instead that nothing was measured. */

@@ -237,8 +237,9 @@ Result<Edit<store::InstrumentRecord>> instrument_from(const json::Value& value) 
   AXIOMETRY_TRY_VOID(check_date(value, "calibration_due", instrument.calibration_due));
   if (const std::string& on = instrument.calibrated_on, &due = instrument.calibration_due;
       !on.empty() && !due.empty() && due < on)
-    return at_member(value, "calibration_due",
-                     Error{fmt::format("found the day {}, expected one after the calibration of {}", due, on), {}, {}});
+    return at_member(
+        value, "calibration_due",
+        Error{fmt::format("found the day {}, expected one not before the calibration of {}", due, on), {}, {}});
   if (const Value* inputs = members.optional("inputs")) {
     AXIOMETRY_TRY(instrument.inputs, changes_from(*inputs));
     AXIOMETRY_TRY_VOID(check_inputs(instrument.inputs, *inputs));

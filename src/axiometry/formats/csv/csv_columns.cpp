@@ -253,7 +253,7 @@ Column column_from(const CsvCell& cell) {
   // that grows with its square.
   if (cell.text.size() > read_budget::name_bytes) return column;
   const std::string name = without_brackets_around_signs(cell.text);
-  if (name.contains('|')) return column;  // "|error|" has lost its sign
+  if (std::ranges::count(name, '|') > 1) return column;  // "|error|" has lost its sign
   const NameAndUnit parts = part_unit(text::trim(name));
   column.unit_text = std::string(parts.unit);
   column.unit = parts.unit.empty() ? nullptr : find_unit(parts.unit);

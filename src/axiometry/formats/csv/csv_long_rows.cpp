@@ -365,6 +365,7 @@ Result<void> LongRows::end_test() {
     const char mark = numbers_.mark().value_or(preamble_.delimiter == ',' ? '.' : ',');
     AXIOMETRY_TRY(metadata_, metadata_of(preamble_, layout_.kind, mark));
   }
+  rows_doubted_ = 0;
   readings_.clear();
   approaches_.clear();
   targets_.restart();

@@ -290,21 +290,24 @@ void remark_other_units(Preamble& preamble) {
 
 /// What an instrument prints above the header, "Machine:;Mill 5" or "Machine: Mill 5"; all but known keys is passed
 /// over, and told.
-void take_plain_line(Preamble& preamble, std::string_view line, std::size_t number) {
+Result<void> take_plain_line(Preamble& preamble, std::string_view line, std::size_t number) {
   const auto cells = split_row(line, delimiter_of(line), number);
-  if (!cells || cells->empty()) return;
-  std::string pair = cells->front().text;
+  if (!cells || cells->empty()) return {};
+  std::string pair = "# " + cells->front().text;
   if (pair.find(':') == std::string::npos) pair += ':';
   for (std::size_t k = 1; k < cells->size(); ++k)
     if (!(*cells)[k].text.empty()) pair += " " + (*cells)[k].text;
+  // A second unit is a contradiction here too; a word that is no unit may be anything.
+  if (const auto said = key_and_value(pair);
+      said && find_unit(said->value) != nullptr &&
+      (text::is_one_of(said->key, reading_unit_keys) || text::is_one_of(said->key, target_unit_keys)))
+    return take_comment_line(preamble, pair, number);
   Preamble trial = preamble;
-  const bool taken =
-      take_comment_line(trial, "# " + pair, number) &&
-      (trial.metadata.size() > preamble.metadata.size() || trial.default_units != preamble.default_units);
-  if (taken)
+  if (take_comment_line(trial, pair, number) && trial.metadata.size() > preamble.metadata.size())
     preamble = std::move(trial);
   else
     preamble.passed_over.add(line);
+  return {};
 }
 
 }  // namespace
@@ -342,7 +345,7 @@ Result<Preamble> read_preamble(std::string_view text) {
     if (is_comment(text::trim(*line))) {
       AXIOMETRY_TRY_VOID(take_comment_line(preamble, *line, lines.number()));
     } else if (is_header(*line)) {
-      take_plain_line(preamble, *line, lines.number());
+      AXIOMETRY_TRY_VOID(take_plain_line(preamble, *line, lines.number()));
     }
   }
   preamble.size = lines.offset();

@@ -57,7 +57,8 @@ class CurveReader {
       return {};
     }
     const auto item = tagged_value(content, '=');
-    if (item && item->tag == "sign" && parse_number(item->value) != 1.0)
+    if (item && item->tag == "sign" &&
+        parse_number(item->value.substr(0, item->value.find_last_not_of(" ;,") + 1)) != 1.0)
       return fail(fmt::format("found SIGN = {}, expected 1 or none: errors are actual minus nominal in this format",
                               text::quoted(item->value)),
                   line.at(item->value));

@@ -99,12 +99,11 @@ constexpr std::string_view ignored_words[] = {
 // A deviation with one of these is no deviation from a target along the axis, or has lost its sign: "standard
 // deviation", "écart-type", "yaw error", "vertical deviation", "abs error".
 constexpr std::string_view other_deviation_words[] = {
-    "standard",   "estándar",   "estandar",     "típica",      "tipica",      "type",        "tipo",
-    "quadratico", "quadratica", "quadratique",  "squared",     "square",      "quadratisch", "quadrat",
-    "cuadrático", "abs",        "absolute",     "absolut",     "absolu",      "assoluto",    "absoluto",
-    "betrag",     "magnitude",  "yaw",          "pitch",       "roll",        "gieren",      "nicken",
-    "rollen",     "vertical",   "vertikal",     "verticale",   "horizontal",  "horizontale", "straightness",
-    "geradheit",  "rectitude",  "rettilineità", "incremental", "inkremental", "incrémental", "relative"};
+    "standard",     "estándar",   "estandar",    "típica",       "tipica",      "type",        "tipo",
+    "quadratico",   "quadratica", "quadratique", "squared",      "square",      "quadratisch", "quadrat",
+    "cuadrático",   "abs",        "absolute",    "absolut",      "absolu",      "assoluto",    "absoluto",
+    "betrag",       "magnitude",  "yaw",         "roll",         "gieren",      "nicken",      "rollen",
+    "straightness", "geradheit",  "rectitude",   "rettilineità", "incremental", "inkremental", "incrémental"};
 // Deviations, or what takes them away ("Added ↑" of our own reports of tables): names alone do not say.
 constexpr std::string_view correction_words[] = {
     "added",        "addiert",           "ajouté",       "correction",    "corrections",
@@ -112,6 +111,9 @@ constexpr std::string_view correction_words[] = {
     "kompensation", "kompensationswert", "komp",         "compensation",  "compensations",
     "comp",         "correzione",        "correzioni",   "compensazione", "corrección",
     "correccion",   "compensación",      "compensacion", "补偿",          "補正"};
+// Across the way, unless it is the axis that is called so: "vertical deviation", not "error of the vertical axis".
+constexpr std::string_view across_words[] = {"vertical", "vertikal", "verticale", "horizontal", "horizontale"};
+constexpr std::string_view axis_words[] = {"axis", "achse", "axe", "asse", "eje"};
 constexpr std::string_view minus_words[] = {"minus", "moins", "meno", "menos"};
 constexpr std::string_view up_words[] = {
     "up",       "forward",   "fwd",      "positive", "hin",    "vor",     "vorwärts", "vorwaerts", "positiv",
@@ -245,7 +247,9 @@ std::optional<Direction> direction_by_sign(std::string_view name) {
 HeadRole role_of(const std::vector<std::string>& words) {
   if (find_any(words, ignored_words) || names_a_multiple_of_s(words)) return HeadRole::ignored;
   if (find_any(words, deviation_words))
-    return find_any(words, other_deviation_words) ? HeadRole::ignored : HeadRole::deviation;
+    return find_any(words, other_deviation_words) || (find_any(words, across_words) && !find_any(words, axis_words))
+               ? HeadRole::ignored
+               : HeadRole::deviation;
   if (find_any(words, measured_words)) return HeadRole::measured;
   if (find_any(words, target_words)) return find_any(words, index_words) ? HeadRole::index : HeadRole::target;
   if (find_any(words, direction_heads)) return HeadRole::direction;
@@ -296,7 +300,7 @@ Head head_of(std::string_view raw) {
   const std::string_view plain = text::trim(parts.name);
   const std::vector<std::string> words = words_of(plain);
   head.role = role_of(words);
-  if (plain.starts_with('|') && plain.ends_with('|') && head.role == HeadRole::deviation) head.role = HeadRole::ignored;
+  if (std::ranges::count(plain, '|') > 1 && head.role == HeadRole::deviation) head.role = HeadRole::ignored;
   const bool corrected = find_any(words, correction_words).has_value();
   std::vector<std::string> ways = words;
   if (corrected)  // "vor Kompensation" and "avant correction" are before it, not forward

@@ -14,7 +14,7 @@ class ThousandsDoubt {
  public:
   explicit ThousandsDoubt(std::size_t columns) : columns_(columns) {}
 
-  /// A number as it is written. Only the first ones of a file need to be shown: what settles it comes soon.
+  /// A number as it is written.
   void look_at(std::size_t column, std::string_view number);
 
   /// Some number has the mark before another count of digits than three, or behind a 0: it is a decimal mark.
@@ -25,6 +25,7 @@ class ThousandsDoubt {
     std::string whole;   ///< "500", of the same column
   };
   /// A column whose marks all stand before three digits, beside whole numbers without one; nothing where it is settled.
+  /// A single one that does not end with 0 is no sign of it.
   std::optional<Found> found() const;
 
  private:

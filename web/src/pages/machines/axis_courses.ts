@@ -34,12 +34,12 @@ export function load_courses(axes: readonly Axis[]): () => void {
   return () => abort.abort();
 }
 
-/** Whether its last test, whatever it was judged by, stands over a limit that the axis has been given since. */
+/** Whether its last test stands over a limit of the axis that it was not judged by: it was given since, or the test brought its own. */
 export function is_over_new_limit(axis: Axis): boolean {
   const points = complete.value.get(axis.id)?.points ?? [];
   const figures = points[points.length - 1]?.figures ?? [];
   return axis.limits.some(({ parameter, value }) =>
-    figures.some((one) => one.parameter === parameter && one.limit !== null && one.limit !== value && Math.abs(one.value) > value && one.verdict !== 'does not conform'));
+    figures.some((one) => one.parameter === parameter && one.limit !== value && Math.abs(one.value) > value && one.verdict !== 'does not conform'));
 }
 
 /** Of the last test of an axis. */

@@ -16,7 +16,7 @@ export const t = texts({
   overdue: 'overdue since {date}',
   axes_overdue: '{axes} overdue since {date}',
   never: 'without a test that counts',
-  over_new_limit: '{axes} over the limit of today, judged by a former one',
+  over_new_limit: '{axes} over the limit of today, not judged by it',
   summary: '{n} {n|machine|machines}, {attention} {attention|needs|need} attention',
   axes: 'Axes',
   axes_course: 'Axes: course of A against its limit',
