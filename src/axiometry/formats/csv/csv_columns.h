@@ -48,8 +48,6 @@ std::vector<Column> columns_from(const std::vector<CsvCell>& header);
 struct DefaultUnits {
   const Unit* reading = nullptr;
   const Unit* target = nullptr;
-
-  friend bool operator==(const DefaultUnits&, const DefaultUnits&) = default;
 };
 
 /// Which columns were passed over by their names, a sentence without full stop; nothing where none was.
